@@ -1,0 +1,2 @@
+//! The `wholestring` command.
+fn main() {}

@@ -1,0 +1,126 @@
+//! What the driller is doing.
+
+/// The operations that torque and drag are computed for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum OperationKind {
+    /// Pulling the string out of the hole without rotation.
+    TripOut,
+    /// Running the string into the hole without rotation.
+    TripIn,
+    /// Rotating with the bit off bottom and no axial motion.
+    RotateOffBottom,
+    /// Rotary drilling: rotating and advancing with weight on the bit.
+    Drill,
+    /// Advancing with weight on the bit without rotating the string (mud motor).
+    Slide,
+    /// Rotating while running in, off bottom.
+    Ream,
+    /// Rotating while pulling out, off bottom.
+    BackReam,
+}
+
+impl OperationKind {
+    /// Every operation, in the order in which reports list them.
+    pub const ALL: [Self; 7] = [
+        Self::TripOut,
+        Self::TripIn,
+        Self::RotateOffBottom,
+        Self::Drill,
+        Self::Slide,
+        Self::Ream,
+        Self::BackReam,
+    ];
+
+    /// Name in case files and results: `trip_out`, `rotate_off_bottom`, ...
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::TripOut => "trip_out",
+            Self::TripIn => "trip_in",
+            Self::RotateOffBottom => "rotate_off_bottom",
+            Self::Drill => "drill",
+            Self::Slide => "slide",
+            Self::Ream => "ream",
+            Self::BackReam => "back_ream",
+        }
+    }
+
+    /// The operation of that name, if there is one.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.name() == name)
+    }
+
+    /// Whether the whole string turns.
+    pub const fn rotates(self) -> bool {
+        matches!(
+            self,
+            Self::RotateOffBottom | Self::Drill | Self::Ream | Self::BackReam
+        )
+    }
+
+    /// Whether the bit is on bottom and cuts.
+    pub const fn on_bottom(self) -> bool {
+        matches!(self, Self::Drill | Self::Slide)
+    }
+}
+
+/// One operation with its set points, as the driller gives them.
+///
+/// Every set point is kept whatever the kind; the accessors below say what the kind makes of them
+/// (a tripping string does not turn, whatever `rotary_speed_rad_per_s` says).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Operation {
+    /// What is being done.
+    pub kind: OperationKind,
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// Rotary speed at surface when the string turns, rad/s, clockwise looking down the hole.
+    pub rotary_speed_rad_per_s: f64,
+    /// Weight on bit when the bit is on bottom, N, positive in compression.
+    pub weight_on_bit_N: f64,
+    /// Torque of the bit at `weight_on_bit_N`, N·m.
+    pub bit_torque_N_m: f64,
+    /// Rate of penetration at `weight_on_bit_N` and `rotary_speed_rad_per_s`, m/s.
+    pub rate_of_penetration_m_per_s: f64,
+    /// Axial speed of tripping and reaming, m/s, positive.
+    pub trip_speed_m_per_s: f64,
+}
+
+impl Operation {
+    /// Rotary speed of the string, rad/s; zero where the kind does not rotate.
+    pub fn rotation_rad_per_s(&self) -> f64 {
+        if self.kind.rotates() {
+            self.rotary_speed_rad_per_s
+        } else {
+            0.0
+        }
+    }
+
+    /// Axial speed of the string, m/s, positive towards the bit.
+    pub fn axial_velocity_m_per_s(&self) -> f64 {
+        match self.kind {
+            OperationKind::TripOut | OperationKind::BackReam => -self.trip_speed_m_per_s,
+            OperationKind::TripIn | OperationKind::Ream => self.trip_speed_m_per_s,
+            OperationKind::RotateOffBottom => 0.0,
+            OperationKind::Drill | OperationKind::Slide => self.rate_of_penetration_m_per_s,
+        }
+    }
+
+    /// Weight on bit, N; zero off bottom.
+    pub fn weight_on_bit_now_N(&self) -> f64 {
+        if self.kind.on_bottom() {
+            self.weight_on_bit_N
+        } else {
+            0.0
+        }
+    }
+
+    /// Bit torque that the string carries, N·m; zero off bottom. A sliding string carries the
+    /// reaction of its motor, which is the same torque.
+    pub fn bit_torque_now_N_m(&self) -> f64 {
+        if self.kind.on_bottom() {
+            self.bit_torque_N_m
+        } else {
+            0.0
+        }
+    }
+}

@@ -1,0 +1,1 @@
+//! Static torque and drag.

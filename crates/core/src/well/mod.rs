@@ -1,0 +1,18 @@
+//! The well: the path of the hole's axis and the hole around it.
+
+mod hole;
+mod path;
+mod station;
+
+pub use hole::{Friction, Hole, HoleError, HoleKind, HoleSection};
+pub use path::{Interpolation, Path, PathError, PathPoint, TieIn};
+pub use station::Station;
+
+/// A well: where the hole runs and how wide and rough it is.
+#[derive(Debug, Clone)]
+pub struct Well {
+    /// Axis of the hole.
+    pub path: Path,
+    /// Sections of the hole by measured depth.
+    pub hole: Hole,
+}
