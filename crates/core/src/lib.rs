@@ -9,6 +9,7 @@
 //! clockwise looking down the hole.
 #![warn(missing_docs)]
 
+pub mod dynamics;
 pub mod model;
 pub mod mud;
 pub mod operation;

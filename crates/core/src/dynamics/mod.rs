@@ -1,0 +1,8 @@
+//! The whole string in time: 3D nonlinear rod, wall contact and friction, top drive, hoist and bit.
+
+mod settings;
+
+pub use settings::{
+    BitSettings, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping,
+    Start,
+};
