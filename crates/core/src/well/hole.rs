@@ -42,3 +42,11 @@ pub struct HoleSection {
 pub struct Hole {
     sections: Vec<HoleSection>,
 }
+
+/// Why sections make no hole.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum HoleError {
+    /// No section at all.
+    #[error("a hole needs at least one section")]
+    Empty,
+}
