@@ -351,6 +351,25 @@ fn tie_in_moves_the_hole() {
     assert!((above.position_m + survey[0].tangent() * 100.0 - offset).norm() < 1e-9);
 }
 
+/// In the middle of an interval the dogleg severity is 0.8 to 1.2 times the interval's own: less
+/// than 0.8 only by the cosine of the latitude, which stays below a sixth of the dogleg.
+fn keeps_to_its_own_interval(survey: &[Station]) -> bool {
+    let path = spline(survey);
+    survey.windows(2).all(|pair| {
+        let dogleg = pair[0].dogleg_rad(&pair[1]);
+        let severity = path.dogleg_severity_rad_per_m(0.5 * (pair[0].md_m + pair[1].md_m));
+        let share = severity * (pair[1].md_m - pair[0].md_m) / dogleg;
+        dogleg < 1e-12 || (0.8 * (dogleg / 6.0).cos() - 1e-9..1.2 + 1e-9).contains(&share)
+    })
+}
+
+#[test]
+fn a_sharp_neighbour_does_not_bend_a_gentle_interval() {
+    for (name, survey) in surveys() {
+        assert!(keeps_to_its_own_interval(&survey), "{name}");
+    }
+}
+
 proptest! {
     /// Whatever the survey, the tangent is a unit vector, the numbers are finite and the dogleg
     /// severity stays within its bound.
@@ -380,5 +399,6 @@ proptest! {
             prop_assert!(high.dot(&point.tangent).abs() < 1e-12);
         }
         prop_assert!(worst_overshoot(&survey) <= 1.2 + 1e-9);
+        prop_assert!(keeps_to_its_own_interval(&survey));
     }
 }
