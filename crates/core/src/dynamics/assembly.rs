@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::{
-    chain::{Chain, NO_WALL_M, element, node},
+    chain::{Chain, NO_WALL_M, node},
     settings::ContactLaw,
 };
 use crate::{
@@ -76,7 +76,7 @@ impl Surroundings {
             .iter()
             .map(|n| {
                 let (_, component) = model.string.component_at(n.from_bit_m);
-                (component.material.youngs_modulus_Pa, component.poisson_ratio())
+                (component.material.youngs_modulus_Pa, component.material.poisson_ratio())
             })
             .collect();
         // The top is clamped in the rotary, the bit is held by its own hole.
