@@ -43,10 +43,182 @@ pub struct Hole {
     sections: Vec<HoleSection>,
 }
 
-/// Why sections make no hole.
+/// Ends that differ by less than this meet, m.
+const MEETING_M: f64 = 1e-6;
+
+/// Why sections make no hole. Sections count from zero, from the surface down.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum HoleError {
     /// No section at all.
     #[error("a hole needs at least one section")]
     Empty,
+    /// A number that is not finite or outside its range.
+    #[error("hole section {index}: {quantity} is {value}, expected {expected}")]
+    OutOfRange {
+        /// Which section.
+        index: usize,
+        /// Which of its numbers.
+        quantity: &'static str,
+        /// What it is, SI.
+        value: f64,
+        /// What it may be.
+        expected: &'static str,
+    },
+    /// The end of a section is not below its beginning.
+    #[error(
+        "hole section {index} ends at MD {to_md_m} m, not below its beginning at {from_md_m} m"
+    )]
+    Reversed {
+        /// Which section.
+        index: usize,
+        /// Where it begins, m.
+        from_md_m: f64,
+        /// Where it ends, m.
+        to_md_m: f64,
+    },
+    /// A section does not begin where the one above ends.
+    #[error(
+        "hole section {index} begins at MD {from_md_m} m, but the section above ends at {above_to_md_m} m"
+    )]
+    Apart {
+        /// Which section.
+        index: usize,
+        /// Where it begins, m.
+        from_md_m: f64,
+        /// Where the section above ends, m.
+        above_to_md_m: f64,
+    },
+}
+
+impl Hole {
+    /// A hole of these sections, from the surface down.
+    ///
+    /// # Errors
+    /// No section, sections that overlap or leave a gap, or a number outside its range.
+    pub fn new(sections: Vec<HoleSection>) -> Result<Self, HoleError> {
+        if sections.is_empty() {
+            return Err(HoleError::Empty);
+        }
+        for (index, section) in sections.iter().enumerate() {
+            section.check(index)?;
+            let above = index.checked_sub(1).map(|above| sections[above].to_md_m);
+            if let Some(above_to_md_m) = above
+                && (section.from_md_m - above_to_md_m).abs() > MEETING_M
+            {
+                return Err(HoleError::Apart {
+                    index,
+                    from_md_m: section.from_md_m,
+                    above_to_md_m,
+                });
+            }
+        }
+        Ok(Self { sections })
+    }
+
+    /// The sections, from the surface down.
+    pub fn sections(&self) -> &[HoleSection] {
+        &self.sections
+    }
+
+    /// The section at a measured depth, m: the upper one where two meet, the first above the hole
+    /// and the last below it.
+    pub fn at(&self, md_m: f64) -> &HoleSection {
+        let index = self
+            .sections
+            .partition_point(|section| section.to_md_m < md_m);
+        &self.sections[index.min(self.sections.len() - 1)]
+    }
+
+    /// The same hole with one kinetic coefficient of friction everywhere. Coefficients at rest keep
+    /// their ratio to the kinetic one (where that was zero, both become `kinetic`).
+    ///
+    /// # Errors
+    /// A coefficient that is negative or not finite.
+    pub fn with_friction(&self, kinetic: f64) -> Result<Self, HoleError> {
+        let sections = self.sections.iter().map(|section| {
+            let old = section.friction;
+            let ratio = if old.kinetic > 0.0 {
+                old.at_rest / old.kinetic
+            } else {
+                1.0
+            };
+            HoleSection {
+                friction: Friction {
+                    kinetic,
+                    at_rest: kinetic * ratio,
+                },
+                ..*section
+            }
+        });
+        Self::new(sections.collect())
+    }
+}
+
+impl HoleSection {
+    fn check(&self, index: usize) -> Result<(), HoleError> {
+        let Friction { kinetic, at_rest } = self.friction;
+        let positive = |value: f64| value > 0.0 && value.is_finite();
+        for (quantity, value, sound, expected) in [
+            (
+                "beginning",
+                self.from_md_m,
+                self.from_md_m.is_finite(),
+                "a finite depth",
+            ),
+            (
+                "end",
+                self.to_md_m,
+                self.to_md_m.is_finite(),
+                "a finite depth",
+            ),
+            (
+                "diameter",
+                self.diameter_m,
+                positive(self.diameter_m),
+                "more than zero",
+            ),
+            (
+                "kinetic friction",
+                kinetic,
+                kinetic >= 0.0 && kinetic.is_finite(),
+                "zero or more",
+            ),
+            (
+                "friction at rest",
+                at_rest,
+                at_rest >= kinetic && at_rest.is_finite(),
+                "at least the kinetic one",
+            ),
+            (
+                "Young's modulus",
+                self.youngs_modulus_Pa,
+                positive(self.youngs_modulus_Pa),
+                "more than zero",
+            ),
+            (
+                "Poisson's ratio",
+                self.poisson_ratio,
+                (0.0..0.5).contains(&self.poisson_ratio),
+                "from 0 to below 0.5",
+            ),
+        ] {
+            if !sound {
+                return Err(HoleError::OutOfRange {
+                    index,
+                    quantity,
+                    value,
+                    expected,
+                });
+            }
+        }
+        if self.to_md_m <= self.from_md_m {
+            return Err(HoleError::Reversed {
+                index,
+                from_md_m: self.from_md_m,
+                to_md_m: self.to_md_m,
+            });
+        }
+        Ok(())
+    }
 }

@@ -1,8 +1,11 @@
 //! The well: the path of the hole's axis and the hole around it.
 
+mod curve;
 mod hole;
+mod landmarks;
 mod path;
 mod station;
+mod vertical;
 
 pub use hole::{Friction, Hole, HoleError, HoleKind, HoleSection};
 pub use path::{Interpolation, Path, PathError, PathPoint, TieIn};

@@ -2,7 +2,22 @@
 
 use nalgebra::Vector3;
 
-use super::Station;
+use super::{
+    Station,
+    curve::{self, Piece},
+    landmarks,
+    vertical::NearVertical,
+};
+
+/// Stations nearer than this are one station, m.
+const LEAST_SPACING_M: f64 = 1e-3;
+
+/// Directions whose sum is shorter than this point against each other; nothing then says which way
+/// the hole turned.
+const REVERSAL: f64 = 1e-6;
+
+/// Below this sine of the inclination a point has no high side of its own.
+const VERTICAL: f64 = 1e-9;
 
 /// How the curve runs between stations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,16 +50,311 @@ pub struct PathPoint {
     pub curvature_per_m: Vector3<f64>,
 }
 
-/// Why stations make no path.
+impl PathPoint {
+    /// Inclination from vertical, rad, 0 to π.
+    pub fn inclination_rad(&self) -> f64 {
+        self.tangent.x.hypot(self.tangent.y).atan2(self.tangent.z)
+    }
+
+    /// Azimuth from north, clockwise seen from above, rad, 0 to 2π; zero where the hole is vertical.
+    pub fn azimuth_rad(&self) -> f64 {
+        let azimuth = self.tangent.y.atan2(self.tangent.x);
+        if azimuth < 0.0 {
+            azimuth + std::f64::consts::TAU
+        } else {
+            azimuth
+        }
+    }
+
+    /// High side: the unit vector across the hole that points up; `None` where the hole is vertical
+    /// within 1e-9 rad. [`Path::high_side_at`] has an answer there too.
+    pub fn high_side(&self) -> Option<Vector3<f64>> {
+        let t = &self.tangent;
+        let sin_inc = t.x.hypot(t.y);
+        (sin_inc > VERTICAL)
+            .then(|| Vector3::new(t.z * t.x / sin_inc, t.z * t.y / sin_inc, -sin_inc))
+    }
+
+    /// Right side looking towards the bit with the high side up: tangent × high side.
+    pub fn right_side(&self) -> Option<Vector3<f64>> {
+        self.high_side().map(|high| self.tangent.cross(&high))
+    }
+}
+
+/// Why stations make no path. Stations count from zero.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum PathError {
     /// Fewer than two stations.
     #[error("a path needs at least two survey stations, got {0}")]
     TooFewStations(usize),
+    /// A number that is NaN or infinite.
+    #[error("station {index} (MD {md_m} m): {quantity} is not a finite number")]
+    NotFinite {
+        /// Which station.
+        index: usize,
+        /// Its measured depth, m.
+        md_m: f64,
+        /// Which of its numbers.
+        quantity: &'static str,
+    },
+    /// The tie-in has a number that is NaN or infinite.
+    #[error("the tie-in position is not finite")]
+    TieInNotFinite,
+    /// The measured depth does not grow, or by less than a millimetre.
+    #[error(
+        "station {index} (MD {md_m} m): measured depth must grow, but the station above lies at {previous_md_m} m"
+    )]
+    DepthNotIncreasing {
+        /// Which station.
+        index: usize,
+        /// Its measured depth, m.
+        md_m: f64,
+        /// Measured depth of the station above, m.
+        previous_md_m: f64,
+    },
+    /// An inclination below 0 or above π.
+    #[error(
+        "station {index} (MD {md_m} m): inclination {:.4} deg is not between 0 and 180 deg",
+        inclination_rad.to_degrees()
+    )]
+    Inclination {
+        /// Which station.
+        index: usize,
+        /// Its measured depth, m.
+        md_m: f64,
+        /// Its inclination, rad.
+        inclination_rad: f64,
+    },
+    /// The hole points back along itself: no curve between the two stations is more likely than
+    /// another.
+    #[error(
+        "station {index} (MD {md_m} m): the hole turns by 180 deg from the station above at {previous_md_m} m"
+    )]
+    Reversal {
+        /// Which station.
+        index: usize,
+        /// Its measured depth, m.
+        md_m: f64,
+        /// Measured depth of the station above, m.
+        previous_md_m: f64,
+    },
 }
 
 /// The hole's axis: position, direction and curvature at any measured depth.
+///
+/// Measured depth is the arc length, and at every station the direction is the survey's. Beyond the
+/// last station, and above the first, the hole goes on straight: surveys usually end some metres
+/// above the bit, and may start below the surface.
+///
+/// ```
+/// use wholestring::well::{Interpolation, Path, Station, TieIn};
+///
+/// let station = |md_m, inclination: f64| Station {
+///     md_m,
+///     inclination_rad: inclination.to_radians(),
+///     azimuth_rad: 0.0,
+/// };
+/// let stations = [station(0.0, 0.0), station(300.0, 0.0), station(330.0, 3.0)];
+/// let path = Path::new(&stations, Interpolation::Spline, TieIn::default())?;
+/// assert!((path.at(300.0).position_m.z - 300.0).abs() < 1e-9);
+/// assert!((path.at(350.0).inclination_rad().to_degrees() - 3.0).abs() < 1e-9);
+///
+/// let backwards = [station(330.0, 0.0), station(300.0, 3.0)];
+/// assert_eq!(
+///     Path::new(&backwards, Interpolation::Spline, TieIn::default()).unwrap_err().to_string(),
+///     "station 1 (MD 300 m): measured depth must grow, but the station above lies at 330 m"
+/// );
+/// # Ok::<(), wholestring::well::PathError>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Path {
     stations: Vec<Station>,
+    interpolation: Interpolation,
+    pieces: Vec<Piece>,
+    end: PathPoint,
+    near_vertical: NearVertical,
+}
+
+impl Path {
+    /// The curve through `stations` that begins at `tie_in`.
+    ///
+    /// # Errors
+    /// Fewer than two stations, a number that is not finite, a measured depth that does not grow,
+    /// an inclination outside 0 to π, or a reversal by π between two stations.
+    pub fn new(
+        stations: &[Station],
+        interpolation: Interpolation,
+        tie_in: TieIn,
+    ) -> Result<Self, PathError> {
+        check(stations)?;
+        let start_m = Vector3::new(tie_in.north_m, tie_in.east_m, tie_in.tvd_m);
+        if !start_m.iter().all(|number| number.is_finite()) {
+            return Err(PathError::TieInNotFinite);
+        }
+        let pieces = curve::pieces(stations, interpolation, start_m);
+        let last_md_m = stations[stations.len() - 1].md_m;
+        let last = &pieces[pieces.len() - 1];
+        let end = PathPoint {
+            position_m: last.position_m(last_md_m - last.md_m),
+            tangent: stations[stations.len() - 1].tangent(),
+            curvature_per_m: Vector3::zeros(),
+        };
+        let near_vertical = NearVertical::find(&pieces, last_md_m);
+        Ok(Self {
+            stations: stations.to_vec(),
+            interpolation,
+            pieces,
+            end,
+            near_vertical,
+        })
+    }
+
+    /// The survey.
+    pub fn stations(&self) -> &[Station] {
+        &self.stations
+    }
+
+    /// How the curve runs between stations.
+    pub fn interpolation(&self) -> Interpolation {
+        self.interpolation
+    }
+
+    /// Measured depth of the first station, m.
+    pub fn first_md_m(&self) -> f64 {
+        self.stations[0].md_m
+    }
+
+    /// Measured depth of the last station, m.
+    pub fn last_md_m(&self) -> f64 {
+        self.stations[self.stations.len() - 1].md_m
+    }
+
+    /// The point at a measured depth; straight on beyond the last station and above the first.
+    ///
+    /// Where the curvature jumps (a station of a minimum-curvature path) it is the one below.
+    pub fn at(&self, md_m: f64) -> PathPoint {
+        let beyond = md_m - self.last_md_m();
+        if beyond >= 0.0 {
+            let mut point = self.end;
+            point.position_m += point.tangent * beyond;
+            return point;
+        }
+        let above = md_m - self.first_md_m();
+        if above < 0.0 {
+            let tangent = self.stations[0].tangent();
+            return PathPoint {
+                position_m: self.pieces[0].position_m(0.0) + tangent * above,
+                tangent,
+                curvature_per_m: Vector3::zeros(),
+            };
+        }
+        let piece = &self.pieces[self.piece_index(md_m)];
+        let x = md_m - piece.md_m;
+        PathPoint {
+            position_m: piece.position_m(x),
+            tangent: piece.tangent(x),
+            curvature_per_m: piece.curvature_per_m(x),
+        }
+    }
+
+    /// Dogleg severity: the magnitude of the curvature, rad/m.
+    pub fn dogleg_severity_rad_per_m(&self, md_m: f64) -> f64 {
+        self.at(md_m).curvature_per_m.norm()
+    }
+
+    /// High side at any measured depth, continuous along the hole: a unit vector across it.
+    ///
+    /// Where the hole is inclined by more than 0.001 rad this is [`PathPoint::high_side`]. In a
+    /// vertical part it keeps the bearing that it takes below (just under a kick-off the high side
+    /// faces the way the hole deviates), or, down to the end of the well, the one that it had above;
+    /// between two inclined parts its bearing turns evenly with depth from one to the other, the
+    /// short way. In a wholly vertical well it is north.
+    pub fn high_side_at(&self, md_m: f64) -> Vector3<f64> {
+        let point = self.at(md_m);
+        let bearing = match self.near_vertical.bearing_rad(md_m) {
+            Some(bearing) => bearing,
+            None => match point.high_side() {
+                Some(high_side) => return high_side,
+                None => 0.0,
+            },
+        };
+        let across = Vector3::new(bearing.cos(), bearing.sin(), 0.0);
+        (across - point.tangent * point.tangent.dot(&across)).normalize()
+    }
+
+    /// Measured depth of the kick-off, m: where the hole first leaves its straight course.
+    ///
+    /// Of the survey, thinned to stations at least 25 m apart, this takes the first station whose
+    /// direction is more than 3° off the first one's, and goes up from there as long as each
+    /// interval turns away at least a quarter as sharply as the one that crossed the 3°. So neither
+    /// the wander of a nominally vertical hole nor a slow start of the build moves it far. `None`
+    /// for a hole that stays within 3° of its first direction.
+    pub fn kick_off_md_m(&self) -> Option<f64> {
+        landmarks::kick_off_md_m(&self.stations)
+    }
+
+    /// Measured depth where the build that begins at the kick-off ends, m.
+    ///
+    /// Of the same thinned survey, the first station below the kick-off from which the inclination
+    /// rises, over the next 90 m and over the next interval, by less than a quarter of the build's
+    /// mean rate up to there. `None` without a kick-off, or where the hole does not build at it.
+    pub fn build_end_md_m(&self) -> Option<f64> {
+        landmarks::build_end_md_m(&self.stations)
+    }
+
+    /// Index of the piece that holds `md_m`, the first one for depths above it.
+    fn piece_index(&self, md_m: f64) -> usize {
+        self.pieces
+            .partition_point(|piece| piece.md_m <= md_m)
+            .saturating_sub(1)
+    }
+}
+
+fn check(stations: &[Station]) -> Result<(), PathError> {
+    if stations.len() < 2 {
+        return Err(PathError::TooFewStations(stations.len()));
+    }
+    for (index, station) in stations.iter().enumerate() {
+        let md_m = station.md_m;
+        for (number, quantity) in [
+            (md_m, "measured depth"),
+            (station.inclination_rad, "inclination"),
+            (station.azimuth_rad, "azimuth"),
+        ] {
+            if !number.is_finite() {
+                return Err(PathError::NotFinite {
+                    index,
+                    md_m,
+                    quantity,
+                });
+            }
+        }
+        // Half a circle in degrees, converted, may come out a rounding error above π.
+        if !(0.0..=std::f64::consts::PI + 1e-12).contains(&station.inclination_rad) {
+            return Err(PathError::Inclination {
+                index,
+                md_m,
+                inclination_rad: station.inclination_rad,
+            });
+        }
+        let Some(previous) = index.checked_sub(1).map(|above| &stations[above]) else {
+            continue;
+        };
+        if md_m - previous.md_m < LEAST_SPACING_M {
+            return Err(PathError::DepthNotIncreasing {
+                index,
+                md_m,
+                previous_md_m: previous.md_m,
+            });
+        }
+        if (station.tangent() + previous.tangent()).norm() < REVERSAL {
+            return Err(PathError::Reversal {
+                index,
+                md_m,
+                previous_md_m: previous.md_m,
+            });
+        }
+    }
+    Ok(())
 }

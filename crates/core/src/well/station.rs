@@ -1,5 +1,7 @@
 //! Survey stations.
 
+use nalgebra::Vector3;
+
 /// One survey station.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Station {
@@ -9,4 +11,24 @@ pub struct Station {
     pub inclination_rad: f64,
     /// Azimuth from north, clockwise seen from above, rad.
     pub azimuth_rad: f64,
+}
+
+impl Station {
+    /// Direction of the hole: unit vector, north, east, down.
+    pub fn tangent(&self) -> Vector3<f64> {
+        let (sin_inc, cos_inc) = self.inclination_rad.sin_cos();
+        let (sin_azi, cos_azi) = self.azimuth_rad.sin_cos();
+        Vector3::new(sin_inc * cos_azi, sin_inc * sin_azi, cos_inc)
+    }
+
+    /// Dogleg between two stations, rad: the angle between their directions, 0 to π.
+    pub fn dogleg_rad(&self, other: &Self) -> f64 {
+        angle_between(&self.tangent(), &other.tangent())
+    }
+}
+
+/// Angle between two unit vectors, rad, without the loss of digits of `acos` near 0 and π
+/// (W. Kahan: twice the arc tangent of the ratio of the difference to the sum).
+pub(super) fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
+    2.0 * (b - a).norm().atan2((b + a).norm())
 }

@@ -1,0 +1,88 @@
+//! Kick-off and end of build, read off a survey.
+
+use super::{Station, station::angle_between};
+
+/// Stations nearer than this say more about the tool's repeatability than about the hole, m.
+const THIN_TO_M: f64 = 25.0;
+
+/// Off the first direction by more than this, the hole has left its straight course.
+const LEFT_RAD: f64 = 3.0 * std::f64::consts::PI / 180.0;
+
+/// Share of the rate of turning below which a hole counts as not turning any more.
+const SHARE: f64 = 0.25;
+
+/// How far below a station the build must have gone on, m: three stands of range-2 joints.
+const LOOK_AHEAD_M: f64 = 90.0;
+
+/// See [`super::Path::kick_off_md_m`].
+pub(super) fn kick_off_md_m(stations: &[Station]) -> Option<f64> {
+    let stations = thinned(stations);
+    kick_off(&stations).map(|index| stations[index].md_m)
+}
+
+/// See [`super::Path::build_end_md_m`].
+pub(super) fn build_end_md_m(stations: &[Station]) -> Option<f64> {
+    let stations = thinned(stations);
+    let start = kick_off(&stations)?;
+    let from = &stations[start];
+    let last = stations.len() - 1;
+    if rise_below(&stations, start) <= 0.0 {
+        return None;
+    }
+    let end = (start + 1..last).find(|&index| {
+        let here = &stations[index];
+        let mean = (here.inclination_rad - from.inclination_rad) / (here.md_m - from.md_m);
+        let next = &stations[index + 1];
+        let ahead_m = (stations[last].md_m - here.md_m).min(LOOK_AHEAD_M);
+        rise_below(&stations, index) < SHARE * mean * ahead_m
+            && next.inclination_rad - here.inclination_rad < SHARE * mean * (next.md_m - here.md_m)
+    });
+    Some(stations[end.unwrap_or(last)].md_m)
+}
+
+/// Every station that lies far enough below the one kept before it, and the last one.
+fn thinned(stations: &[Station]) -> Vec<Station> {
+    let mut kept: Vec<Station> = Vec::with_capacity(stations.len());
+    for station in stations {
+        if kept
+            .last()
+            .is_none_or(|above| station.md_m - above.md_m >= THIN_TO_M)
+        {
+            kept.push(*station);
+        }
+    }
+    kept.extend(stations.last().filter(|last| kept.last() != Some(last)));
+    kept
+}
+
+fn kick_off(stations: &[Station]) -> Option<usize> {
+    let first = stations[0].tangent();
+    let off = |index: usize| angle_between(&first, &stations[index].tangent());
+    let rate = |index: usize| {
+        (off(index + 1) - off(index)) / (stations[index + 1].md_m - stations[index].md_m)
+    };
+    let crossing = (1..stations.len()).find(|&index| off(index) > LEFT_RAD)? - 1;
+    let least = SHARE * rate(crossing);
+    let mut index = crossing;
+    while index > 0 && rate(index - 1) >= least {
+        index -= 1;
+    }
+    Some(index)
+}
+
+/// The most by which the inclination rises above a station's within the look-ahead, rad.
+fn rise_below(stations: &[Station], index: usize) -> f64 {
+    let here = &stations[index];
+    let end_md_m = here.md_m + LOOK_AHEAD_M;
+    let mut most: f64 = 0.0;
+    for pair in stations[index..].windows(2) {
+        let share = ((end_md_m - pair[0].md_m) / (pair[1].md_m - pair[0].md_m)).min(1.0);
+        if share <= 0.0 {
+            break;
+        }
+        let inclination =
+            pair[0].inclination_rad + share * (pair[1].inclination_rad - pair[0].inclination_rad);
+        most = most.max(inclination - here.inclination_rad);
+    }
+    most
+}
