@@ -25,14 +25,6 @@ fn scalars(model: &Model, kind: OperationKind) -> Scalars {
     solve(model, &operation(kind, bit_depth_m)).scalars
 }
 
-fn assert_close(what: &str, obtained: f64, expected: f64, tolerance: f64) {
-    let error = relative_error(obtained, expected);
-    assert!(
-        error <= tolerance,
-        "{what}: {obtained} for {expected}, {error:.2e} apart"
-    );
-}
-
 /// A row of A01: its inputs and expected values by name.
 struct Row<'a>(&'a Value);
 
@@ -150,32 +142,15 @@ fn horizontal_push(row: &Row) {
     assert_close("heel", hook_load_N, row.expected("axial_at_heel_N"), 1e-9);
 }
 
-/// A horizontal hole drops to the vertical in an arc. The pipe in the arc is as dense as the mud, so it
-/// weighs nothing; the force at its lower end is the weight of heavier pipe that hangs below it.
 fn capstan(row: &Row) {
-    let arc_m = 500.0;
-    let tail_m = 100.0;
-    let density = steel().density_kg_per_m3;
-    let dense = Material {
-        density_kg_per_m3: 2.0 * density,
-        ..steel()
-    };
-    let radius_m = row.input("r_m");
-    // Half of its weight in air is left in a mud half as dense.
-    let weight = 2.0 * row.input("F_bottom_N") / tail_m;
-    let tail = ComponentSpec {
-        material: dense,
-        ..pipe(weight, radius_m, ComponentLength::Metres(tail_m))
-    };
-    let arc = pipe(300.0, radius_m, ComponentLength::Metres(arc_m));
     let bend = row.input("dogleg_deg");
-    let depth_m = arc_m + tail_m;
-    let model = model(
-        arcs(&[[0.0, bend, 0.0], [arc_m, 0.0, 0.0], [depth_m, 0.0, 0.0]]),
-        hole(row.input("mu"), depth_m),
-        vec![tail, arc],
-        mud(density),
-        depth_m,
+    let radius_m = row.input("r_m");
+    let model = capstan_model(
+        [bend, 0.0],
+        [0.0, 0.0],
+        row.input("mu"),
+        radius_m,
+        row.input("F_bottom_N"),
     );
     let out = scalars(&model, TripOut).hook_load_N;
     assert_close("pull", out, row.expected("pull_top_N"), 1e-8);

@@ -28,6 +28,16 @@ pub fn relative_error(obtained: f64, expected: f64) -> f64 {
     (obtained - expected).abs() / expected.abs()
 }
 
+/// Fails with what was obtained and expected where they differ by more than a relative tolerance.
+#[track_caller]
+pub fn assert_close(what: &str, obtained: f64, expected: f64, tolerance: f64) {
+    let error = relative_error(obtained, expected);
+    assert!(
+        error <= tolerance,
+        "{what}: {obtained} for {expected}, {error:.2e} apart"
+    );
+}
+
 /// Steel of 7850 kg/m³, 210 GPa and 80 GPa.
 pub fn steel() -> Material {
     Material {
@@ -147,4 +157,46 @@ pub fn operation(kind: OperationKind, bit_depth_m: f64) -> Operation {
 /// Revolutions per minute in rad/s.
 pub fn rpm(revolutions_per_minute: f64) -> f64 {
     revolutions_per_minute * std::f64::consts::TAU / 60.0
+}
+
+/// Length of the arc of a [`capstan_model`], m.
+pub const CAPSTAN_ARC_M: f64 = 500.0;
+
+/// An arc between two directions (inclination and azimuth in degrees) through which a weightless string
+/// runs under a tension at its lower end.
+///
+/// The pipe in the arc is as dense as the mud, so it weighs nothing there; the tension is the weight of
+/// denser pipe in a straight, frictionless hole of 100 m below the arc.
+pub fn capstan_model(
+    top_deg: [f64; 2],
+    bottom_deg: [f64; 2],
+    mu: f64,
+    radius_m: f64,
+    tension_N: f64,
+) -> Model {
+    let tail_m = 100.0;
+    let depth_m = CAPSTAN_ARC_M + tail_m;
+    let light = steel();
+    let dense = Material {
+        density_kg_per_m3: 2.0 * light.density_kg_per_m3,
+        ..light
+    };
+    // Half of its weight in air is left in a mud half as dense.
+    let weight = 2.0 * tension_N / (tail_m * bottom_deg[0].to_radians().cos());
+    let tail = ComponentSpec {
+        material: dense,
+        ..pipe(weight, radius_m, ComponentLength::Metres(tail_m))
+    };
+    let [[top_inc, top_azi], [inc, azi]] = [top_deg, bottom_deg];
+    model(
+        arcs(&[
+            [0.0, top_inc, top_azi],
+            [CAPSTAN_ARC_M, inc, azi],
+            [depth_m, inc, azi],
+        ]),
+        hole_of(&[(mu, CAPSTAN_ARC_M), (0.0, depth_m)]),
+        vec![tail, pipe(300.0, radius_m, ComponentLength::ToSurface)],
+        mud(light.density_kg_per_m3),
+        depth_m,
+    )
 }
