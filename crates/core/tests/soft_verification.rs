@@ -271,8 +271,9 @@ fn combined_motion(row: &Row) {
     }
 }
 
-/// A02: a well like the article's, its string with its bottom-hole assembly. The tolerance is the
-/// file's, 0.1 % for a continuous solver; the settings are the default ones.
+/// A02: a well like the article's, its string with its bottom-hole assembly, at the default settings.
+/// The file asks 0.1 %; its oracle is good to 1e-11, so the tolerance is what the default step promises:
+/// 1e-6, for the kinks of `|q|` where the pipe changes sides.
 #[test]
 fn a02_synthetic_well() {
     let data = verification("A02_np13_like_synthetic_well.json");
@@ -342,7 +343,7 @@ fn a02_synthetic_well() {
                 if expected == 0.0 {
                     assert_eq!(obtained, 0.0, "{}", what(key));
                 } else {
-                    assert_close(&what(key), obtained, expected, 1e-3);
+                    assert_close(&what(key), obtained, expected, 1e-6);
                 }
             }
             // The least tension, and the tension where the file found it (off bottom the bit's zero).

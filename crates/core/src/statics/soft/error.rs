@@ -7,7 +7,7 @@ use crate::{model::Model, operation::Operation};
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SoftError {
     /// The step is out of its range.
-    #[error("the step along the hole must be from 0.01 m to 100 m, got {0} m")]
+    #[error("the step along the hole must be from 0.05 m to 100 m, got {0} m")]
     Step(f64),
     /// The bit is too deep, or not at a depth at all.
     #[error("the bit depth must be a positive number of metres up to 100 km, got {0} m")]
@@ -51,7 +51,7 @@ pub(super) fn check(
     operation: &Operation,
     settings: &SoftSettings,
 ) -> Result<(), SoftError> {
-    if !(0.01..=100.0).contains(&settings.step_m) {
+    if !(0.05..=100.0).contains(&settings.step_m) {
         return Err(SoftError::Step(settings.step_m));
     }
     let bit_depth_m = operation.bit_depth_m;

@@ -50,7 +50,7 @@ pub use profile::SoftProfile;
 /// How the soft string is integrated.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SoftSettings {
-    /// Longest step along the hole, m, from 0.01 to 100. Steps also end at survey stations, at the
+    /// Longest step along the hole, m, from 0.05 to 100. Steps also end at survey stations, at the
     /// ends of components and at those of hole sections. The rows of the profile are the steps' ends.
     ///
     /// Default 1 m. The method is of fourth order, but where the pipe changes sides `|q|` has a kink
