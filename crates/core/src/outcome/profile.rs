@@ -150,7 +150,8 @@ mod tests {
     #[test]
     fn cutoff_is_the_deepest_change_of_the_mean_and_not_of_a_ripple() {
         let md: Vec<f64> = (0..1000).map(f64::from).collect();
-        // High to 200 m, low to 500 m, high to 600 m, low below; a ripple of 4 m that changes sides.
+        // High to 200 m, low to 500 m, high to 600 m, low below; on it a ripple of 3 m, a tenth of the
+        // averaging length, that changes sides all the time.
         let force: Vec<f64> = md
             .iter()
             .map(|&md| {
@@ -159,7 +160,7 @@ mod tests {
                 } else {
                     -1.0
                 };
-                mean + 3.0 * (md * std::f64::consts::FRAC_PI_2).sin()
+                mean + 3.0 * (md * std::f64::consts::TAU / 3.0).sin()
             })
             .collect();
         let found = cutoff_depth_m(&md, &force, 0.0, 1000.0).expect("changes side");
