@@ -1,7 +1,7 @@
 //! What is kept of a run while it goes on: sums per node, samples of the scalars.
 
 use super::{
-    chain::{Chain, ElementBlock, NodeBlock},
+    chain::{Chain, ElementBlock, Field, NodeBlock},
     outcome::TimeSeries,
 };
 use crate::rod::lanes::LANES;
@@ -112,7 +112,7 @@ impl Record {
         let first = self.samples == 0;
         for (block, nodes) in chain.node_blocks.iter_mut().enumerate() {
             let elements = &chain.element_blocks[block];
-            let mut place = Placement::of(nodes, &high[(block * LANES).min(high.len())..]);
+            let mut place = Placement::of(nodes, &chain.state.u, block, &high[(block * LANES).min(high.len())..]);
             for lane in 0..LANES {
                 let normal = nodes.sum_normal.0[lane] * per_step;
                 totals.normal_N += normal;
@@ -203,12 +203,13 @@ struct Placement {
 }
 
 impl Placement {
-    fn of(nodes: &NodeBlock, high: &[[f64; 3]]) -> Self {
+    fn of(nodes: &NodeBlock, u: &[Field; 3], block: usize, high: &[[f64; 3]]) -> Self {
         let mut place =
             Self { offset: [0.0; LANES], penetration: [0.0; LANES], side: [0.0; LANES] };
         for lane in 0..LANES.min(high.len()) {
             let get = |rows: &[super::chain::Row; 3]| [0, 1, 2].map(|axis| rows[axis].0[lane]);
-            let (u, t, k) = (get(&nodes.u), get(&nodes.tangent), get(&nodes.curvature));
+            let u = u.each_ref().map(|field| field.nine(block)[lane]);
+            let (t, k) = (get(&nodes.tangent), get(&nodes.curvature));
             let z = u[0] * t[0] + u[1] * t[1] + u[2] * t[2];
             let across: [f64; 3] =
                 std::array::from_fn(|axis| u[axis] - z * t[axis] - 0.5 * z * z * k[axis]);

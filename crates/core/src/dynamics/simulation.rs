@@ -348,10 +348,9 @@ impl Simulation {
 
     fn check_numbers(&self) -> Result<(), Diverged> {
         let fast = |x: f64| !(x.abs() < DIVERGED_M_PER_S);
-        let any = self.chain.node_blocks.iter().any(|block| {
-            block.v.iter().any(|row| row.0.iter().any(|v| fast(*v)))
-                || block.spin.0.iter().any(|s| !s.is_finite())
-        });
+        let state = &self.chain.state;
+        let any = state.v.iter().any(|axis| axis.0.iter().any(|v| fast(*v)))
+            || state.spin.0.iter().any(|s| !s.is_finite());
         if !any {
             return Ok(());
         }
