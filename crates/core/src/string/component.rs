@@ -1,5 +1,9 @@
 //! One component of the string: a bit, a motor, a stand of collars, all the drill pipe.
 
+use std::f64::consts::PI;
+
+use crate::GRAVITY_M_PER_S2;
+
 /// Elastic and inertial properties of a component's metal.
 ///
 /// `E` and `G` are independent inputs: published models do not always keep them consistent.
@@ -11,6 +15,13 @@ pub struct Material {
     pub youngs_modulus_Pa: f64,
     /// Shear modulus, Pa.
     pub shear_modulus_Pa: f64,
+}
+
+impl Material {
+    /// Poisson's ratio that goes with the two moduli of an isotropic metal, `ν = E/(2G) - 1`.
+    pub fn poisson_ratio(&self) -> f64 {
+        self.youngs_modulus_Pa / (2.0 * self.shear_modulus_Pa) - 1.0
+    }
 }
 
 /// Tool joints: the thick, short ends of a pipe, the only part of it that usually touches the wall.
@@ -41,4 +52,102 @@ pub struct Component {
     pub material: Material,
     /// Minimum yield strength, Pa, where known.
     pub yield_strength_Pa: Option<f64>,
+}
+
+/// Area of a ring, m².
+pub(super) fn ring_area_m2(od_m: f64, id_m: f64) -> f64 {
+    PI / 4.0 * (od_m * od_m - id_m * id_m)
+}
+
+impl Component {
+    /// Plain pipe: no joints, its mass that of the ring between `id_m` and `od_m`.
+    pub fn uniform(
+        name: impl Into<String>,
+        od_m: f64,
+        id_m: f64,
+        length_m: f64,
+        material: Material,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            length_m,
+            od_m,
+            id_m,
+            mass_per_length_kg_per_m: material.density_kg_per_m3 * ring_area_m2(od_m, id_m),
+            joints: None,
+            material,
+            yield_strength_Pa: None,
+        }
+    }
+
+    /// Area of the body's metal, `A = π/4 (D² - d²)`, m².
+    pub fn area_m2(&self) -> f64 {
+        ring_area_m2(self.od_m, self.id_m)
+    }
+
+    /// Area of the bore, m².
+    pub fn inner_area_m2(&self) -> f64 {
+        ring_area_m2(self.id_m, 0.0)
+    }
+
+    /// Second moment of area of the body, `I = π/64 (D⁴ - d⁴)`, m⁴.
+    pub fn second_moment_m4(&self) -> f64 {
+        PI / 64.0 * (self.od_m.powi(4) - self.id_m.powi(4))
+    }
+
+    /// Polar second moment of area of the body, `J = 2 I`, m⁴.
+    pub fn polar_moment_m4(&self) -> f64 {
+        2.0 * self.second_moment_m4()
+    }
+
+    /// Axial stiffness `EA` of the body, N. Tool joints are not counted: a joint of 5 % of the
+    /// length makes a pipe about 3 % stiffer.
+    pub fn axial_stiffness_N(&self) -> f64 {
+        self.material.youngs_modulus_Pa * self.area_m2()
+    }
+
+    /// Bending stiffness `EI` of the body, N·m².
+    pub fn bending_stiffness_N_m2(&self) -> f64 {
+        self.material.youngs_modulus_Pa * self.second_moment_m4()
+    }
+
+    /// Torsional stiffness `GJ` of the body, N·m².
+    pub fn torsional_stiffness_N_m2(&self) -> f64 {
+        self.material.shear_modulus_Pa * self.polar_moment_m4()
+    }
+
+    /// Radius on which the component touches the wall, m: the joints' where it has joints, the
+    /// body's otherwise.
+    pub fn contact_radius_m(&self) -> f64 {
+        self.joints.map_or(self.od_m, |joints| joints.od_m) / 2.0
+    }
+
+    /// Weight per length in mud inside and outside, `m g (1 - ρ_mud/ρ_metal)`, N/m.
+    ///
+    /// Negative where the mud is denser than the metal.
+    pub fn buoyed_weight_per_length_N_per_m(&self, mud_density_kg_per_m3: f64) -> f64 {
+        self.mass_per_length_kg_per_m
+            * GRAVITY_M_PER_S2
+            * (1.0 - mud_density_kg_per_m3 / self.material.density_kg_per_m3)
+    }
+
+    /// Mass of the mud in the bore per length, kg/m.
+    pub fn mud_mass_inside_per_length_kg_per_m(&self, mud_density_kg_per_m3: f64) -> f64 {
+        mud_density_kg_per_m3 * self.inner_area_m2()
+    }
+
+    /// Tension at which the body yields, `P = A Y`, N (API RP 7G); `None` where the yield strength
+    /// is not known.
+    pub fn tensile_yield_N(&self) -> Option<f64> {
+        Some(self.area_m2() * self.yield_strength_Pa?)
+    }
+
+    /// Torque at which the body's surface yields, N·m; `None` where the yield strength is not known.
+    ///
+    /// `Q = 2 J (0.577 Y) / D`: the shear stress at the surface reaches von Mises' `Y/√3`, with the
+    /// 0.577 of API RP 7G (in inches, psi and ft·lbf its `0.096167 J Y / D`), 0.06 % below `1/√3`.
+    pub fn torsional_yield_N_m(&self) -> Option<f64> {
+        let shear_yield_Pa = 0.577 * self.yield_strength_Pa?;
+        Some(2.0 * self.polar_moment_m4() * shear_yield_Pa / self.od_m)
+    }
 }

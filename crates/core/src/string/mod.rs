@@ -1,7 +1,10 @@
 //! The drill string: components from the bit up.
 
+pub mod catalogue;
 mod component;
 mod drill_string;
+mod spec;
 
 pub use component::{Component, Material, ToolJoints};
-pub use drill_string::DrillString;
+pub use drill_string::{DrillString, Span};
+pub use spec::{AssemblyError, ComponentLength, ComponentSpec, StringSpec};

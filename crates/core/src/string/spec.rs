@@ -1,0 +1,307 @@
+//! The string as a list of parts, before it is known how deep the bit is.
+
+use super::{Component, DrillString, Material, ToolJoints, component::ring_area_m2};
+
+/// How long a component of a [`StringSpec`] is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ComponentLength {
+    /// A length, m.
+    Metres(f64),
+    /// Whatever is left between the components below it and the surface.
+    ToSurface,
+}
+
+/// A component whose length may depend on the depth of the bit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ComponentSpec {
+    /// What the user calls it.
+    pub name: String,
+    /// Length.
+    pub length: ComponentLength,
+    /// Outside diameter of the body, m.
+    pub od_m: f64,
+    /// Inside diameter of the body, m; zero for a solid bar.
+    pub id_m: f64,
+    /// Mass per length in air, kg/m, tool joints included.
+    pub mass_per_length_kg_per_m: f64,
+    /// Tool joints, if it has any.
+    pub joints: Option<ToolJoints>,
+    /// What it is made of.
+    pub material: Material,
+    /// Minimum yield strength, Pa, where known.
+    pub yield_strength_Pa: Option<f64>,
+}
+
+impl ComponentSpec {
+    /// Plain pipe: no joints, its mass that of the ring between `id_m` and `od_m`.
+    pub fn uniform(
+        name: impl Into<String>,
+        od_m: f64,
+        id_m: f64,
+        length: ComponentLength,
+        material: Material,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            length,
+            od_m,
+            id_m,
+            mass_per_length_kg_per_m: material.density_kg_per_m3 * ring_area_m2(od_m, id_m),
+            joints: None,
+            material,
+            yield_strength_Pa: None,
+        }
+    }
+
+    fn with_length(&self, length_m: f64) -> Component {
+        Component {
+            name: self.name.clone(),
+            length_m,
+            od_m: self.od_m,
+            id_m: self.id_m,
+            mass_per_length_kg_per_m: self.mass_per_length_kg_per_m,
+            joints: self.joints,
+            material: self.material,
+            yield_strength_Pa: self.yield_strength_Pa,
+        }
+    }
+
+    /// The first field with a value that no component can have.
+    fn bad_field(&self) -> Option<(&'static str, f64, &'static str)> {
+        const POSITIVE: &str = "a positive number";
+        let positive = |value: f64| value.is_finite() && value > 0.0;
+        let mut fields = vec![
+            ("od", self.od_m, positive(self.od_m), POSITIVE),
+            (
+                "id",
+                self.id_m,
+                self.id_m.is_finite() && self.id_m >= 0.0 && self.id_m < self.od_m,
+                "zero or more, and less than od",
+            ),
+            (
+                "mass_per_length",
+                self.mass_per_length_kg_per_m,
+                positive(self.mass_per_length_kg_per_m),
+                POSITIVE,
+            ),
+            (
+                "density",
+                self.material.density_kg_per_m3,
+                positive(self.material.density_kg_per_m3),
+                POSITIVE,
+            ),
+            (
+                "youngs_modulus",
+                self.material.youngs_modulus_Pa,
+                positive(self.material.youngs_modulus_Pa),
+                POSITIVE,
+            ),
+            (
+                "shear_modulus",
+                self.material.shear_modulus_Pa,
+                positive(self.material.shear_modulus_Pa),
+                POSITIVE,
+            ),
+        ];
+        if let ComponentLength::Metres(length_m) = self.length {
+            fields.push(("length", length_m, positive(length_m), POSITIVE));
+        }
+        if let Some(joints) = self.joints {
+            fields.push((
+                "joint_od",
+                joints.od_m,
+                joints.od_m.is_finite() && joints.od_m >= self.od_m,
+                "at least od",
+            ));
+            fields.push((
+                "joint_spacing",
+                joints.spacing_m,
+                positive(joints.spacing_m),
+                POSITIVE,
+            ));
+        }
+        if let Some(yield_strength_Pa) = self.yield_strength_Pa {
+            fields.push((
+                "yield_strength",
+                yield_strength_Pa,
+                positive(yield_strength_Pa),
+                POSITIVE,
+            ));
+        }
+        fields
+            .into_iter()
+            .find(|&(_, _, sound, _)| !sound)
+            .map(|(field, value, _, expected)| (field, value, expected))
+    }
+}
+
+/// The string from the bit up, from which a [`DrillString`] is assembled for any depth of the bit.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct StringSpec {
+    /// Components from the bit up. At most one is [`ComponentLength::ToSurface`], and it is the last.
+    pub components: Vec<ComponentSpec>,
+}
+
+/// Why a [`StringSpec`] makes no string. Components are counted from the bit, from zero.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum AssemblyError {
+    /// No component at all.
+    #[error("a string needs at least one component")]
+    Empty,
+    /// The depth of the bit is not a length.
+    #[error("the bit depth must be a positive number of metres, more than a millimetre, got {0}")]
+    BitDepth(f64),
+    /// A value that no component can have, SI.
+    #[error("component {index} (`{name}`): `{field}` must be {expected}, got {value}")]
+    Dimension {
+        /// Place of the component, counted from the bit.
+        index: usize,
+        /// Name of the component.
+        name: String,
+        /// Field, as case files spell it.
+        field: &'static str,
+        /// Value, SI.
+        value: f64,
+        /// What was expected.
+        expected: &'static str,
+    },
+    /// More than one component runs to the surface.
+    #[error("components {first} and {second} both run to the surface: only the topmost one can")]
+    SecondToSurface {
+        /// Place of the lower one.
+        first: usize,
+        /// Place of the upper one.
+        second: usize,
+    },
+    /// A component that runs to the surface has another one above it.
+    #[error(
+        "component {index} (`{name}`) runs to the surface, but {above} more stand above it: it must be the last"
+    )]
+    ToSurfaceNotLast {
+        /// Place of the component.
+        index: usize,
+        /// Name of the component.
+        name: String,
+        /// How many components stand above it.
+        above: usize,
+    },
+    /// The components below the one that fills up to the surface are longer than the hole.
+    #[error(
+        "the components below `{name}` are {assembly_m:.3} m long, but the bit is only {bit_depth_m:.3} m deep"
+    )]
+    AssemblyTooLong {
+        /// Name of the component that runs to the surface.
+        name: String,
+        /// Length of everything below it, m.
+        assembly_m: f64,
+        /// Depth of the bit, m.
+        bit_depth_m: f64,
+    },
+    /// Without a component that fills up, the lengths must add up to the bit depth.
+    #[error(
+        "the string is {string_m:.3} m long, {} than the bit depth of {bit_depth_m:.3} m: \
+         adjust a length or let the topmost component run \"to surface\"",
+        if string_m > bit_depth_m { "longer" } else { "shorter" }
+    )]
+    LengthMismatch {
+        /// Sum of the lengths, m.
+        string_m: f64,
+        /// Depth of the bit, m.
+        bit_depth_m: f64,
+    },
+}
+
+/// Lengths that add up to the bit depth within this are taken as equal, m: tallies are written to
+/// the millimetre at best.
+const LENGTH_TOLERANCE_M: f64 = 1e-3;
+
+impl StringSpec {
+    /// Checks every component and assembles the string for a depth of the bit, m.
+    ///
+    /// The component that runs to the surface fills what the others leave; where they leave nothing
+    /// it is not part of the string. Without one, the lengths must add up to the bit depth within a
+    /// millimetre, and the topmost component takes the difference.
+    pub fn assemble(&self, bit_depth_m: f64) -> Result<DrillString, AssemblyError> {
+        if !(bit_depth_m.is_finite() && bit_depth_m > 0.0) {
+            return Err(AssemblyError::BitDepth(bit_depth_m));
+        }
+        self.check()?;
+        let mut components = Vec::with_capacity(self.components.len());
+        let mut fixed_m = 0.0;
+        for spec in &self.components {
+            match spec.length {
+                ComponentLength::Metres(length_m) => {
+                    fixed_m += length_m;
+                    components.push(spec.with_length(length_m));
+                }
+                ComponentLength::ToSurface => {
+                    let left_m = bit_depth_m - fixed_m;
+                    if left_m > LENGTH_TOLERANCE_M {
+                        components.push(spec.with_length(left_m));
+                        return Ok(DrillString::new(components));
+                    }
+                    if components.is_empty() {
+                        return Err(AssemblyError::BitDepth(bit_depth_m));
+                    }
+                    if left_m < -LENGTH_TOLERANCE_M {
+                        return Err(AssemblyError::AssemblyTooLong {
+                            name: spec.name.clone(),
+                            assembly_m: fixed_m,
+                            bit_depth_m,
+                        });
+                    }
+                }
+            }
+        }
+        let difference_m = bit_depth_m - fixed_m;
+        let top_m = components.last().map_or(0.0, |top| top.length_m);
+        if difference_m.abs() > LENGTH_TOLERANCE_M || top_m + difference_m <= 0.0 {
+            return Err(AssemblyError::LengthMismatch {
+                string_m: fixed_m,
+                bit_depth_m,
+            });
+        }
+        if let Some(top) = components.last_mut() {
+            top.length_m += difference_m;
+        }
+        Ok(DrillString::new(components))
+    }
+
+    /// What can be checked without the depth of the bit.
+    fn check(&self) -> Result<(), AssemblyError> {
+        if self.components.is_empty() {
+            return Err(AssemblyError::Empty);
+        }
+        let mut to_surface = None;
+        for (index, spec) in self.components.iter().enumerate() {
+            if let Some((field, value, expected)) = spec.bad_field() {
+                return Err(AssemblyError::Dimension {
+                    index,
+                    name: spec.name.clone(),
+                    field,
+                    value,
+                    expected,
+                });
+            }
+            if spec.length == ComponentLength::ToSurface {
+                if let Some(first) = to_surface {
+                    return Err(AssemblyError::SecondToSurface {
+                        first,
+                        second: index,
+                    });
+                }
+                to_surface = Some(index);
+            }
+        }
+        match to_surface {
+            Some(index) if index + 1 < self.components.len() => {
+                Err(AssemblyError::ToSurfaceNotLast {
+                    index,
+                    name: self.components[index].name.clone(),
+                    above: self.components.len() - index - 1,
+                })
+            }
+            _ => Ok(()),
+        }
+    }
+}
