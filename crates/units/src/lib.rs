@@ -1,1 +1,47 @@
-//! Quantities as engineers write them.
+//! Quantities as engineers write them: `"5-1/2 in"`, `"1.2 sg"`, `"3 deg/30m"`, `"60 kN"`.
+//!
+//! The engine works in SI and radians. Everything that a person writes or reads goes through a
+//! [`Dimension`]: it reads text into SI, and prints SI in the units of a [`UnitSet`].
+//!
+//! ```
+//! use wholestring_units::{Dimension, UnitSet};
+//!
+//! assert_eq!(Dimension::Diameter.parse("5-1/2 in")?, 0.1397);
+//! assert_eq!(Dimension::Density.parse("1.2 sg")?, 1200.0);
+//! assert_eq!(Dimension::Force.format(266_893.3, UnitSet::Field), "60 klbf");
+//! # Ok::<(), wholestring_units::QuantityError>(())
+//! ```
+//!
+//! A quantity of another dimension, an unknown unit or a number alone is refused with a sentence:
+//!
+//! ```
+//! use wholestring_units::Dimension;
+//!
+//! let error = Dimension::Force.parse("6 bar").unwrap_err();
+//! assert!(error.to_string().starts_with("'bar' is a unit of pressure; a force was expected"));
+//! assert_eq!(error.span, 2..5);
+//! ```
+//!
+//! # Meanings that a symbol alone does not settle
+//! - `sg`, specific gravity, is relative to fresh water of exactly 1000 kg/m3, as mud reports use it.
+//! - `psi/ft` and `kPa/m` as densities are the pressure gradient of a fluid at rest under standard
+//!   gravity, 9.80665 m/s2.
+//! - `lb` is a pound of mass where a mass is asked for and a pound-force where a force is; `t` is
+//!   1000 kg or their weight under standard gravity in the same way.
+//! - `ton` is not read: it is 2000 lb to some and 1000 kg to others. Write `t` or `tonfUS`.
+//! - `Hz` is one turn per second as a rotary speed, and 1/s as a frequency or rate.
+//! - `usft` is the US survey foot, 1200/3937 m; `ft` is the international foot, 0.3048 m.
+
+mod dimension;
+mod error;
+mod number;
+mod print;
+mod symbol;
+mod table;
+mod unit;
+mod unit_set;
+
+pub use dimension::Dimension;
+pub use error::{QuantityError, QuantityErrorKind};
+pub use unit::Unit;
+pub use unit_set::{UnitSet, UnknownUnitSet};

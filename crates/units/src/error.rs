@@ -1,0 +1,159 @@
+//! Why a text is no quantity.
+
+use std::fmt;
+use std::ops::Range;
+
+use crate::Dimension;
+
+/// What is wrong with a text that should be a quantity.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum QuantityErrorKind {
+    /// Nothing but blanks.
+    Empty,
+    /// The text does not begin with a number, or the number is written in a way that is not read
+    /// (thousands separators, decimal commas, NaN, infinity).
+    NotANumber {
+        /// The part that should be the number.
+        found: String,
+    },
+    /// The number, or its value in SI, is too large for a double.
+    TooLarge {
+        /// The number as written.
+        found: String,
+    },
+    /// A number alone.
+    NoUnit {
+        /// The number as written.
+        number: String,
+    },
+    /// A unit of no dimension that is known here.
+    UnknownUnit {
+        /// The unit as written.
+        found: String,
+        /// Symbol of the unit with the nearest spelling, where one is near.
+        nearest: Option<&'static str>,
+    },
+    /// A unit, but of another dimension.
+    OtherDimension {
+        /// The unit as written.
+        found: String,
+        /// What it is a unit of.
+        is: Dimension,
+    },
+}
+
+/// Why a text is no quantity of the dimension asked for.
+///
+/// Its `Display` is one sentence for the person who wrote the text: what is wrong, what was
+/// expected, which units are accepted.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct QuantityError {
+    /// What is wrong.
+    pub kind: QuantityErrorKind,
+    /// Where in the text, in bytes, on character boundaries.
+    pub span: Range<usize>,
+    /// The dimension that was asked for.
+    pub dimension: Dimension,
+}
+
+impl QuantityError {
+    /// What to do about it, where there is more to say than the sentence does: the short text for
+    /// a help line or a label.
+    pub fn help(&self) -> Option<String> {
+        match &self.kind {
+            QuantityErrorKind::UnknownUnit {
+                nearest: Some(nearest),
+                ..
+            } => Some(format!("did you mean '{nearest}'?")),
+            _ => None,
+        }
+    }
+}
+
+impl std::error::Error for QuantityError {}
+
+impl fmt::Display for QuantityError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let dimension = self.dimension.name();
+        let a_dimension = with_article(dimension);
+        let units = accepted(self.dimension);
+        let example = format!("1 {}", self.dimension.units()[0].symbol);
+        match &self.kind {
+            QuantityErrorKind::Empty => {
+                write!(
+                    f,
+                    "there is nothing here; {a_dimension} was expected, such as '{example}'"
+                )
+            }
+            QuantityErrorKind::NotANumber { found } => {
+                write!(
+                    f,
+                    "'{}' is not a number; {a_dimension} was expected",
+                    shown(found)
+                )?;
+                if found.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) {
+                    write!(
+                        f,
+                        ", its decimals after a point and its thousands not separated: '1500.5 {}'",
+                        self.dimension.units()[0].symbol
+                    )
+                } else {
+                    write!(f, ", such as '{example}'")
+                }
+            }
+            QuantityErrorKind::TooLarge { found } => {
+                write!(f, "'{}' is too large for {a_dimension}", shown(found))
+            }
+            QuantityErrorKind::NoUnit { number } => write!(
+                f,
+                "'{}' has no unit; {a_dimension} was expected, with one of: {units}",
+                shown(number)
+            ),
+            QuantityErrorKind::UnknownUnit { found, nearest } => {
+                write!(f, "'{}' is not a unit of {dimension}", shown(found))?;
+                if let Some(nearest) = nearest {
+                    write!(f, "; did you mean '{nearest}'?")?;
+                    write!(f, " Accepted: {units}")
+                } else {
+                    write!(f, "; accepted: {units}")
+                }
+            }
+            QuantityErrorKind::OtherDimension { found, is } => write!(
+                f,
+                "'{}' is a unit of {}; {a_dimension} was expected, with one of: {units}",
+                shown(found),
+                is.name()
+            ),
+        }
+    }
+}
+
+/// The symbols that a dimension accepts.
+fn accepted(dimension: Dimension) -> String {
+    let symbols: Vec<&str> = dimension.units().iter().map(|unit| unit.symbol).collect();
+    symbols.join(", ")
+}
+
+/// "a length", "an angle".
+fn with_article(noun: &str) -> String {
+    let article = if noun.starts_with(['a', 'e', 'i', 'o', 'u']) {
+        "an"
+    } else {
+        "a"
+    };
+    format!("{article} {noun}")
+}
+
+/// Foreign text inside a sentence: short, and without control characters.
+fn shown(text: &str) -> String {
+    const LONGEST: usize = 40;
+    let mut shown: String = text
+        .chars()
+        .take(LONGEST)
+        .map(|c| if c.is_control() { '\u{fffd}' } else { c })
+        .collect();
+    if text.chars().nth(LONGEST).is_some() {
+        shown.push_str("...");
+    }
+    shown
+}

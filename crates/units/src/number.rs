@@ -1,0 +1,189 @@
+//! Reading a quantity: its number, then its unit.
+
+use crate::{Dimension, QuantityError, QuantityErrorKind, symbol};
+
+/// Reads a number and a unit of the dimension, and returns the value in SI.
+pub(crate) fn quantity(dimension: Dimension, text: &str) -> Result<f64, QuantityError> {
+    let error = |kind, start: usize, end: usize| QuantityError {
+        kind,
+        span: start..end,
+        dimension,
+    };
+    let end = text.trim_end().len();
+    let start = end - text.trim().len();
+    if start == end {
+        return Err(error(QuantityErrorKind::Empty, 0, text.len()));
+    }
+
+    let Some((number, number_end)) = number(&text[..end], start) else {
+        let stop = word_end(text, start, end);
+        let found = text[start..stop].to_owned();
+        return Err(error(QuantityErrorKind::NotANumber { found }, start, stop));
+    };
+    let written = text[start..number_end].to_owned();
+    if !number.is_finite() {
+        let found = written;
+        return Err(error(
+            QuantityErrorKind::TooLarge { found },
+            start,
+            number_end,
+        ));
+    }
+
+    let unit_start = end - text[number_end..end].trim_start().len();
+    let unit_text = &text[unit_start..end];
+    if unit_text.is_empty() {
+        let number = written;
+        return Err(error(
+            QuantityErrorKind::NoUnit { number },
+            start,
+            number_end,
+        ));
+    }
+    if let Some(unit) = dimension.find_unit(unit_text) {
+        let si = unit.to_si(number);
+        return if si.is_finite() {
+            Ok(si)
+        } else {
+            Err(error(
+                QuantityErrorKind::TooLarge { found: written },
+                start,
+                number_end,
+            ))
+        };
+    }
+    // A second number where the unit should be belongs to the number: "1,500 m", "1.2.3 m".
+    if unit_text.starts_with(|c: char| c.is_ascii_digit() || ".,_'/+-–−".contains(c))
+        && unit_text.contains(|c: char| c.is_ascii_digit())
+    {
+        let stop = numeric_end(text, unit_start, end);
+        let found = text[start..stop].to_owned();
+        return Err(error(QuantityErrorKind::NotANumber { found }, start, stop));
+    }
+    let other = Dimension::ALL
+        .iter()
+        .find(|other| other.find_unit(unit_text).is_some());
+    let found = unit_text.to_owned();
+    let kind = match other {
+        Some(&is) => QuantityErrorKind::OtherDimension { found, is },
+        None => QuantityErrorKind::UnknownUnit {
+            nearest: symbol::nearest(dimension.units(), unit_text),
+            found,
+        },
+    };
+    Err(error(kind, unit_start, end))
+}
+
+/// The number that begins at `start`, and where it ends.
+fn number(text: &str, start: usize) -> Option<(f64, usize)> {
+    let mut at = start;
+    let mut sign = 1.0;
+    if let Some(c) = text[at..].chars().next().filter(|c| "+-−".contains(*c)) {
+        sign = if c == '+' { 1.0 } else { -1.0 };
+        at += c.len_utf8();
+    }
+    if let Some((part, end)) = vulgar_fraction(text, at) {
+        return Some((sign * part, end));
+    }
+    let whole_end = digits_end(text, at);
+    let (value, end) = decimal(text, at)?;
+    if end > whole_end {
+        return Some((sign * value, end));
+    }
+
+    // A whole number: it may be the top of a fraction, or have one behind it.
+    if let Some((bottom, end)) = denominator(text, whole_end) {
+        return Some((sign * value / bottom, end));
+    }
+    let gap = &text[whole_end..];
+    let fraction_at = match gap.chars().next() {
+        Some(dash @ ('-' | '–')) => whole_end + dash.len_utf8(),
+        _ => text.len() - gap.trim_start().len(),
+    };
+    if let Some((part, end)) = vulgar_fraction(text, fraction_at) {
+        return Some((sign * (value + part), end));
+    }
+    let top_end = digits_end(text, fraction_at);
+    if fraction_at > whole_end
+        && let Ok(top) = text[fraction_at..top_end].parse::<f64>()
+        && let Some((bottom, end)) = denominator(text, top_end)
+        && top < bottom
+    {
+        return Some((sign * (value + top / bottom), end));
+    }
+    Some((sign * value, whole_end))
+}
+
+/// An unsigned decimal with an exponent or without: its value and where it ends.
+fn decimal(text: &str, start: usize) -> Option<(f64, usize)> {
+    let bytes = text.as_bytes();
+    let mut end = digits_end(text, start);
+    let mut count = end - start;
+    if bytes.get(end) == Some(&b'.') {
+        let after = digits_end(text, end + 1);
+        count += after - (end + 1);
+        end = after;
+    }
+    if count == 0 {
+        return None;
+    }
+    if matches!(bytes.get(end), Some(b'e' | b'E')) {
+        let signed = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
+        let exponent = end + 1 + signed;
+        let exponent_end = digits_end(text, exponent.min(text.len()));
+        if exponent_end > exponent {
+            end = exponent_end;
+        }
+    }
+    let value = text[start..end].parse().ok()?;
+    Some((value, end))
+}
+
+/// `/` and a whole number above zero.
+fn denominator(text: &str, slash: usize) -> Option<(f64, usize)> {
+    if text.as_bytes().get(slash) != Some(&b'/') {
+        return None;
+    }
+    let end = digits_end(text, slash + 1);
+    let value: f64 = text[slash + 1..end].parse().ok()?;
+    (value > 0.0).then_some((value, end))
+}
+
+/// One of the typographic fractions of an inch.
+fn vulgar_fraction(text: &str, at: usize) -> Option<(f64, usize)> {
+    let c = text[at..].chars().next()?;
+    let value = match c {
+        '⅛' => 0.125,
+        '¼' => 0.25,
+        '⅜' => 0.375,
+        '½' => 0.5,
+        '⅝' => 0.625,
+        '¾' => 0.75,
+        '⅞' => 0.875,
+        _ => return None,
+    };
+    Some((value, at + c.len_utf8()))
+}
+
+/// The end of the ASCII digits from `start`.
+fn digits_end(text: &str, start: usize) -> usize {
+    text.as_bytes()[start..]
+        .iter()
+        .position(|byte| !byte.is_ascii_digit())
+        .map_or(text.len(), |count| start + count)
+}
+
+/// The end of the word from `start`.
+fn word_end(text: &str, start: usize, end: usize) -> usize {
+    text[start..end]
+        .find(char::is_whitespace)
+        .map_or(end, |length| start + length)
+}
+
+/// The end of what looks like parts of numbers from `start`.
+fn numeric_end(text: &str, start: usize, end: usize) -> usize {
+    let part = |c: char| c.is_ascii_digit() || c.is_whitespace() || ".,_'/+-–−".contains(c);
+    let run = text[start..end].trim_start_matches(part);
+    let stop = end - run.len();
+    start + text[start..stop].trim_end().len()
+}

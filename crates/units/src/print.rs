@@ -1,0 +1,75 @@
+//! Printing quantities.
+
+use crate::Unit;
+
+/// Significant digits shown to people.
+const DIGITS: i32 = 5;
+
+/// From here on people are shown a power of ten.
+const LARGE: f64 = 1e7;
+
+/// Below here people are shown a power of ten.
+const SMALL: f64 = 1e-4;
+
+/// The value in the unit for people to read.
+pub(crate) fn for_people(unit: &Unit, si: f64) -> String {
+    let value = unit.from_si(si);
+    let size = value.abs();
+    let number = if value == 0.0 {
+        "0".to_owned()
+    } else if !value.is_finite() {
+        value.to_string()
+    } else if (SMALL..LARGE).contains(&size) {
+        let decimals = (DIGITS - 1 - size.log10().floor() as i32).max(0) as usize;
+        without_trailing_zeros(&format!("{value:.decimals$}"))
+    } else {
+        let text = format!("{value:.*e}", DIGITS as usize - 1);
+        match text.split_once('e') {
+            Some((digits, power)) => format!("{}e{power}", without_trailing_zeros(digits)),
+            None => text,
+        }
+    };
+    format!("{number} {}", unit.symbol)
+}
+
+/// `1.500` as `1.5`, `3.0` as `3`.
+fn without_trailing_zeros(decimal: &str) -> String {
+    if decimal.contains('.') {
+        decimal
+            .trim_end_matches('0')
+            .trim_end_matches('.')
+            .to_owned()
+    } else {
+        decimal.to_owned()
+    }
+}
+
+/// The shortest text that reads back as the value; in `si_unit` where `unit` cannot hold it.
+pub(crate) fn exact(unit: &Unit, si_unit: &Unit, si: f64) -> String {
+    match shortest(unit, si) {
+        Some(number) => format!("{number} {}", unit.symbol),
+        None => format!("{} {}", plain(si), si_unit.symbol),
+    }
+}
+
+/// The shortest number in the unit that reads back as the value within one unit in the last place.
+fn shortest(unit: &Unit, si: f64) -> Option<String> {
+    let value = unit.from_si(si);
+    // Seventeen digits always tell one double from the next; up to there, more digits only show
+    // the rounding of the division.
+    (14..=17).find_map(|digits| {
+        let rounded: f64 = format!("{value:.*e}", digits - 1).parse().ok()?;
+        let back = unit.to_si(rounded);
+        let near = back == si || back == si.next_up() || back == si.next_down();
+        (near && back.is_finite()).then(|| plain(rounded))
+    })
+}
+
+/// A double's own shortest digits, with a power of ten where zeros would be many.
+fn plain(value: f64) -> String {
+    let text = format!("{value:?}");
+    match text.strip_suffix(".0") {
+        Some(whole) => whole.to_owned(),
+        None => text,
+    }
+}

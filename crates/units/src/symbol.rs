@@ -1,0 +1,138 @@
+//! Finding a unit by the way it is written.
+
+use crate::Unit;
+
+/// No spelling of a unit is longer, in bytes, however freely spaced.
+const LONGEST: usize = 64;
+
+/// The bare form of a unit's spelling: no spaces, no sign between the factors of a product, plain
+/// letters and digits for typographic ones.
+///
+/// `kN·m`, `kN*m`, `kN-m`, `kN m` and `kNm` become `kNm`; `°/30 m` becomes `deg/30m`.
+pub(crate) fn bare(text: &str) -> String {
+    let mut plain = String::with_capacity(text.len());
+    for character in text.trim().replace(" per ", "/").chars() {
+        match character {
+            '·' | '⋅' | '∙' | '•' | '*' | '×' => plain.push('.'),
+            '°' | 'º' | '˚' => plain.push_str("deg"),
+            '²' => plain.push('2'),
+            '³' => plain.push('3'),
+            '”' | '″' | '“' => plain.push('"'),
+            '’' | '′' | '‘' => plain.push('\''),
+            '–' | '‐' | '‑' => plain.push('-'),
+            '\u{a0}' | '\u{202f}' => plain.push(' '),
+            other => plain.push(other),
+        }
+    }
+    // A sign of a product stands after a letter and before a letter or the end; between digits
+    // points and spaces stay, lest `deg/30.5m` become `deg/305m`.
+    let characters: Vec<char> = plain.chars().collect();
+    let mut bare = String::with_capacity(plain.len());
+    for (i, &character) in characters.iter().enumerate() {
+        let printed = |c: &&char| !c.is_whitespace();
+        let before = || characters[..i].iter().rev().find(printed).copied();
+        let after = || characters[i + 1..].iter().find(printed).copied();
+        let dropped = match character {
+            '.' => {
+                before().is_some_and(char::is_alphabetic)
+                    && after().is_none_or(|c| c.is_alphabetic() || c == '/')
+            }
+            '-' => {
+                before().is_some_and(char::is_alphabetic)
+                    && after().is_some_and(char::is_alphabetic)
+            }
+            c if c.is_whitespace() => {
+                !(before().is_some_and(|c| c.is_ascii_digit())
+                    && after().is_some_and(|c| c.is_ascii_digit()))
+            }
+            _ => false,
+        };
+        if !dropped {
+            bare.push(character);
+        }
+    }
+    bare
+}
+
+/// The unit written so: with its exact capitals, or else with any where only one unit fits.
+pub(crate) fn find<'a>(units: &'a [Unit], written: &str) -> Option<&'a Unit> {
+    if written.len() > LONGEST {
+        return None;
+    }
+    let written = bare(written);
+    let exact = |unit: &&Unit| unit.spellings().any(|s| bare(s) == written);
+    if let Some(unit) = units.iter().find(exact) {
+        return Some(unit);
+    }
+    let loose = |unit: &&Unit| {
+        unit.spellings()
+            .any(|s| same_but_for_capitals(&bare(s), &written))
+    };
+    let mut found = units.iter().filter(loose);
+    match (found.next(), found.next()) {
+        (Some(unit), None) => Some(unit),
+        _ => None,
+    }
+}
+
+/// Equal but for capitals, milli and mega kept apart: `KN` is `kN`, but `mN` is not `MN`.
+fn same_but_for_capitals(spelling: &str, written: &str) -> bool {
+    if !spelling.eq_ignore_ascii_case(written) {
+        return false;
+    }
+    let prefixed = ["n", "pa", "psi", "s", "g"]
+        .iter()
+        .any(|base| spelling.to_ascii_lowercase()[1..].starts_with(base));
+    let first = |text: &str| text.chars().next();
+    !(prefixed && matches!(first(spelling), Some('m' | 'M')) && first(spelling) != first(written))
+}
+
+/// The symbol of the unit whose spelling is nearest to an unknown one, where one is near.
+pub(crate) fn nearest(units: &'static [Unit], written: &str) -> Option<&'static str> {
+    if written.len() > LONGEST {
+        return None;
+    }
+    let written = bare(written).to_lowercase();
+    let length = written.chars().count();
+    units
+        .iter()
+        .flat_map(|unit| unit.spellings().map(move |spelling| (unit, spelling)))
+        .filter_map(|(unit, spelling)| {
+            let spelling = bare(spelling).to_lowercase();
+            let longest = spelling.chars().count().max(length);
+            let shortest = spelling.chars().count().min(length);
+            // Checked first: the distance is quadratic in the lengths.
+            if longest - shortest > longest.div_ceil(3) {
+                return None;
+            }
+            let distance = strsim::damerau_levenshtein(&spelling, &written);
+            let near = distance <= longest.div_ceil(3) && distance < shortest;
+            near.then_some((distance, unit.symbol))
+        })
+        .min_by_key(|&(distance, _)| distance)
+        .map(|(_, symbol)| symbol)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::bare;
+
+    #[test]
+    fn spellings_of_a_product_have_one_bare_form() {
+        for text in ["kN.m", "kN·m", "kN*m", "kN-m", "kN m", "kNm", " kN . m "] {
+            assert_eq!(bare(text), "kNm", "{text}");
+        }
+        assert_eq!(bare("°/30 m"), "deg/30m");
+        assert_eq!(bare("deg per 100 ft"), "deg/100ft");
+        assert_eq!(bare("kg/m³"), "kg/m3");
+        assert_eq!(bare("in."), "in");
+        assert_eq!(bare("s.g."), "sg");
+    }
+
+    #[test]
+    fn points_and_spaces_between_digits_stay() {
+        assert_eq!(bare("deg/30.5m"), "deg/30.5m");
+        assert_eq!(bare("deg/30 5m"), "deg/30 5m");
+        assert_eq!(bare("kg/m-3"), "kg/m-3");
+    }
+}

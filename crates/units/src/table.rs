@@ -1,0 +1,300 @@
+//! The units of each dimension.
+//!
+//! Every factor is built from definitions: the international yard and pound agreement of 1959
+//! (foot, pound), the standard acceleration of gravity (CGPM 1901), the US gallon of 231 cubic
+//! inches, the standard atmosphere of 101 325 Pa. The spellings of the Energistics Unit of Measure
+//! Standard stand among the aliases where they differ from the field's.
+
+use std::f64::consts::PI;
+
+use crate::Unit;
+
+const INCH: f64 = 0.0254;
+const FOOT: f64 = 0.3048;
+const YARD: f64 = 0.9144;
+const US_SURVEY_FOOT: f64 = 1200.0 / 3937.0;
+const POUND: f64 = 0.453_592_37;
+const GRAVITY: f64 = 9.806_65;
+const POUND_FORCE: f64 = POUND * GRAVITY;
+const TONNE_FORCE: f64 = 1000.0 * GRAVITY;
+const SHORT_TON_FORCE: f64 = 2000.0 * POUND_FORCE;
+const PSI: f64 = POUND_FORCE / (INCH * INCH);
+const US_GALLON: f64 = 231.0 * INCH * INCH * INCH;
+const DEGREE: f64 = PI / 180.0;
+const TURN: f64 = 2.0 * PI;
+const MINUTE: f64 = 60.0;
+const HOUR: f64 = 3600.0;
+const DAY: f64 = 86_400.0;
+
+const fn unit(symbol: &'static str, factor: f64, aliases: &'static [&'static str]) -> Unit {
+    Unit {
+        symbol,
+        aliases,
+        factor,
+    }
+}
+
+const METRE: Unit = unit(
+    "m",
+    1.0,
+    &["metre", "metres", "meter", "meters", "mtr", "mtrs"],
+);
+const FEET: Unit = unit("ft", FOOT, &["'", "feet", "foot"]);
+const INCHES: Unit = unit("in", INCH, &["\"", "''", "inch", "inches"]);
+const CENTIMETRE: Unit = unit("cm", 0.01, &[]);
+const MILLIMETRE: Unit = unit("mm", 0.001, &[]);
+const KILOMETRE: Unit = unit("km", 1000.0, &[]);
+const YARDS: Unit = unit("yd", YARD, &["yard", "yards"]);
+const SURVEY_FEET: Unit = unit(
+    "usft",
+    US_SURVEY_FOOT,
+    &["ftUS", "ft[US]", "US ft", "ft US"],
+);
+
+pub(crate) const LENGTH: &[Unit] = &[
+    METRE,
+    FEET,
+    MILLIMETRE,
+    INCHES,
+    CENTIMETRE,
+    KILOMETRE,
+    YARDS,
+    SURVEY_FEET,
+];
+
+pub(crate) const DIAMETER: &[Unit] = &[
+    MILLIMETRE,
+    INCHES,
+    METRE,
+    CENTIMETRE,
+    FEET,
+    KILOMETRE,
+    YARDS,
+    SURVEY_FEET,
+];
+
+pub(crate) const FORCE: &[Unit] = &[
+    unit("kN", 1e3, &[]),
+    unit(
+        "t",
+        TONNE_FORCE,
+        &["tf", "tonnef", "tonne-force", "tonne", "tonnes", "Mgf"],
+    ),
+    unit(
+        "klbf",
+        1e3 * POUND_FORCE,
+        &["klb", "klbs", "kip", "kips", "kipf", "1000 lbf", "1000 lb"],
+    ),
+    unit("N", 1.0, &["newton"]),
+    unit("MN", 1e6, &[]),
+    unit("daN", 10.0, &[]),
+    unit("kdaN", 1e4, &[]),
+    unit("lbf", POUND_FORCE, &["lb", "lbs"]),
+    unit("kgf", GRAVITY, &["kp"]),
+    unit(
+        "tonfUS",
+        SHORT_TON_FORCE,
+        &["tonf[US]", "US tonf", "short tonf", "short ton-force"],
+    ),
+];
+
+pub(crate) const TORQUE: &[Unit] = &[
+    unit("kN.m", 1e3, &[]),
+    unit(
+        "ft-lbf",
+        FOOT * POUND_FORCE,
+        &["lbf.ft", "ft.lb", "lb.ft", "ft.lbs", "lbs.ft"],
+    ),
+    unit(
+        "kft-lbf",
+        1e3 * FOOT * POUND_FORCE,
+        &[
+            "klbf.ft",
+            "ft.klbf",
+            "kft.lb",
+            "klb.ft",
+            "ft.klb",
+            "ft.kip",
+            "ft.kips",
+            "kip.ft",
+            "kips.ft",
+            "1000 ft-lbf",
+        ],
+    ),
+    unit("N.m", 1.0, &[]),
+    unit("MN.m", 1e6, &[]),
+    unit("daN.m", 10.0, &[]),
+    unit("kgf.m", GRAVITY, &["m.kgf"]),
+    unit("in-lbf", INCH * POUND_FORCE, &["lbf.in", "in.lb", "lb.in"]),
+];
+
+pub(crate) const PRESSURE: &[Unit] = &[
+    unit("MPa", 1e6, &["N/mm2"]),
+    unit("bar", 1e5, &["bars"]),
+    unit("psi", PSI, &["lbf/in2"]),
+    unit("Pa", 1.0, &["N/m2"]),
+    unit("kPa", 1e3, &[]),
+    unit("GPa", 1e9, &["kN/mm2"]),
+    unit("ksi", 1e3 * PSI, &["kpsi", "klbf/in2"]),
+    unit("Mpsi", 1e6 * PSI, &["Msi"]),
+    unit("atm", 101_325.0, &[]),
+];
+
+pub(crate) const DENSITY: &[Unit] = &[
+    unit("kg/m3", 1.0, &["g/l", "g/L"]),
+    unit("sg", 1e3, &["SG", "specific gravity"]),
+    unit(
+        "ppg",
+        POUND / US_GALLON,
+        &[
+            "lb/gal",
+            "lbs/gal",
+            "lbm/gal",
+            "lbm/galUS",
+            "lbm/gal[US]",
+            "lb/USgal",
+        ],
+    ),
+    unit(
+        "g/cm3",
+        1e3,
+        &["g/cc", "kg/l", "kg/L", "kg/dm3", "t/m3", "g/ml", "g/mL"],
+    ),
+    unit(
+        "lb/ft3",
+        POUND / (FOOT * FOOT * FOOT),
+        &["lbm/ft3", "lbs/ft3", "pcf", "lb/cu ft"],
+    ),
+    unit("psi/ft", PSI / FOOT / GRAVITY, &[]),
+    unit("kPa/m", 1e3 / GRAVITY, &[]),
+];
+
+pub(crate) const MASS_PER_LENGTH: &[Unit] = &[
+    unit("kg/m", 1.0, &[]),
+    unit("lb/ft", POUND / FOOT, &["lbm/ft", "lbs/ft", "ppf", "#/ft"]),
+    unit("t/m", 1e3, &[]),
+];
+
+pub(crate) const FORCE_PER_LENGTH: &[Unit] = &[
+    unit("kN/m", 1e3, &["N/mm"]),
+    unit("N/m", 1.0, &[]),
+    unit("lbf/ft", POUND_FORCE / FOOT, &["lb/ft", "lbs/ft"]),
+    unit("lbf/30ft", POUND_FORCE / (30.0 * FOOT), &["lbf/jt"]),
+    unit("kN/10m", 100.0, &[]),
+    unit("kN/30m", 1e3 / 30.0, &[]),
+    unit("daN/m", 10.0, &[]),
+    unit("kgf/m", GRAVITY, &[]),
+];
+
+pub(crate) const ROTARY_SPEED: &[Unit] = &[
+    unit(
+        "rpm",
+        TURN / MINUTE,
+        &["rev/min", "r/min", "1/min", "c/min"],
+    ),
+    unit("rad/s", 1.0, &[]),
+    unit("rev/s", TURN, &["Hz", "rps", "r/s"]),
+    unit("deg/s", DEGREE, &["dega/s"]),
+];
+
+pub(crate) const RATE_OF_PENETRATION: &[Unit] = &[
+    unit("m/h", 1.0 / HOUR, &["m/hr"]),
+    unit("ft/h", FOOT / HOUR, &["ft/hr", "fph"]),
+    unit("m/s", 1.0, &["m/sec"]),
+    unit("m/min", 1.0 / MINUTE, &[]),
+    unit("ft/min", FOOT / MINUTE, &["fpm"]),
+    unit("ft/s", FOOT, &["ft/sec"]),
+    unit("mm/s", 1e-3, &[]),
+];
+
+pub(crate) const TRIP_SPEED: &[Unit] = RATE_OF_PENETRATION;
+
+pub(crate) const ANGLE: &[Unit] = &[
+    unit("deg", DEGREE, &["°", "dega", "degree", "degrees", "degs"]),
+    unit("rad", 1.0, &["radian", "radians"]),
+    unit("turn", TURN, &["turns", "rev", "revs"]),
+];
+
+pub(crate) const DOGLEG_SEVERITY: &[Unit] = &[
+    unit("deg/30m", DEGREE / 30.0, &["dega/30m"]),
+    unit(
+        "deg/100ft",
+        DEGREE / (100.0 * FOOT),
+        &["dega/100ft", "deg/100'"],
+    ),
+    unit("deg/10m", DEGREE / 10.0, &["dega/10m"]),
+    unit("deg/m", DEGREE, &["dega/m"]),
+    unit("deg/ft", DEGREE / FOOT, &["dega/ft"]),
+    unit("rad/m", 1.0, &["1/m"]),
+];
+
+pub(crate) const STIFFNESS: &[Unit] = &[
+    unit("N/m", 1.0, &[]),
+    unit("kN/m", 1e3, &["N/mm"]),
+    unit("MN/m", 1e6, &["kN/mm"]),
+    unit("lbf/in", POUND_FORCE / INCH, &["lb/in"]),
+    unit("lbf/ft", POUND_FORCE / FOOT, &["lb/ft"]),
+    unit("klbf/in", 1e3 * POUND_FORCE / INCH, &["kip/in", "klb/in"]),
+];
+
+pub(crate) const DAMPING: &[Unit] = &[
+    unit("N.s/m", 1.0, &["kg/s"]),
+    unit("kN.s/m", 1e3, &["N.s/mm"]),
+    unit("lbf.s/ft", POUND_FORCE / FOOT, &["lb.s/ft"]),
+    unit("lbf.s/in", POUND_FORCE / INCH, &["lb.s/in"]),
+];
+
+pub(crate) const VISCOSITY: &[Unit] = &[
+    unit("mPa.s", 1e-3, &[]),
+    unit("cP", 1e-3, &["cp", "centipoise"]),
+    unit("Pa.s", 1.0, &[]),
+];
+
+pub(crate) const DISSIPATION_TIME: &[Unit] = &[
+    unit("s/m", 1.0, &[]),
+    unit("s/mm", 1e3, &[]),
+    unit("s/ft", 1.0 / FOOT, &[]),
+    unit("s/in", 1.0 / INCH, &[]),
+];
+
+pub(crate) const HOIST_GAIN: &[Unit] = &[
+    unit("m/s/N", 1.0, &["m/(s.N)", "m/(N.s)", "m/N/s", "s/kg"]),
+    unit(
+        "m/s/kN",
+        1e-3,
+        &["m/(s.kN)", "m/(kN.s)", "m/kN/s", "mm/s/N", "s/t"],
+    ),
+    unit(
+        "m/s/t",
+        1.0 / TONNE_FORCE,
+        &["m/s/tf", "m/(s.tf)", "m/(tf.s)"],
+    ),
+    unit(
+        "ft/s/klbf",
+        FOOT / (1e3 * POUND_FORCE),
+        &["ft/(s.klbf)", "ft/(klbf.s)", "ft/klbf/s"],
+    ),
+];
+
+pub(crate) const TIME: &[Unit] = &[
+    unit("s", 1.0, &["sec", "secs", "second", "seconds"]),
+    unit("ms", 1e-3, &[]),
+    unit("min", MINUTE, &["mins", "minute", "minutes"]),
+    unit("h", HOUR, &["hr", "hrs", "hour", "hours"]),
+    unit("d", DAY, &["day", "days"]),
+];
+
+pub(crate) const FREQUENCY: &[Unit] = &[
+    unit("1/s", 1.0, &["Hz", "c/s", "s-1"]),
+    unit("1/min", 1.0 / MINUTE, &["c/min"]),
+    unit("kHz", 1e3, &[]),
+];
+
+pub(crate) const MASS: &[Unit] = &[
+    unit("kg", 1.0, &[]),
+    unit("t", 1e3, &["tonne", "tonnes", "Mg"]),
+    unit("lb", POUND, &["lbm", "lbs"]),
+    unit("klb", 1e3 * POUND, &["klbm", "klbs"]),
+    unit("g", 1e-3, &[]),
+    unit("tonUS", 2000.0 * POUND, &["ton[US]", "US ton", "short ton"]),
+];

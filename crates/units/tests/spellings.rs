@@ -1,0 +1,290 @@
+//! Texts as people write them, and what is said about those that mean nothing.
+
+use wholestring_units::{Dimension, QuantityErrorKind, UnitSet, UnknownUnitSet};
+
+fn close(dimension: Dimension, text: &str, si: f64) {
+    let value = dimension
+        .parse(text)
+        .unwrap_or_else(|error| panic!("{text}: {error}"));
+    assert!(
+        (value - si).abs() <= 4.0 * f64::EPSILON * si.abs(),
+        "{text}: {value} is not {si}"
+    );
+}
+
+#[test]
+fn numbers_are_decimals_fractions_or_mixed() {
+    use Dimension::{Diameter, Force, Length};
+    close(Diameter, "5-1/2 in", 5.5 * 0.0254);
+    close(Diameter, "5 1/2 in", 5.5 * 0.0254);
+    close(Diameter, "5½ in", 5.5 * 0.0254);
+    close(Diameter, "5-½\"", 5.5 * 0.0254);
+    close(Diameter, "½ in", 0.5 * 0.0254);
+    close(Diameter, "9 5/8\"", 9.625 * 0.0254);
+    close(Diameter, "9-5/8”", 9.625 * 0.0254);
+    close(Diameter, "5/8in", 0.625 * 0.0254);
+    close(Diameter, "-5 1/2 in", -5.5 * 0.0254);
+    close(Diameter, "222.96 mm", 0.22296);
+    close(Length, " 4305 m ", 4305.0);
+    close(Length, "4305m", 4305.0);
+    close(Length, "14124'", 14124.0 * 0.3048);
+    close(Length, ".5 m", 0.5);
+    close(Length, "5. m", 5.0);
+    close(Force, "-1.5e3 N", -1500.0);
+    close(Force, "−1.5E+3 N", -1500.0);
+    close(Force, "+6 tf", 6.0 * 9806.65);
+    close(Dimension::Frequency, "30 1/s", 30.0);
+}
+
+#[test]
+fn the_fields_units_are_read_in_its_spellings() {
+    use Dimension as D;
+    close(D::Density, "1.2 sg", 1200.0);
+    close(D::Density, "1.2 SG", 1200.0);
+    close(
+        D::Density,
+        "10 lb/gal",
+        10.0 * 0.45359237 / (231.0 * 0.0254f64.powi(3)),
+    );
+    close(
+        D::Density,
+        "0.52 psi/ft",
+        0.52 * 0.45359237 / (0.0254 * 0.0254 * 0.3048),
+    );
+    close(D::Pressure, "210 GPa", 2.1e11);
+    close(D::MassPerLength, "21.90 ppf", 21.9 * 0.45359237 / 0.3048);
+    close(D::MassPerLength, "21.90 lbm/ft", 21.9 * 0.45359237 / 0.3048);
+    close(
+        D::RotarySpeed,
+        "70 rev/min",
+        70.0 * std::f64::consts::PI / 30.0,
+    );
+    close(D::RateOfPenetration, "36 m/hr", 0.01);
+    close(D::TripSpeed, "60 ft/min", 0.3048);
+    for text in [
+        "3 deg/30m",
+        "3 deg/30 m",
+        "3°/30m",
+        "3 ° / 30 m",
+        "3 DEG/30M",
+        "3 dega/30m",
+    ] {
+        close(D::DoglegSeverity, text, 0.1f64.to_radians());
+    }
+    for text in [
+        "3 deg/100ft",
+        "3 deg/100 ft",
+        "3°/100 ft",
+        "3 deg per 100 ft",
+    ] {
+        close(D::DoglegSeverity, text, 3f64.to_radians() / 30.48);
+    }
+    for text in [
+        "45 kN.m", "45 kN·m", "45 kN*m", "45 kNm", "45 kN-m", "45 kN m", "45 KN.M",
+    ] {
+        close(D::Torque, text, 45e3);
+    }
+    let foot_pound = 0.3048 * 0.45359237 * 9.80665;
+    for text in [
+        "9 ft-lbf",
+        "9 ft.lbf",
+        "9 lbf.ft",
+        "9 lbf·ft",
+        "9 ft-lb",
+        "9 ft lbs",
+        "9 lb-ft",
+    ] {
+        close(D::Torque, text, 9.0 * foot_pound);
+    }
+    for text in [
+        "9 kft-lbf",
+        "9 klbf.ft",
+        "9 kft.lbf",
+        "9 kft-lb",
+        "9 ft-kips",
+    ] {
+        close(D::Torque, text, 9e3 * foot_pound);
+    }
+}
+
+#[test]
+fn milli_is_never_mega() {
+    for text in ["5 mN", "5 mn"] {
+        assert!(Dimension::Force.parse(text).is_err(), "{text}");
+    }
+    for text in ["5 mPa", "5 mpsi"] {
+        assert!(Dimension::Pressure.parse(text).is_err(), "{text}");
+    }
+    assert!(Dimension::Viscosity.parse("5 MPa.s").is_err());
+    assert!(Dimension::Time.parse("5 Ms").is_err());
+    close(Dimension::Force, "5 MN", 5e6);
+    close(Dimension::Pressure, "5 MPA", 5e6);
+    close(Dimension::Diameter, "5 MM", 0.005);
+}
+
+#[test]
+fn every_spelling_means_its_unit_alone() {
+    for &dimension in Dimension::ALL {
+        for unit in dimension.units() {
+            for spelling in unit.spellings() {
+                let found = dimension.find_unit(spelling);
+                assert_eq!(found, Some(unit), "{dimension:?} '{spelling}'");
+                let value = dimension.parse(&format!("2 {spelling}")).unwrap();
+                assert_eq!(value, unit.to_si(2.0), "{dimension:?} '{spelling}'");
+            }
+        }
+    }
+}
+
+#[track_caller]
+fn refused(dimension: Dimension, text: &str, at: &str, sentence: &str) -> QuantityErrorKind {
+    let error = dimension.parse(text).unwrap_err();
+    assert_eq!(&text[error.span.clone()], at, "{text}");
+    let said = error.to_string();
+    assert!(said.starts_with(sentence), "{text}: {said}");
+    error.kind
+}
+
+#[test]
+fn a_text_that_is_no_quantity_gets_a_sentence() {
+    use Dimension::{Angle, Density, Diameter, Force, Length};
+    assert_eq!(
+        Length.parse("5 bar").unwrap_err().to_string(),
+        "'bar' is a unit of pressure; a length was expected, with one of: \
+         m, ft, mm, in, cm, km, yd, usft"
+    );
+    assert_eq!(
+        Density.parse("12 pppg").unwrap_err().to_string(),
+        "'pppg' is not a unit of density; did you mean 'ppg'? \
+         Accepted: kg/m3, sg, ppg, g/cm3, lb/ft3, psi/ft, kPa/m"
+    );
+    refused(
+        Length,
+        "",
+        "",
+        "there is nothing here; a length was expected, such as '1 m'",
+    );
+    refused(Length, "  ", "  ", "there is nothing here");
+    refused(
+        Angle,
+        "4305",
+        "4305",
+        "'4305' has no unit; an angle was expected, with one of: deg",
+    );
+    refused(Diameter, "5-1/2", "5-1/2", "'5-1/2' has no unit");
+    refused(
+        Force,
+        " 12 wombats",
+        "wombats",
+        "'wombats' is not a unit of force; accepted: kN",
+    );
+    for text in [
+        "nan m",
+        "NaN m",
+        "inf m",
+        "-inf m",
+        "infinity m",
+        "m",
+        "- m",
+        "e5 m",
+        ". m",
+    ] {
+        let kind = refused(Length, text, text.split(' ').next().unwrap(), "'");
+        assert!(
+            matches!(kind, QuantityErrorKind::NotANumber { .. }),
+            "{text}: {kind:?}"
+        );
+    }
+    for (text, at) in [
+        ("1,500 m", "1,500"),
+        ("1.2.3 m", "1.2.3"),
+        ("1 500 m", "1 500"),
+        ("1_500 m", "1_500"),
+        ("12,5 m", "12,5"),
+        ("5 9/8 m", "5 9/8"),
+        ("1/0 m", "1/0"),
+        ("5-1/2-1/2 m", "5-1/2-1/2"),
+    ] {
+        let kind = Length.parse(text).unwrap_err();
+        assert_eq!(&text[kind.span.clone()], at);
+        assert!(
+            matches!(kind.kind, QuantityErrorKind::NotANumber { .. }),
+            "{text}: {kind:?}"
+        );
+    }
+    let sentence = Length.parse("1,500 m").unwrap_err().to_string();
+    assert!(
+        sentence.contains("thousands not separated: '1500.5 m'"),
+        "{sentence}"
+    );
+    for (text, at) in [
+        ("1e400 m", "1e400"),
+        ("1e308 km", "1e308"),
+        ("-1e999 m", "-1e999"),
+    ] {
+        let kind = refused(
+            Length,
+            text,
+            at,
+            &format!("'{at}' is too large for a length"),
+        );
+        assert!(
+            matches!(kind, QuantityErrorKind::TooLarge { .. }),
+            "{text}: {kind:?}"
+        );
+    }
+    let kind = refused(
+        Force,
+        "6 ton",
+        "ton",
+        "'ton' is not a unit of force; did you mean 't'?",
+    );
+    assert!(matches!(
+        kind,
+        QuantityErrorKind::UnknownUnit {
+            nearest: Some("t"),
+            ..
+        }
+    ));
+}
+
+#[test]
+fn people_are_shown_five_digits_in_their_units() {
+    use Dimension as D;
+    assert_eq!(D::Length.format(4305.274, UnitSet::Si), "4305.3 m");
+    assert_eq!(D::Length.format(4305.274, UnitSet::Field), "14125 ft");
+    assert_eq!(D::Length.format(1_234_567.8, UnitSet::Si), "1234568 m");
+    assert_eq!(D::Force.format(1_234_567.0, UnitSet::Si), "1234.6 kN");
+    assert_eq!(D::Force.format(980_665.0, UnitSet::Metric), "100 t");
+    assert_eq!(D::Torque.format(0.0, UnitSet::Field), "0 ft-lbf");
+    assert_eq!(D::Torque.format(-0.0, UnitSet::Si), "0 kN.m");
+    assert_eq!(D::Diameter.format(0.2159, UnitSet::Field), "8.5 in");
+    assert_eq!(D::Diameter.format(-0.2159, UnitSet::Si), "-215.9 mm");
+    assert_eq!(D::Pressure.format(2.1e11, UnitSet::Field), "3.0458e7 psi");
+    assert_eq!(D::Density.format(1e-9, UnitSet::Si), "1e-9 kg/m3");
+    assert_eq!(
+        D::DoglegSeverity.format(0.1f64.to_radians(), UnitSet::Metric),
+        "3 deg/30m"
+    );
+    assert_eq!(D::Length.format_exact(0.1397, UnitSet::Si), "0.1397 m");
+    assert_eq!(
+        D::Diameter.format_exact(5.5 * 0.0254, UnitSet::Field),
+        "5.5 in"
+    );
+    assert_eq!(
+        D::DoglegSeverity.format_exact(0.1f64.to_radians(), UnitSet::Si),
+        "3 deg/30m"
+    );
+}
+
+#[test]
+fn unit_sets_have_three_names() {
+    for &set in UnitSet::ALL {
+        assert_eq!(set.to_string().parse(), Ok(set));
+    }
+    let error: UnknownUnitSet = "imperial".parse::<UnitSet>().unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "'imperial' is not a unit set; expected \"si\", \"metric\" or \"field\""
+    );
+}
