@@ -1,1 +1,162 @@
-fn main() {}
+//! Chores of the repository: `cargo xtask test` runs everything that CI runs.
+
+mod command;
+mod count;
+mod python;
+
+use std::{
+    env, fs,
+    path::{Path, PathBuf},
+    process::{Command, ExitCode},
+    time::Instant,
+};
+
+use command::{Failure, cargo, run, run_counted, succeeds};
+use count::Count;
+
+const USAGE: &str = "usage: cargo xtask test    run everything that CI runs";
+
+/// What a step found out.
+enum Finding {
+    Done,
+    Tested(Count),
+    Skipped(String),
+}
+
+type Step = (&'static str, fn() -> Result<Finding, Failure>);
+
+/// Cheap steps first, so that a slip is told early.
+const STEPS: &[Step] = &[
+    ("Formatting", formatting),
+    ("Lints", lints),
+    ("Tests", tests),
+    ("Documentation examples", doc_tests),
+    ("Documentation", documentation),
+    ("Core for the browser", wasm),
+    ("Python example", python::example),
+];
+
+fn main() -> ExitCode {
+    let arguments: Vec<_> = env::args().skip(1).collect();
+    match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["test"] => test(),
+        ["--help" | "-h"] => {
+            println!("{USAGE}");
+            ExitCode::SUCCESS
+        }
+        _ => {
+            eprintln!("{USAGE}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn test() -> ExitCode {
+    let start = Instant::now();
+    let mut total = Count::default();
+    for (number, (title, step)) in STEPS.iter().enumerate() {
+        println!("[{}/{}] {title}", number + 1, STEPS.len());
+        let begin = Instant::now();
+        let outcome = step();
+        let seconds = begin.elapsed().as_secs_f64();
+        match outcome {
+            Ok(Finding::Done) => println!("      {title}: done in {seconds:.1} s"),
+            Ok(Finding::Skipped(reason)) => println!("      {title}: skipped, {reason}"),
+            Ok(Finding::Tested(count)) => {
+                println!("      {title}: {count} in {seconds:.1} s");
+                total += count;
+            }
+            Err(failure) => {
+                total += failure.count;
+                eprintln!("\n{title} failed: {}", failure.reason);
+                println!("{total}");
+                return ExitCode::FAILURE;
+            }
+        }
+    }
+    println!("\nAll steps in {:.0} s", start.elapsed().as_secs_f64());
+    println!("{total}");
+    ExitCode::SUCCESS
+}
+
+fn formatting() -> Result<Finding, Failure> {
+    run(
+        cargo().args(["fmt", "--all", "--check"]),
+        "run `cargo fmt --all`",
+    )?;
+    Ok(Finding::Done)
+}
+
+fn lints() -> Result<Finding, Failure> {
+    run(
+        cargo().args([
+            "clippy",
+            "--workspace",
+            "--all-targets",
+            "--",
+            "-D",
+            "warnings",
+        ]),
+        "warnings count as errors",
+    )?;
+    Ok(Finding::Done)
+}
+
+fn tests() -> Result<Finding, Failure> {
+    // nextest runs the tests of all crates side by side and knows no documentation examples.
+    let mut runner = cargo();
+    if succeeds(cargo().args(["nextest", "--version"])) {
+        runner.args(["nextest", "run", "--workspace", "--no-fail-fast"]);
+    } else {
+        runner.args(["test", "--workspace", "--no-fail-fast"]);
+        runner.args(["--lib", "--bins", "--tests", "--examples"]);
+    }
+    run_counted(&mut runner).map(Finding::Tested)
+}
+
+fn doc_tests() -> Result<Finding, Failure> {
+    run_counted(cargo().args(["test", "--workspace", "--doc", "--no-fail-fast"]))
+        .map(Finding::Tested)
+}
+
+fn documentation() -> Result<Finding, Failure> {
+    run(
+        cargo()
+            .args(["doc", "--workspace", "--no-deps"])
+            .env("RUSTDOCFLAGS", "-D warnings"),
+        "warnings count as errors",
+    )?;
+    Ok(Finding::Done)
+}
+
+fn wasm() -> Result<Finding, Failure> {
+    const TARGET: &str = "wasm32-unknown-unknown";
+    let rustc = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    let sysroot = Command::new(rustc).args(["--print", "sysroot"]).output();
+    let installed = sysroot.is_ok_and(|output| {
+        let root = String::from_utf8_lossy(&output.stdout).trim().to_owned();
+        Path::new(&root).join("lib/rustlib").join(TARGET).is_dir()
+    });
+    if !installed {
+        return Ok(Finding::Skipped(format!(
+            "the target is not installed (`rustup target add {TARGET}`)"
+        )));
+    }
+    run(
+        cargo().args(["check", "--package", "wholestring", "--target", TARGET]),
+        "core must compile for the browser: no files, no threads, no clock",
+    )?;
+    Ok(Finding::Done)
+}
+
+/// The root of the repository.
+fn root() -> PathBuf {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    // Without it paths in messages read `xtask/../...`.
+    fs::canonicalize(&root).unwrap_or(root)
+}
+
+/// The folder that cargo builds into.
+fn target() -> PathBuf {
+    root().join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
+}

@@ -15,8 +15,10 @@ pub mod mud;
 pub mod operation;
 pub mod outcome;
 pub mod rig;
+pub mod rod;
 pub mod statics;
 pub mod string;
+pub mod wall;
 pub mod well;
 
 /// Standard acceleration of gravity, m/s² (CGPM 1901, exact by definition).

@@ -1,1 +1,22 @@
-//! What a run leaves behind.
+//! What a run leaves behind: `summary.json`, `nodes.parquet` and `time.parquet`, and the same
+//! tables as CSV.
+//!
+//! Files are SI with the unit in every name, hold `null` where a number is not finite or does not
+//! apply, and appear whole or not at all: each is written beside its final name and then renamed.
+#![warn(missing_docs)]
+
+mod columns;
+mod error;
+mod file;
+mod folder;
+mod parquet_file;
+mod summary;
+mod table;
+
+pub use columns::{ColumnSpec, NODES, TIME};
+pub use error::ResultsError;
+pub use folder::ResultsFolder;
+pub use summary::{
+    Friction, ModelKind, Numerics, OperationSummary, SCHEMA_VERSION, Statistic, Status, Summary,
+};
+pub use table::{Column, Data, Table};

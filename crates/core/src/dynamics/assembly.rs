@@ -1,0 +1,301 @@
+//! From model and mesh to the chain that the time loop moves.
+
+use nalgebra::Vector3;
+
+use super::{
+    chain::{Chain, NO_WALL_M, element, node},
+    settings::ContactLaw,
+};
+use crate::{
+    GRAVITY_M_PER_S2,
+    model::Model,
+    rod::{element::Stiffness, mesh::Mesh, stability::StepPlan},
+    wall::{Bore, contact},
+    well::Path,
+};
+
+/// Most mud that is carried along outside, as a multiple of the mud that the pipe displaces. The
+/// formula of the concentric annulus grows without bound where a tool fills its hole.
+const MOST_ADDED_MUD: f64 = 5.0;
+
+/// Where a node's anchor stands on the hole's axis.
+#[derive(Debug, Clone, Copy)]
+pub struct Anchor {
+    /// Measured depth, m.
+    pub md_m: f64,
+    /// Position, m.
+    pub position_m: Vector3<f64>,
+    /// Unit vector across the axis towards the high side.
+    pub high_side: Vector3<f64>,
+}
+
+/// The hole around the chain: what a node takes up anew as it slides along.
+#[derive(Debug, Clone)]
+pub struct Surroundings {
+    path: Path,
+    bore: Bore,
+    law: ContactLaw,
+    /// Young's modulus and Poisson's ratio of each node's steel.
+    steel: Vec<(f64, f64)>,
+    /// Contact radius of each node, m; none where the wall does not act (the ends).
+    touches: Vec<Option<f64>>,
+    /// Distance that a node may slide before it takes up a new anchor, m.
+    reach_m: f64,
+}
+
+/// A node takes up a new anchor when it has slid this far, m. The wall is then known to the third
+/// order in it: for a dogleg that changes by 3 deg/30 m within 30 m, to 1e-10 m.
+const REACH_M: f64 = 0.02;
+
+/// Lateral mass of each element, kg/m: steel, mud inside, and the mud that an accelerated cylinder
+/// carries along in an annulus, `ρ π r² (R² + r²)/(R² − r²)`.
+pub fn lateral_mass_kg_per_m(model: &Model, mesh: &Mesh, bit_md_m: f64) -> Vec<f64> {
+    let density = model.mud.density_kg_per_m3;
+    mesh.elements
+        .iter()
+        .zip(&mesh.nodes)
+        .map(|(element, top)| {
+            let section = &element.section;
+            let md = bit_md_m - top.from_bit_m + 0.5 * element.length_m;
+            let hole = 0.5 * model.well.hole.at(md).diameter_m;
+            let r = 0.5 * section.od_m;
+            let (r2, hole2) = (r * r, hole * hole);
+            let confined = ((hole2 + r2) / (hole2 - r2).max(1e-12)).min(MOST_ADDED_MUD);
+            let outside = std::f64::consts::PI * r2 * confined;
+            section.steel_kg_per_m + density * (section.bore_m2 + outside)
+        })
+        .collect()
+}
+
+impl Surroundings {
+    /// The surroundings of a chain made of `mesh`.
+    pub fn new(model: &Model, mesh: &Mesh, law: ContactLaw) -> Self {
+        let last = mesh.nodes.len() - 1;
+        let steel = mesh
+            .nodes
+            .iter()
+            .map(|n| {
+                let (_, component) = model.string.component_at(n.from_bit_m);
+                (component.material.youngs_modulus_Pa, component.poisson_ratio())
+            })
+            .collect();
+        // The top is clamped in the rotary, the bit is held by its own hole.
+        let touches = (0..=last)
+            .map(|i| (i != 0 && i != last).then_some(mesh.nodes[i].contact_radius_m))
+            .collect();
+        Self {
+            path: model.well.path.clone(),
+            bore: Bore::new(&model.well.hole),
+            law,
+            steel,
+            touches,
+            reach_m: REACH_M,
+        }
+    }
+
+    /// The path.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Clearance of a node at a measured depth, m.
+    pub fn clearance_m(&self, index: usize, md_m: f64) -> f64 {
+        match (self.touches[index], self.bore.radius_m(md_m)) {
+            (Some(radius), Some(hole)) => hole - radius,
+            _ => NO_WALL_M,
+        }
+    }
+
+    /// Puts a node's anchor at `md_m`, the node itself staying where it is.
+    pub fn anchor(&self, chain: &mut Chain, anchors: &mut [Anchor], index: usize, md_m: f64) {
+        let there = anchors[index].position_m + Vector3::from(chain.displacement(index));
+        self.place(chain, anchors, index, md_m);
+        chain.set_displacement(index, (there - anchors[index].position_m).into());
+    }
+
+    /// Puts a node's anchor at `md_m` and takes the node along.
+    pub fn place(&self, chain: &mut Chain, anchors: &mut [Anchor], index: usize, md_m: f64) {
+        let point = self.path.at(md_m);
+        anchors[index] = Anchor {
+            md_m,
+            position_m: point.position_m,
+            high_side: self.path.high_side_at(md_m),
+        };
+        chain.set_tangent(index, point.tangent.into());
+        chain.set_curvature(index, point.curvature_per_m.into());
+        self.meet_wall(chain, index, md_m);
+    }
+
+    /// Gives a node the wall at `md_m`.
+    fn meet_wall(&self, chain: &mut Chain, index: usize, md_m: f64) {
+        node!(chain, index, clearance) = self.clearance_m(index, md_m);
+        let (Some(radius), Some(hole)) = (self.touches[index], self.bore.radius_m(md_m)) else {
+            return;
+        };
+        let section = self.bore.section(md_m);
+        node!(chain, index, radius) = radius;
+        node!(chain, index, friction) = section.friction.kinetic;
+        node!(chain, index, friction_rise) = section.friction.at_rest - section.friction.kinetic;
+        match self.law {
+            ContactLaw::Hertz { .. } => {
+                let (e, nu) = self.steel[index];
+                let modulus = contact::contact_modulus_Pa(
+                    e,
+                    nu,
+                    section.youngs_modulus_Pa,
+                    section.poisson_ratio,
+                );
+                node!(chain, index, stiffness) = contact::hertz_stiffness(modulus, hole, radius);
+            }
+            ContactLaw::Linear { stiffness_N_per_m, damping_ratio } => {
+                let mass = node!(chain, index, mass_lateral);
+                node!(chain, index, stiffness) = stiffness_N_per_m;
+                node!(chain, index, damping) =
+                    2.0 * damping_ratio * (stiffness_N_per_m * mass).sqrt();
+            }
+        }
+    }
+
+    /// Moves the anchors of nodes that slid beyond their reach, and the chords between them.
+    pub fn follow(&self, chain: &mut Chain, anchors: &mut [Anchor]) {
+        let mut moved_above = false;
+        for index in 0..chain.nodes() {
+            let along = chain.tangent(index).dot(chain.displacement(index));
+            let moved = along.abs() > self.reach_m;
+            if moved {
+                let md = anchors[index].md_m + along;
+                self.anchor(chain, anchors, index, md);
+            }
+            if index > 0 && (moved || moved_above) {
+                span(chain, anchors, index - 1);
+            }
+            moved_above = moved;
+        }
+    }
+}
+
+/// Sets the anchor chord of an element from its two anchors.
+pub fn span(chain: &mut Chain, anchors: &[Anchor], index: usize) {
+    let chord = anchors[index + 1].position_m - anchors[index].position_m;
+    chain.set_anchor_chord(index, chord.into());
+}
+
+/// The chain with its inertia, stiffness, weight and drag; nothing is placed yet.
+pub fn chain(model: &Model, mesh: &Mesh, plan: &StepPlan) -> Chain {
+    let mut chain = Chain::new(mesh.nodes.len());
+    let mud = &model.mud;
+    let last = mesh.nodes.len() - 1;
+    for (index, element) in mesh.elements.iter().enumerate() {
+        let section = &element.section;
+        let inertia = &plan.inertia[index];
+        chain.set_stiffness(index, &Stiffness::new(section, element.length_m));
+        let half = 0.5 * element.length_m;
+        let weight = half * section.buoyed_weight_N_per_m(mud.density_kg_per_m3);
+        for end in [index, index + 1] {
+            node!(chain, end, mass_axial) += 0.5 * inertia.axial_kg;
+            node!(chain, end, mass_lateral) += 0.5 * inertia.lateral_kg;
+            node!(chain, end, polar) += 0.5 * inertia.polar_kg_m2;
+            // Summed here, inverted below.
+            node!(chain, end, inv_rotary) += inertia.rotary_kg_m2;
+            node!(chain, end, drag_linear) += half * mud.linear_drag_Pa_s;
+            node!(chain, end, drag_quadratic) +=
+                half * 0.5 * mud.density_kg_per_m3 * mud.drag_coefficient * section.od_m;
+            let mut total = chain.weight(end);
+            total.2 += weight;
+            chain.set_weight(end, total);
+        }
+    }
+    for index in 0..=last {
+        let rotary = node!(chain, index, inv_rotary);
+        node!(chain, index, gyroscopic) = node!(chain, index, polar) / rotary;
+        node!(chain, index, inv_rotary) = 1.0 / rotary;
+    }
+    release(&mut chain);
+    chain
+}
+
+/// Frees the axial motion and the spin of all nodes, but for the spin of the top, which the top drive
+/// prescribes. The top is clamped laterally: it neither leaves the axis nor tilts.
+pub fn release(chain: &mut Chain) {
+    for index in 0..chain.nodes() {
+        node!(chain, index, inv_mass_axial) = 1.0 / node!(chain, index, mass_axial);
+        node!(chain, index, inv_mass_lateral) = 1.0 / node!(chain, index, mass_lateral);
+        node!(chain, index, inv_polar) = 1.0 / node!(chain, index, polar);
+    }
+    node!(chain, 0, inv_mass_lateral) = 0.0;
+    node!(chain, 0, inv_rotary) = 0.0;
+    node!(chain, 0, gyroscopic) = 0.0;
+    node!(chain, 0, inv_polar) = 0.0;
+}
+
+/// Holds the axial motion and the spin of all nodes: what is left is lateral.
+pub fn hold(chain: &mut Chain) {
+    for block in &mut chain.node_blocks {
+        block.inv_mass_axial.0.fill(0.0);
+        block.inv_polar.0.fill(0.0);
+    }
+}
+
+/// Elastic, kinetic and potential energy of the chain at the middle of the last step, J.
+///
+/// Velocities live there already; positions and twist are brought back by half a step, so that the sum
+/// is second-order accurate in the step.
+pub fn energy_J(chain: &Chain, anchors: &[Anchor], dt: f64) -> f64 {
+    kinetic_energy_J(chain) + potential_energy_J(chain, anchors, dt)
+}
+
+/// Kinetic energy at the middle of the last step, J.
+pub fn kinetic_energy_J(chain: &Chain) -> f64 {
+    let mut sum = 0.0;
+    for i in 0..chain.nodes() {
+        let v = chain.velocity(i);
+        let along = v.dot(chain.tangent(i));
+        let (ml, ma) = (node!(chain, i, mass_lateral), node!(chain, i, mass_axial));
+        let spin = node!(chain, i, spin);
+        let w = chain.turning(i);
+        let inverse = node!(chain, i, inv_rotary);
+        let rotary = if inverse > 0.0 { w.dot(w) / inverse } else { 0.0 };
+        sum += ml * v.dot(v)
+            + (ma - ml) * along * along
+            + node!(chain, i, polar) * spin * spin
+            + rotary;
+    }
+    0.5 * sum
+}
+
+/// Elastic and gravitational energy at the middle of the last step, J.
+fn potential_energy_J(chain: &Chain, anchors: &[Anchor], dt: f64) -> f64 {
+    let half = 0.5 * dt;
+    let mut sum = 0.0;
+    for i in 0..chain.elements() {
+        let mut pose = chain.pose(i);
+        pose.displacement = pose.displacement.minus(pose.velocity, half);
+        let back = |d: crate::rod::vector::Vector<f64>, w| {
+            let turned = d.minus(crate::rod::vector::Vector::cross(w, d), half);
+            turned.scaled(1.0 / turned.dot(turned).sqrt())
+        };
+        pose.d1 = back(pose.d1, pose.w1);
+        pose.d2 = back(pose.d2, pose.w2);
+        // The stored twist is that of the step's beginning.
+        let share = 1.0 / (1.0 + pose.d1.dot(pose.d2));
+        pose.twist += half * (pose.spin + share * (pose.w2.dot(pose.d1) - pose.w1.dot(pose.d2)));
+        sum += crate::rod::element::energy(&chain.stiffness(i), &pose);
+    }
+    for (i, anchor) in anchors.iter().enumerate() {
+        let weight = Vector3::from(chain.weight(i));
+        let at = anchor.position_m + Vector3::from(chain.displacement(i))
+            - half * Vector3::from(chain.velocity(i));
+        sum -= weight.dot(&at);
+    }
+    sum
+}
+
+/// Weight of the node at the top of the chain, N: part of the hook load.
+pub fn top_weight_N(chain: &Chain) -> f64 {
+    chain.weight(0).2
+}
+
+/// Mud pressure at a true vertical depth, Pa.
+pub fn mud_pressure_Pa(model: &Model, tvd_m: f64) -> f64 {
+    model.mud.density_kg_per_m3 * GRAVITY_M_PER_S2 * tvd_m.max(0.0)
+}

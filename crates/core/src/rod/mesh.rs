@@ -1,0 +1,168 @@
+//! Where the nodes stand.
+
+use super::section::Section;
+use crate::string::{Component, DrillString};
+
+/// A node of the string.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshNode {
+    /// Distance from the bit along the unloaded string, m.
+    pub from_bit_m: f64,
+    /// Radius that touches the wall here: of the joint, of the stabiliser or of the body, m.
+    pub contact_radius_m: f64,
+}
+
+/// An element between two nodes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshElement {
+    /// Length of the unloaded element, m.
+    pub length_m: f64,
+    /// Its mean section.
+    pub section: Section,
+}
+
+/// The string cut into elements, from the surface down to the bit: node 0 is the top, the last node
+/// the bit, element `i` lies between nodes `i` and `i + 1`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mesh {
+    /// Nodes, one more than elements.
+    pub nodes: Vec<MeshNode>,
+    /// Elements.
+    pub elements: Vec<MeshElement>,
+}
+
+/// A place where a node must stand.
+struct Mark {
+    from_bit_m: f64,
+    contact_radius_m: f64,
+    /// The ends and the stabilisers never give way; joints do, where they crowd.
+    fixed: bool,
+}
+
+/// A component that stands out over both its neighbours and is no longer than this touches as one
+/// point, at its middle, m.
+const LONGEST_BLADE_M: f64 = 4.0;
+
+/// Marks nearer to one another than this part of the element length, or than [`CROWDED_M`], share a
+/// node.
+const CROWDED: f64 = 0.5;
+
+/// Longest distance over which marks are merged, m.
+const CROWDED_M: f64 = 2.0;
+
+/// How much longer than asked an element may be rather than be halved.
+const TOLERANCE: f64 = 0.05;
+
+impl Mesh {
+    /// Cuts `string` into elements of about `element_length_m`, with a node at the bit, at the top, on
+    /// every stabiliser and on every tool joint that is not crowded by another.
+    pub fn new(string: &DrillString, element_length_m: f64) -> Self {
+        let marks = marks(string, element_length_m);
+        let mut nodes = Vec::new();
+        for pair in marks.windows(2) {
+            let (low, high) = (&pair[0], &pair[1]);
+            let span = high.from_bit_m - low.from_bit_m;
+            let parts = (span / element_length_m - TOLERANCE).ceil().max(1.0) as usize;
+            nodes.push(MeshNode {
+                from_bit_m: low.from_bit_m,
+                contact_radius_m: low.contact_radius_m,
+            });
+            for part in 1..parts {
+                let from_bit_m = low.from_bit_m + span * part as f64 / parts as f64;
+                nodes.push(MeshNode { from_bit_m, contact_radius_m: body_radius_m(string, from_bit_m) });
+            }
+        }
+        let top = &marks[marks.len() - 1];
+        nodes.push(MeshNode { from_bit_m: top.from_bit_m, contact_radius_m: top.contact_radius_m });
+        nodes.reverse();
+        let elements = nodes
+            .windows(2)
+            .map(|pair| MeshElement {
+                length_m: pair[0].from_bit_m - pair[1].from_bit_m,
+                section: Section::between(string, pair[1].from_bit_m, pair[0].from_bit_m),
+            })
+            .collect();
+        Self { nodes, elements }
+    }
+
+    /// Length of the unloaded string, m.
+    pub fn length_m(&self) -> f64 {
+        self.nodes[0].from_bit_m
+    }
+
+    /// Half of each neighbouring element: the length that a node answers for, m.
+    pub fn tributary_length_m(&self, node: usize) -> f64 {
+        let above = if node > 0 { self.elements[node - 1].length_m } else { 0.0 };
+        let below = self.elements.get(node).map_or(0.0, |e| e.length_m);
+        0.5 * (above + below)
+    }
+}
+
+fn body_radius_m(string: &DrillString, from_bit_m: f64) -> f64 {
+    let mut top = 0.0;
+    for component in string.components() {
+        top += component.length_m;
+        if from_bit_m < top {
+            return component.od_m / 2.0;
+        }
+    }
+    string.components().last().map_or(0.0, |c| c.od_m / 2.0)
+}
+
+fn marks(string: &DrillString, element_length_m: f64) -> Vec<Mark> {
+    let components = string.components();
+    let length = string.length_m();
+    let mut marks = vec![
+        Mark { from_bit_m: 0.0, contact_radius_m: components[0].contact_radius_m(), fixed: true },
+        Mark {
+            from_bit_m: length,
+            contact_radius_m: components[components.len() - 1].contact_radius_m(),
+            fixed: true,
+        },
+    ];
+    let mut bottom = 0.0;
+    for (index, component) in components.iter().enumerate() {
+        let top = bottom + component.length_m;
+        let radius = component.contact_radius_m();
+        if let Some(joints) = component.joints {
+            let mut from_bit_m = bottom;
+            while from_bit_m < top {
+                marks.push(Mark { from_bit_m, contact_radius_m: radius, fixed: false });
+                from_bit_m += joints.spacing_m;
+            }
+        } else if is_blade(components, index) {
+            let from_bit_m = 0.5 * (bottom + top);
+            marks.push(Mark { from_bit_m, contact_radius_m: radius, fixed: true });
+        }
+        bottom = top;
+    }
+    marks.sort_by(|a, b| a.from_bit_m.total_cmp(&b.from_bit_m));
+    thin(marks, element_length_m)
+}
+
+/// Whether a component stands out over both its neighbours over a short length: a stabiliser, a
+/// reamer. The bit is no neighbour to stand out from, and is none itself.
+fn is_blade(components: &[Component], index: usize) -> bool {
+    let radius = components[index].contact_radius_m();
+    let over = |other: Option<&Component>| other.is_none_or(|c| radius > c.contact_radius_m());
+    index > 0
+        && components[index].length_m <= LONGEST_BLADE_M
+        && over(if index == 1 { None } else { components.get(index - 1) })
+        && over(components.get(index + 1))
+}
+
+/// Drops joints that crowd a fixed mark or the joint below.
+fn thin(marks: Vec<Mark>, element_length_m: f64) -> Vec<Mark> {
+    let near = (CROWDED * element_length_m).min(CROWDED_M);
+    let fixed: Vec<f64> = marks.iter().filter(|m| m.fixed).map(|m| m.from_bit_m).collect();
+    let mut kept: Vec<Mark> = Vec::with_capacity(marks.len());
+    for mark in marks {
+        let crowds_fixed = !mark.fixed && fixed.iter().any(|f| (f - mark.from_bit_m).abs() < near);
+        let crowds_last = !mark.fixed
+            && kept.last().is_some_and(|last| mark.from_bit_m - last.from_bit_m < near);
+        if !crowds_fixed && !crowds_last {
+            kept.push(mark);
+        }
+    }
+    kept
+}

@@ -1,0 +1,12 @@
+//! The rod: the drill string as a chain of two-node beam elements.
+//!
+//! One element serves every solver. Its forces come from one energy ([`element`]), written once over
+//! a [`number::Number`] that is either a plain `f64` or eight of them side by side.
+
+pub mod element;
+pub mod lanes;
+pub mod mesh;
+pub mod number;
+pub mod section;
+pub mod stability;
+pub mod vector;

@@ -1,0 +1,83 @@
+//! Cross-section of a stretch of the string.
+
+use crate::string::DrillString;
+
+/// Stiffness and inertia per length of a stretch of the string.
+///
+/// A stretch that spans several components has their series stiffness (the mean of the compliances)
+/// and their mean inertia.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Section {
+    /// `EA`, N.
+    pub axial_stiffness_N: f64,
+    /// `κGA`, N.
+    pub shear_stiffness_N: f64,
+    /// `EI`, N·m².
+    pub bending_stiffness_N_m2: f64,
+    /// `GJ`, N·m².
+    pub torsional_stiffness_N_m2: f64,
+    /// Mass of the steel, tool joints included, kg/m.
+    pub steel_kg_per_m: f64,
+    /// Volume of the steel, m³/m: what the mud buoys.
+    pub steel_m2: f64,
+    /// Area of the bore, m².
+    pub bore_m2: f64,
+    /// Moment of inertia about the axis, kg·m²/m.
+    pub polar_inertia_kg_m: f64,
+    /// Outside diameter, m.
+    pub od_m: f64,
+}
+
+impl Section {
+    /// The mean section of `string` between two distances from the bit, m.
+    pub fn between(string: &DrillString, from_bit_m: f64, to_bit_m: f64) -> Self {
+        let span = to_bit_m - from_bit_m;
+        let mut mean = Self {
+            axial_stiffness_N: 0.0,
+            shear_stiffness_N: 0.0,
+            bending_stiffness_N_m2: 0.0,
+            torsional_stiffness_N_m2: 0.0,
+            steel_kg_per_m: 0.0,
+            steel_m2: 0.0,
+            bore_m2: 0.0,
+            polar_inertia_kg_m: 0.0,
+            od_m: 0.0,
+        };
+        let mut bottom = 0.0;
+        let last = string.components().len() - 1;
+        for (index, component) in string.components().iter().enumerate() {
+            // The last component takes whatever rounding leaves above it.
+            let top = if index == last { f64::INFINITY } else { bottom + component.length_m };
+            let part = (to_bit_m.min(top) - from_bit_m.max(bottom)) / span;
+            bottom = top;
+            if part <= 0.0 {
+                continue;
+            }
+            let (e, g) = (component.material.youngs_modulus_Pa, component.material.shear_modulus_Pa);
+            let area = component.area_m2();
+            let nu = (e / (2.0 * g) - 1.0).clamp(0.0, 0.5);
+            let kappa = super::element::shear_factor(nu, component.id_m / component.od_m);
+            mean.axial_stiffness_N += part / component.axial_stiffness_N();
+            mean.shear_stiffness_N += part / (kappa * g * area);
+            mean.bending_stiffness_N_m2 += part / component.bending_stiffness_N_m2();
+            mean.torsional_stiffness_N_m2 += part / component.torsional_stiffness_N_m2();
+            let steel = component.mass_per_length_kg_per_m;
+            mean.steel_kg_per_m += part * steel;
+            mean.steel_m2 += part * steel / component.material.density_kg_per_m3;
+            mean.bore_m2 += part * component.inner_area_m2();
+            mean.polar_inertia_kg_m +=
+                part * steel * component.polar_moment_m4() / component.area_m2();
+            mean.od_m += part * component.od_m;
+        }
+        mean.axial_stiffness_N = 1.0 / mean.axial_stiffness_N;
+        mean.shear_stiffness_N = 1.0 / mean.shear_stiffness_N;
+        mean.bending_stiffness_N_m2 = 1.0 / mean.bending_stiffness_N_m2;
+        mean.torsional_stiffness_N_m2 = 1.0 / mean.torsional_stiffness_N_m2;
+        mean
+    }
+
+    /// Buoyed weight, N/m.
+    pub fn buoyed_weight_N_per_m(&self, mud_kg_per_m3: f64) -> f64 {
+        crate::GRAVITY_M_PER_S2 * (self.steel_kg_per_m - mud_kg_per_m3 * self.steel_m2)
+    }
+}

@@ -1,0 +1,75 @@
+//! Writing a file whole or not at all.
+
+use std::{
+    fs::{self, File},
+    io::{self, BufWriter, Write},
+    path::{Path, PathBuf},
+};
+
+use crate::ResultsError;
+
+/// Writes `path` through a file beside it that takes its name once it is complete, so that a reader
+/// (or a crash) never meets half a file.
+pub(crate) fn write_whole(
+    path: &Path,
+    write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
+) -> Result<(), ResultsError> {
+    let partial = partial_name(path);
+    let result = (|| {
+        let mut writer = BufWriter::new(File::create(&partial)?);
+        write(&mut writer)?;
+        writer.flush()?;
+        // Without it a full disk may go unnoticed until after the rename.
+        writer.get_ref().sync_all()?;
+        drop(writer);
+        fs::rename(&partial, path)
+    })();
+    result.map_err(|source| {
+        // The attempt's own remains; the first error is the one worth telling.
+        let _ = fs::remove_file(&partial);
+        ResultsError::Write {
+            path: path.to_owned(),
+            source,
+        }
+    })
+}
+
+fn partial_name(path: &Path) -> PathBuf {
+    let mut name = path.file_name().unwrap_or_default().to_owned();
+    name.push(".partial");
+    path.with_file_name(name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_failed_write_leaves_the_old_file_and_no_remains() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        fs::write(&path, "old").unwrap();
+        let error = write_whole(&path, |writer| {
+            writer.write_all(b"half of")?;
+            Err(io::ErrorKind::StorageFull.into())
+        })
+        .unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            format!("cannot write {}: the disk is full", path.display())
+        );
+        assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn a_write_replaces_the_old_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        for text in ["a longer first text", "second"] {
+            write_whole(&path, |writer| writer.write_all(text.as_bytes())).unwrap();
+            assert_eq!(fs::read_to_string(&path).unwrap(), text);
+        }
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+}

@@ -1,0 +1,67 @@
+//! The folder that a run writes to.
+
+use std::{
+    fs, io,
+    path::{Path, PathBuf},
+};
+
+use crate::{ResultsError, Summary, Table};
+
+/// The folder that a run writes to.
+#[derive(Debug, Clone)]
+pub struct ResultsFolder {
+    path: PathBuf,
+}
+
+impl ResultsFolder {
+    /// Makes the folder and its parents where they do not exist, and makes sure that files can be
+    /// written there, so that a long run does not end on a folder it may not write to.
+    pub fn create(path: impl Into<PathBuf>) -> Result<Self, ResultsError> {
+        let path = path.into();
+        fs::create_dir_all(&path).map_err(|source| ResultsError::Folder {
+            path: path.clone(),
+            source,
+        })?;
+        let probe = path.join(".write-test");
+        fs::write(&probe, "").map_err(|source| ResultsError::Write {
+            path: path.clone(),
+            source,
+        })?;
+        // It was just made: failing to remove it harms nobody.
+        let _ = fs::remove_file(&probe);
+        Ok(Self { path })
+    }
+
+    /// Its path.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Writes `summary.json`.
+    pub fn write_summary(&self, summary: &Summary) -> Result<(), ResultsError> {
+        summary.write(&self.path.join("summary.json"))
+    }
+
+    /// Writes `<name>.parquet`, and `<name>.csv` where `csv` asks for it. Where it does not, the CSV
+    /// that an earlier run left goes, so that the folder never mixes two runs.
+    pub fn write_table(&self, name: &str, table: &Table, csv: bool) -> Result<(), ResultsError> {
+        table.write_parquet(&self.path.join(format!("{name}.parquet")))?;
+        let path = self.path.join(format!("{name}.csv"));
+        if csv {
+            return table.write_csv(&path);
+        }
+        match fs::remove_file(&path) {
+            Err(source) if source.kind() != io::ErrorKind::NotFound => {
+                Err(ResultsError::Write { path, source })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Writes a file of text, such as a picture.
+    pub fn write_text(&self, name: &str, text: &str) -> Result<(), ResultsError> {
+        crate::file::write_whole(&self.path.join(name), |writer| {
+            std::io::Write::write_all(writer, text.as_bytes())
+        })
+    }
+}

@@ -1,0 +1,229 @@
+//! Tables as Parquet files: the only place that knows the format.
+
+use std::{fs::File, io, path::Path, sync::Arc};
+
+use parquet::{
+    basic::{Compression, LogicalType, Repetition, Type as PhysicalType},
+    column::{reader::ColumnReader, writer::ColumnWriter},
+    data_type::ByteArray,
+    errors::ParquetError,
+    file::{
+        metadata::KeyValue,
+        properties::WriterProperties,
+        reader::{FileReader, SerializedFileReader},
+        writer::{SerializedFileWriter, SerializedRowGroupWriter},
+    },
+    schema::types::Type,
+};
+
+use crate::{Column, Data, ResultsError, Table, file::write_whole};
+
+/// Key of a column's unit and meaning in the file's metadata.
+fn key(column: &str, what: &str) -> String {
+    format!("{column}.{what}")
+}
+
+pub(crate) fn write(table: &Table, path: &Path) -> Result<(), ResultsError> {
+    write_whole(path, |writer| write_to(table, writer).map_err(io_error))
+}
+
+fn write_to(table: &Table, writer: impl io::Write + Send) -> Result<(), ParquetError> {
+    let mut file = SerializedFileWriter::new(writer, schema(table)?, properties(table))?;
+    let mut rows = file.next_row_group()?;
+    for column in table.columns() {
+        write_column(&mut rows, &column.data)?;
+    }
+    rows.close()?;
+    file.close()?;
+    Ok(())
+}
+
+/// The system's error where there is one inside, so that a full disk is called one.
+fn io_error(error: ParquetError) -> io::Error {
+    match error {
+        ParquetError::External(error) => match error.downcast::<io::Error>() {
+            Ok(error) => *error,
+            Err(error) => io::Error::other(error),
+        },
+        other => io::Error::other(other),
+    }
+}
+
+fn schema(table: &Table) -> Result<Arc<Type>, ParquetError> {
+    let fields = table
+        .columns()
+        .iter()
+        .map(|column| {
+            let field = match column.data {
+                Data::Number(_) => Type::primitive_type_builder(&column.name, PhysicalType::DOUBLE)
+                    .with_repetition(Repetition::OPTIONAL),
+                Data::Text(_) => {
+                    Type::primitive_type_builder(&column.name, PhysicalType::BYTE_ARRAY)
+                        .with_repetition(Repetition::REQUIRED)
+                        .with_logical_type(Some(LogicalType::String))
+                }
+            };
+            Ok(Arc::new(field.build()?))
+        })
+        .collect::<Result<_, ParquetError>>()?;
+    let schema = Type::group_type_builder("table").with_fields(fields);
+    Ok(Arc::new(schema.build()?))
+}
+
+fn properties(table: &Table) -> Arc<WriterProperties> {
+    let notes = table
+        .columns()
+        .iter()
+        .flat_map(|column| {
+            [
+                KeyValue::new(key(&column.name, "unit"), column.unit.clone()),
+                KeyValue::new(key(&column.name, "meaning"), column.meaning.clone()),
+            ]
+        })
+        .collect();
+    Arc::new(
+        WriterProperties::builder()
+            .set_compression(Compression::SNAPPY)
+            .set_created_by(format!("wholestring {}", env!("CARGO_PKG_VERSION")))
+            .set_key_value_metadata(Some(notes))
+            .build(),
+    )
+}
+
+fn write_column<W: io::Write + Send>(
+    rows: &mut SerializedRowGroupWriter<'_, W>,
+    data: &Data,
+) -> Result<(), ParquetError> {
+    let mut writer = rows.next_column()?.expect("one column a schema field");
+    match (writer.untyped(), data) {
+        (ColumnWriter::DoubleColumnWriter(writer), Data::Number(values)) => {
+            let finite = |value: &Option<f64>| value.filter(|value| value.is_finite());
+            let levels: Vec<i16> = values
+                .iter()
+                .map(|value| i16::from(finite(value).is_some()))
+                .collect();
+            let present: Vec<f64> = values.iter().filter_map(finite).collect();
+            writer.write_batch(&present, Some(&levels), None)?;
+        }
+        (ColumnWriter::ByteArrayColumnWriter(writer), Data::Text(values)) => {
+            let words: Vec<ByteArray> = values
+                .iter()
+                .map(|word| ByteArray::from(word.as_bytes().to_vec()))
+                .collect();
+            writer.write_batch(&words, None, None)?;
+        }
+        _ => unreachable!("the schema was made from the same columns"),
+    }
+    writer.close()
+}
+
+pub(crate) fn read(path: &Path) -> Result<Table, ResultsError> {
+    let file = File::open(path).map_err(|source| ResultsError::Read {
+        path: path.to_owned(),
+        source,
+    })?;
+    let table = read_table(file).map_err(|error| ResultsError::format(path, error))?;
+    Ok(Table::new(table))
+}
+
+fn read_table(file: File) -> Result<Vec<Column>, ParquetError> {
+    let reader = SerializedFileReader::new(file)?;
+    let metadata = reader.metadata().file_metadata();
+    let notes = metadata.key_value_metadata();
+    let note = |name: &str, what: &str| {
+        let key = key(name, what);
+        notes
+            .and_then(|notes| notes.iter().find(|note| note.key == key))
+            .and_then(|note| note.value.clone())
+            .unwrap_or_default()
+    };
+    let mut columns = Vec::new();
+    for (index, field) in metadata.schema_descr().columns().iter().enumerate() {
+        let data = match field.physical_type() {
+            PhysicalType::DOUBLE if field.max_def_level() == 1 => Data::Number(Vec::new()),
+            PhysicalType::BYTE_ARRAY if field.max_def_level() == 0 => Data::Text(Vec::new()),
+            other => {
+                return Err(ParquetError::General(format!(
+                    "column `{}` is {other}, expected optional numbers or words",
+                    field.name()
+                )));
+            }
+        };
+        let mut column = Column {
+            name: field.name().into(),
+            unit: note(field.name(), "unit"),
+            meaning: note(field.name(), "meaning"),
+            data,
+        };
+        for group in 0..reader.num_row_groups() {
+            let rows = reader.metadata().row_group(group).num_rows() as usize;
+            let reader = reader.get_row_group(group)?.get_column_reader(index)?;
+            read_column(reader, rows, &mut column)?;
+        }
+        columns.push(column);
+    }
+    Ok(columns)
+}
+
+fn read_column(reader: ColumnReader, rows: usize, column: &mut Column) -> Result<(), ParquetError> {
+    match (reader, &mut column.data) {
+        (ColumnReader::DoubleColumnReader(mut reader), Data::Number(all)) => {
+            let (mut levels, mut present) = (Vec::new(), Vec::new());
+            while levels.len() < rows {
+                let (read, _, _) = reader.read_records(
+                    rows - levels.len(),
+                    Some(&mut levels),
+                    None,
+                    &mut present,
+                )?;
+                if read == 0 {
+                    break;
+                }
+            }
+            let mut present = present.into_iter();
+            all.extend(levels.into_iter().map(|level| match level {
+                0 => None,
+                _ => present.next(),
+            }));
+        }
+        (ColumnReader::ByteArrayColumnReader(mut reader), Data::Text(all)) => {
+            let mut words: Vec<ByteArray> = Vec::new();
+            while words.len() < rows {
+                let (read, _, _) =
+                    reader.read_records(rows - words.len(), None, None, &mut words)?;
+                if read == 0 {
+                    break;
+                }
+            }
+            for word in words {
+                all.push(word.as_utf8()?.to_owned());
+            }
+        }
+        _ => unreachable!("the column was made for the same type"),
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct FullDisk;
+
+    impl io::Write for FullDisk {
+        fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+            Err(io::ErrorKind::StorageFull.into())
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn a_full_disk_is_called_one() {
+        let table = Table::with_columns(crate::NODES);
+        let error = io_error(write_to(&table, FullDisk).unwrap_err());
+        assert_eq!(error.kind(), io::ErrorKind::StorageFull);
+    }
+}

@@ -1,0 +1,223 @@
+//! `summary.json`: the scalars of every model and operation solved.
+
+use std::{collections::BTreeMap, fs::File, io::BufReader, io::Write, path::Path};
+
+use serde::{Deserialize, Serialize};
+use wholestring::outcome::Scalars;
+
+use crate::{ResultsError, file::write_whole};
+
+/// Version of the layout of `summary.json`; raised when a key changes or goes.
+pub const SCHEMA_VERSION: u32 = 1;
+
+/// The whole of `summary.json`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Summary {
+    /// [`SCHEMA_VERSION`] of the program that wrote it.
+    pub schema_version: u32,
+    /// Name of the case.
+    pub case: String,
+    /// The case's settings with all defaults filled in.
+    pub settings: serde_json::Value,
+    /// One entry per model and operation solved, in the order they were solved.
+    pub operations: Vec<OperationSummary>,
+}
+
+/// The model that an operation was solved with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ModelKind {
+    /// Soft string.
+    Soft,
+    /// Whole-string dynamics in time.
+    Dynamic,
+}
+
+impl ModelKind {
+    /// Name in case files and results.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Soft => "soft",
+            Self::Dynamic => "dynamic",
+        }
+    }
+}
+
+/// How far the solution of an operation got.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", tag = "status", content = "message")]
+pub enum Status {
+    /// To its end.
+    Complete,
+    /// The user stopped it; what was computed until then is there.
+    Interrupted,
+    /// It could not go on, for this reason; what was computed until then is there.
+    Failed(String),
+}
+
+/// Kinetic friction of the hole.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Friction {
+    /// The same in every hole section.
+    Uniform(f64),
+    /// By hole section, from the surface down.
+    BySection(Vec<f64>),
+}
+
+impl Friction {
+    /// One number where all sections agree, a list where they do not.
+    pub fn of(sections: &[f64]) -> Self {
+        match sections {
+            [first, rest @ ..] if rest.iter().all(|other| other == first) => Self::Uniform(*first),
+            _ => Self::BySection(sections.to_vec()),
+        }
+    }
+}
+
+/// One operation as one model solved it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct OperationSummary {
+    /// The model.
+    pub model: ModelKind,
+    /// The operation, as in case files: `trip_out`, `drill`, ...
+    pub operation: String,
+    /// How far the solution got.
+    #[serde(flatten)]
+    pub status: Status,
+    /// Kinetic friction of the hole.
+    pub friction: Friction,
+    /// Measured depth of the bit, m.
+    #[serde(with = "finite")]
+    pub bit_depth_m: f64,
+    /// Torque and drag; means over the window for a dynamic model.
+    #[serde(flatten, with = "ScalarKeys")]
+    pub scalars: Scalars,
+    /// Statistics over the window by quantity; dynamic models only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub statistics: Option<BTreeMap<String, Statistic>>,
+    /// What the numbers cost and how sound they are; dynamic models only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub numerics: Option<Numerics>,
+}
+
+/// Distribution of a quantity over the window.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Statistic {
+    /// Mean.
+    #[serde(with = "finite")]
+    pub mean: f64,
+    /// Standard deviation.
+    #[serde(with = "finite")]
+    pub std: f64,
+    /// Smallest value.
+    #[serde(with = "finite")]
+    pub min: f64,
+    /// Largest value.
+    #[serde(with = "finite")]
+    pub max: f64,
+    /// 5th percentile.
+    #[serde(with = "finite")]
+    pub p05: f64,
+    /// 95th percentile.
+    #[serde(with = "finite")]
+    pub p95: f64,
+}
+
+/// What a dynamic solution cost and how sound it is.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Numerics {
+    /// Elements of the mesh.
+    pub elements: usize,
+    /// Time step, s.
+    #[serde(with = "finite")]
+    pub time_step_s: f64,
+    /// Steps taken.
+    pub steps: u64,
+    /// Axial mass added to short elements to keep the step, as a fraction of the string's.
+    #[serde(with = "finite")]
+    pub added_axial_mass_fraction: f64,
+    /// Deepest penetration of the wall, m.
+    #[serde(with = "finite")]
+    pub max_penetration_m: f64,
+    /// Energy that the balance does not account for, as a fraction of the work done.
+    #[serde(with = "finite")]
+    pub energy_residual: f64,
+    /// Time that the solution took, s.
+    #[serde(with = "finite")]
+    pub wall_time_s: f64,
+    /// Simulated time over the time that it took.
+    #[serde(with = "finite")]
+    pub real_time_factor: f64,
+}
+
+/// The keys of [`Scalars`] in the file.
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "Scalars")]
+struct ScalarKeys {
+    #[serde(with = "finite")]
+    weight_on_bit_N: f64,
+    #[serde(with = "finite")]
+    bit_torque_N_m: f64,
+    #[serde(with = "finite")]
+    hook_load_N: f64,
+    #[serde(with = "finite")]
+    surface_torque_N_m: f64,
+    #[serde(with = "finite")]
+    friction_torque_N_m: f64,
+    #[serde(with = "finite")]
+    axial_friction_N: f64,
+    #[serde(with = "finite")]
+    side_force_total_N: f64,
+    #[serde(with = "finite")]
+    twist_rad: f64,
+    #[serde(with = "finite")]
+    stretch_m: f64,
+    neutral_point_m: Option<f64>,
+    cutoff_depth_m: Option<f64>,
+}
+
+/// JSON has no NaN: a number that is not finite is `null`, and `null` is read back as NaN.
+mod finite {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    pub(super) fn serialize<S: Serializer>(value: &f64, to: S) -> Result<S::Ok, S::Error> {
+        value.is_finite().then_some(*value).serialize(to)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+        Ok(Option::<f64>::deserialize(from)?.unwrap_or(f64::NAN))
+    }
+}
+
+impl Summary {
+    /// Writes the summary as indented JSON.
+    pub fn write(&self, path: &Path) -> Result<(), ResultsError> {
+        write_whole(path, |writer| {
+            serde_json::to_writer_pretty(&mut *writer, self)?;
+            writer.write_all(b"\n")
+        })
+    }
+
+    /// Reads back a summary, and refuses one of another [`SCHEMA_VERSION`].
+    pub fn read(path: &Path) -> Result<Self, ResultsError> {
+        let file = File::open(path).map_err(|source| ResultsError::Read {
+            path: path.to_owned(),
+            source,
+        })?;
+        let value: serde_json::Value = serde_json::from_reader(BufReader::new(file))
+            .map_err(|error| ResultsError::format(path, error))?;
+        // Before anything else, so that a newer file is not called malformed.
+        match value.get("schema_version").and_then(|v| v.as_u64()) {
+            Some(version) if version == u64::from(SCHEMA_VERSION) => {}
+            Some(version) => {
+                return Err(ResultsError::format(
+                    path,
+                    format_args!("its schema_version is {version}, expected {SCHEMA_VERSION}"),
+                ));
+            }
+            None => return Err(ResultsError::format(path, "it has no schema_version")),
+        }
+        serde_json::from_value(value).map_err(|error| ResultsError::format(path, error))
+    }
+}

@@ -1,0 +1,166 @@
+//! Tables in memory, and their way to CSV.
+
+use std::{io, path::Path};
+
+use crate::{ColumnSpec, ResultsError, file::write_whole, parquet_file};
+
+/// The values of one column.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Data {
+    /// Numbers; `None` where one does not apply. A number that is not finite is written as `None`.
+    Number(Vec<Option<f64>>),
+    /// Words.
+    Text(Vec<String>),
+}
+
+impl Data {
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Number(values) => values.len(),
+            Self::Text(values) => values.len(),
+        }
+    }
+
+    /// Whether there is no row.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// A column: its values and what they mean.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Column {
+    /// Name, with the unit in it: `tension_N`.
+    pub name: String,
+    /// Unit symbol, empty where there is none.
+    pub unit: String,
+    /// What the values are, in one sentence.
+    pub meaning: String,
+    /// The values.
+    pub data: Data,
+}
+
+/// A table: columns of equal length.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    columns: Vec<Column>,
+}
+
+impl Table {
+    /// A table of these columns.
+    ///
+    /// # Panics
+    /// If the columns differ in length.
+    pub fn new(columns: Vec<Column>) -> Self {
+        if let Some(first) = columns.first() {
+            for column in &columns {
+                assert_eq!(
+                    column.data.len(),
+                    first.data.len(),
+                    "column `{}` is as long as `{}`",
+                    column.name,
+                    first.name
+                );
+            }
+        }
+        Self { columns }
+    }
+
+    /// A table without rows, with the columns of a registry ([`crate::NODES`], [`crate::TIME`]).
+    pub fn with_columns(specs: &[ColumnSpec]) -> Self {
+        Self::new(specs.iter().map(ColumnSpec::empty).collect())
+    }
+
+    /// Adds rows: each word of `words` fills its column, each slice of `numbers` gives one number a
+    /// row, and the columns that are not named become `None`.
+    ///
+    /// # Panics
+    /// If the table has no such column of that kind, a text column is not named, or the slices differ
+    /// in length.
+    pub fn append(&mut self, words: &[(&str, &str)], numbers: &[(&str, &[f64])]) {
+        for &(name, _) in numbers {
+            assert!(self.column(name).is_some(), "the table has no `{name}`");
+        }
+        let rows = numbers.first().map_or(0, |(_, values)| values.len());
+        for column in &mut self.columns {
+            match &mut column.data {
+                Data::Text(all) => {
+                    let word = words.iter().find(|(name, _)| *name == column.name);
+                    let (_, word) = word.unwrap_or_else(|| panic!("`{}` is named", column.name));
+                    all.extend(std::iter::repeat_n((*word).to_owned(), rows));
+                }
+                Data::Number(all) => match numbers.iter().find(|(name, _)| *name == column.name) {
+                    Some((name, values)) => {
+                        assert_eq!(values.len(), rows, "`{name}` is as long as the others");
+                        all.extend(values.iter().map(|value| finite(*value)));
+                    }
+                    None => all.extend(std::iter::repeat_n(None, rows)),
+                },
+            }
+        }
+    }
+
+    /// The columns, in the order of the file.
+    pub fn columns(&self) -> &[Column] {
+        &self.columns
+    }
+
+    /// The column of that name.
+    pub fn column(&self, name: &str) -> Option<&Column> {
+        self.columns.iter().find(|column| column.name == name)
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.columns.first().map_or(0, |column| column.data.len())
+    }
+
+    /// Writes the table as Parquet (Snappy), with unit and meaning of each column in the metadata.
+    pub fn write_parquet(&self, path: &Path) -> Result<(), ResultsError> {
+        parquet_file::write(self, path)
+    }
+
+    /// Reads back a table that [`Table::write_parquet`] wrote.
+    pub fn read_parquet(path: &Path) -> Result<Self, ResultsError> {
+        parquet_file::read(path)
+    }
+
+    /// Writes the table as CSV: a header row of column names, numbers with the digits that make them
+    /// exact, nothing where a number does not apply.
+    pub fn write_csv(&self, path: &Path) -> Result<(), ResultsError> {
+        write_whole(path, |writer| {
+            let mut csv = csv::Writer::from_writer(writer);
+            self.write_records(&mut csv).map_err(io_error)?;
+            csv.flush()
+        })
+    }
+
+    fn write_records(&self, csv: &mut csv::Writer<impl io::Write>) -> csv::Result<()> {
+        csv.write_record(self.columns.iter().map(|column| &column.name))?;
+        for row in 0..self.rows() {
+            for column in &self.columns {
+                match &column.data {
+                    Data::Number(values) => match values[row].and_then(finite) {
+                        Some(value) => csv.write_field(value.to_string())?,
+                        None => csv.write_field("")?,
+                    },
+                    Data::Text(values) => csv.write_field(&values[row])?,
+                }
+            }
+            csv.write_record(None::<&[u8]>)?;
+        }
+        Ok(())
+    }
+}
+
+fn finite(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
+}
+
+fn io_error(error: csv::Error) -> io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        other => io::Error::other(format!("{other:?}")),
+    }
+}

@@ -1,0 +1,27 @@
+//! The documentation's tables of columns are the program's.
+
+use std::{fs, path::Path};
+
+use wholestring_results::{ColumnSpec, NODES, TIME};
+
+fn rows(columns: &[ColumnSpec]) -> String {
+    let mut text = String::from("| column | unit | meaning |\n|---|---|---|\n");
+    for column in columns {
+        let unit = if column.text { "text" } else { column.unit };
+        text += &format!("| `{}` | {unit} | {} |\n", column.name, column.meaning);
+    }
+    text
+}
+
+#[test]
+fn the_page_lists_every_column() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/src/outputs.md");
+    let page = fs::read_to_string(page).unwrap().replace("\r\n", "\n");
+    for (name, columns) in [("nodes", NODES), ("time", TIME)] {
+        let expected = rows(columns);
+        assert!(
+            page.contains(&expected),
+            "docs/src/outputs.md should hold this table of {name}.parquet:\n\n{expected}"
+        );
+    }
+}

@@ -1,0 +1,158 @@
+//! `summary.json` against its contract.
+
+use std::{collections::BTreeMap, fs};
+
+use serde_json::{Value, json};
+use wholestring::outcome::Scalars;
+use wholestring_results::{
+    Friction, ModelKind, Numerics, OperationSummary, SCHEMA_VERSION, Statistic, Status, Summary,
+};
+
+const SCALARS: Scalars = Scalars {
+    hook_load_N: 1.0,
+    surface_torque_N_m: 2.0,
+    friction_torque_N_m: 3.0,
+    axial_friction_N: 4.0,
+    side_force_total_N: 5.0,
+    weight_on_bit_N: 6.0,
+    bit_torque_N_m: 7.0,
+    twist_rad: 8.0,
+    stretch_m: 9.0,
+    neutral_point_m: Some(10.0),
+    cutoff_depth_m: None,
+};
+
+fn soft() -> OperationSummary {
+    OperationSummary {
+        model: ModelKind::Soft,
+        operation: "drill".into(),
+        status: Status::Complete,
+        friction: Friction::of(&[0.3, 0.3]),
+        bit_depth_m: 4305.0,
+        scalars: SCALARS,
+        statistics: None,
+        numerics: None,
+    }
+}
+
+fn dynamic() -> OperationSummary {
+    let statistic = Statistic {
+        mean: 1.0,
+        std: 2.0,
+        min: 3.0,
+        max: 4.0,
+        p05: 5.0,
+        p95: 6.0,
+    };
+    OperationSummary {
+        model: ModelKind::Dynamic,
+        status: Status::Failed("the string flew off at 3.2 s".into()),
+        friction: Friction::of(&[0.2, 0.3]),
+        statistics: Some(BTreeMap::from([("hook_load_N".into(), statistic)])),
+        numerics: Some(Numerics {
+            elements: 1350,
+            time_step_s: 2e-4,
+            steps: 400_000,
+            added_axial_mass_fraction: 0.003,
+            max_penetration_m: 1e-5,
+            energy_residual: 1e-4,
+            wall_time_s: 2.5,
+            real_time_factor: 32.0,
+        }),
+        ..soft()
+    }
+}
+
+fn summary(operations: Vec<OperationSummary>) -> Summary {
+    Summary {
+        schema_version: SCHEMA_VERSION,
+        case: "NP13-X1042 at total depth".into(),
+        settings: json!({"mesh": {"element_length": "3.2 m"}}),
+        operations,
+    }
+}
+
+fn written(summary: &Summary) -> Value {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("summary.json");
+    summary.write(&path).unwrap();
+    assert_eq!(&Summary::read(&path).unwrap(), summary);
+    serde_json::from_str(&fs::read_to_string(&path).unwrap()).unwrap()
+}
+
+#[test]
+fn the_keys_are_the_contract() {
+    let file = written(&summary(vec![soft(), dynamic()]));
+    let expected = json!({
+        "schema_version": 1,
+        "case": "NP13-X1042 at total depth",
+        "settings": {"mesh": {"element_length": "3.2 m"}},
+        "operations": [
+            {
+                "model": "soft", "operation": "drill", "status": "complete", "friction": 0.3,
+                "bit_depth_m": 4305.0, "weight_on_bit_N": 6.0, "bit_torque_N_m": 7.0,
+                "hook_load_N": 1.0, "surface_torque_N_m": 2.0, "friction_torque_N_m": 3.0,
+                "axial_friction_N": 4.0, "side_force_total_N": 5.0, "twist_rad": 8.0,
+                "stretch_m": 9.0, "neutral_point_m": 10.0, "cutoff_depth_m": null
+            },
+            {
+                "model": "dynamic", "operation": "drill", "status": "failed",
+                "message": "the string flew off at 3.2 s", "friction": [0.2, 0.3],
+                "bit_depth_m": 4305.0, "weight_on_bit_N": 6.0, "bit_torque_N_m": 7.0,
+                "hook_load_N": 1.0, "surface_torque_N_m": 2.0, "friction_torque_N_m": 3.0,
+                "axial_friction_N": 4.0, "side_force_total_N": 5.0, "twist_rad": 8.0,
+                "stretch_m": 9.0, "neutral_point_m": 10.0, "cutoff_depth_m": null,
+                "statistics": {"hook_load_N": {
+                    "mean": 1.0, "std": 2.0, "min": 3.0, "max": 4.0, "p05": 5.0, "p95": 6.0
+                }},
+                "numerics": {
+                    "elements": 1350, "time_step_s": 2e-4, "steps": 400_000,
+                    "added_axial_mass_fraction": 0.003, "max_penetration_m": 1e-5,
+                    "energy_residual": 1e-4, "wall_time_s": 2.5, "real_time_factor": 32.0
+                }
+            }
+        ]
+    });
+    assert_eq!(file, expected);
+}
+
+#[test]
+fn what_is_not_finite_becomes_null_and_is_read_back() {
+    let mut operation = soft();
+    operation.scalars.twist_rad = f64::NAN;
+    operation.scalars.neutral_point_m = Some(f64::INFINITY);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("summary.json");
+    summary(vec![operation]).write(&path).unwrap();
+    let file: Value = serde_json::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
+    assert_eq!(file["operations"][0]["twist_rad"], Value::Null);
+    assert_eq!(file["operations"][0]["neutral_point_m"], Value::Null);
+    let back = Summary::read(&path).unwrap();
+    assert!(back.operations[0].scalars.twist_rad.is_nan());
+    assert_eq!(back.operations[0].scalars.neutral_point_m, None);
+}
+
+#[test]
+fn another_version_is_refused_by_number() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("summary.json");
+    for (text, reason) in [
+        (
+            r#"{"schema_version": 2}"#,
+            "its schema_version is 2, expected 1",
+        ),
+        (r#"{"case": "x"}"#, "it has no schema_version"),
+        ("[]", "it has no schema_version"),
+    ] {
+        fs::write(&path, text).unwrap();
+        let error = Summary::read(&path).unwrap_err().to_string();
+        assert_eq!(
+            error,
+            format!("{} is not a file of results: {reason}", path.display())
+        );
+    }
+    for text in ["", "{", r#"{"schema_version": 1, "case": 3}"#] {
+        fs::write(&path, text).unwrap();
+        assert!(Summary::read(&path).is_err(), "{text}");
+    }
+}

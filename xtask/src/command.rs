@@ -1,0 +1,113 @@
+//! Running other programs.
+
+use std::{
+    env,
+    ffi::OsString,
+    fmt::Write as _,
+    io::{self, BufRead, BufReader, IsTerminal, Read, Write},
+    process::{Command, Stdio},
+    thread,
+};
+
+use crate::{count::Count, root};
+
+/// Why a step failed, and the tests counted until then.
+pub(crate) struct Failure {
+    pub(crate) reason: String,
+    pub(crate) count: Count,
+}
+
+impl Failure {
+    pub(crate) fn new(reason: impl Into<String>) -> Self {
+        Self {
+            reason: reason.into(),
+            count: Count::default(),
+        }
+    }
+}
+
+/// The cargo that runs this program, in the root of the repository.
+pub(crate) fn cargo() -> Command {
+    let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo")));
+    command.current_dir(root());
+    command
+}
+
+/// Runs the command with its output on the screen; `advice` tells what to do when it fails.
+pub(crate) fn run(command: &mut Command, advice: &str) -> Result<(), Failure> {
+    match command.status() {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(Failure::new(format!(
+            "`{}`: {status}; {advice}",
+            line(command)
+        ))),
+        Err(error) => Err(cannot_start(command, &error)),
+    }
+}
+
+/// Whether the command can be started and succeeds; its output is dropped.
+pub(crate) fn succeeds(command: &mut Command) -> bool {
+    let command = command.stdout(Stdio::null()).stderr(Stdio::null());
+    command.status().is_ok_and(|status| status.success())
+}
+
+/// Runs a test runner with its output on the screen and counts the tests that it reports.
+pub(crate) fn run_counted(command: &mut Command) -> Result<Count, Failure> {
+    // It writes to a pipe here and would drop its colours.
+    if io::stderr().is_terminal() {
+        command.env("CARGO_TERM_COLOR", "always");
+    }
+    let child = command
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn();
+    let mut child = child.map_err(|error| cannot_start(command, &error))?;
+    // cargo test reports on standard output, nextest on standard error.
+    let output = child.stdout.take().expect("it is piped");
+    let messages = child.stderr.take().expect("it is piped");
+    let output = thread::spawn(move || copy_counting(output, io::stdout()));
+    let mut count = copy_counting(messages, io::stderr());
+    count += output.join().expect("copying does not panic");
+    match child.wait() {
+        Ok(status) if status.success() => Ok(count),
+        Ok(status) => Err(Failure {
+            reason: format!("`{}`: {status}", line(command)),
+            count,
+        }),
+        Err(error) => Err(cannot_start(command, &error)),
+    }
+}
+
+fn copy_counting(from: impl Read, mut to: impl Write) -> Count {
+    let mut count = Count::default();
+    let mut from = BufReader::new(from);
+    let mut bytes = Vec::new();
+    while from
+        .read_until(b'\n', &mut bytes)
+        .is_ok_and(|read| read > 0)
+    {
+        // Nobody may be reading the screen any more; the tests go on.
+        let _ = to.write_all(&bytes);
+        if let Some(more) = Count::in_line(&String::from_utf8_lossy(&bytes)) {
+            count += more;
+        }
+        bytes.clear();
+    }
+    count
+}
+
+fn cannot_start(command: &Command, error: &io::Error) -> Failure {
+    Failure::new(format!("`{}` cannot be started: {error}", line(command)))
+}
+
+fn line(command: &Command) -> String {
+    let mut line = String::from(if command.get_program() == cargo().get_program() {
+        "cargo".into()
+    } else {
+        command.get_program().to_string_lossy()
+    });
+    for argument in command.get_args() {
+        let _ = write!(line, " {}", argument.to_string_lossy());
+    }
+    line
+}

@@ -1,0 +1,96 @@
+//! Counting tests from what test runners print.
+
+use std::{fmt, ops::AddAssign};
+
+/// Numbers of tests.
+#[derive(Debug, Default, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Count {
+    pub(crate) passed: usize,
+    pub(crate) failed: usize,
+}
+
+impl Count {
+    /// The count in a closing line of cargo test (`test result: ok. 3 passed; 0 failed; ...`) or of
+    /// nextest (`Summary [0.1s] 4 tests run: 3 passed (1 slow), 1 failed, 2 skipped`).
+    pub(crate) fn in_line(line: &str) -> Option<Self> {
+        let line = without_colour(line);
+        let line = line.trim_start();
+        if !line.starts_with("test result:") && !line.starts_with("Summary [") {
+            return None;
+        }
+        let before = |name: &str| {
+            line.split([' ', ';', ',', '(', ')'])
+                .filter(|word| !word.is_empty())
+                .collect::<Vec<_>>()
+                .windows(2)
+                .filter(|pair| pair[1] == name)
+                .find_map(|pair| pair[0].parse().ok())
+                .unwrap_or(0)
+        };
+        Some(Self {
+            passed: before("passed"),
+            failed: before("failed") + before("timed"),
+        })
+    }
+}
+
+fn without_colour(line: &str) -> String {
+    let mut plain = String::new();
+    let mut rest = line;
+    while let Some((before, after)) = rest.split_once('\u{1b}') {
+        plain += before;
+        rest = after.split_once('m').map_or("", |(_, after)| after);
+    }
+    plain + rest
+}
+
+impl AddAssign for Count {
+    fn add_assign(&mut self, other: Self) {
+        self.passed += other.passed;
+        self.failed += other.failed;
+    }
+}
+
+impl fmt::Display for Count {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(to, "{} passed, {} failed", self.passed, self.failed)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn closing_lines_are_counted() {
+        for (line, passed, failed) in [
+            (
+                "test result: ok. 12 passed; 0 failed; 1 ignored; 0 measured; finished in 0.1s",
+                12,
+                0,
+            ),
+            (
+                "test result: \u{1b}[31mFAILED\u{1b}[m. 3 passed; 2 failed; 0 ignored",
+                3,
+                2,
+            ),
+            (
+                "     Summary [   2.315s] 45 tests run: 45 passed, 0 skipped",
+                45,
+                0,
+            ),
+            (
+                "\u{1b}[32;1m     Summary\u{1b}[0m [   2.3s] \u{1b}[1m7\u{1b}[0m tests run: \u{1b}[1m4\u{1b}[0m passed (\u{1b}[1m1\u{1b}[0m slow), \u{1b}[1m2\u{1b}[0m failed, \u{1b}[1m1\u{1b}[0m timed out, 0 skipped",
+                4,
+                3,
+            ),
+        ] {
+            assert_eq!(
+                Count::in_line(line),
+                Some(Count { passed, failed }),
+                "{line}"
+            );
+        }
+        assert_eq!(Count::in_line("running 3 tests: 3 passed"), None);
+    }
+}
