@@ -9,7 +9,7 @@ pub(crate) fn nearest<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) 
     names
         .into_iter()
         .map(|candidate| (likeness(&wanted, &simplify(candidate)), candidate))
-        .filter(|(likeness, _)| *likeness >= 0.6)
+        .filter(|(likeness, _)| *likeness >= 0.7)
         .max_by(|a, b| a.0.total_cmp(&b.0))
         .map(|(_, candidate)| candidate)
 }
@@ -26,19 +26,18 @@ fn simplify(name: &str) -> String {
 fn likeness(a: &str, b: &str) -> f64 {
     let edit = strsim::normalized_damerau_levenshtein(a, b);
     let shorter = a.len().min(b.len());
-    if shorter >= 3 && (a.starts_with(b) || b.starts_with(a)) {
+    let cut_short = shorter >= 3 && (a.starts_with(b) || b.starts_with(a));
+    // Jaro and Winkler's measure forgives a wrong end more than a wrong beginning.
+    if cut_short || strsim::jaro_winkler(a, b) >= 0.86 {
         edit.max(0.7)
     } else {
         edit
     }
 }
 
-/// `a, b and c`, for messages.
-pub(crate) fn list<S: AsRef<str>>(names: &[S]) -> String {
-    let quoted: Vec<String> = names
-        .iter()
-        .map(|name| format!("`{}`", name.as_ref()))
-        .collect();
+/// `"a", "b" or "c"`: the words that a value may be.
+pub(crate) fn any_of(words: &[&str]) -> String {
+    let quoted: Vec<String> = words.iter().map(|word| format!("\"{word}\"")).collect();
     match quoted.as_slice() {
         [] => String::new(),
         [one] => one.clone(),

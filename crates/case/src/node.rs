@@ -76,11 +76,20 @@ pub(crate) fn parse_text(text: &str, source: usize) -> Result<Entries, Vec<Diagn
     if errors.is_empty() {
         return Ok(entries(table.get_ref(), text, source, 0));
     }
-    let diagnostics = errors
-        .iter()
-        .map(|error| syntax_error(error, text, source, 0))
-        .collect();
+    let mut diagnostics = Vec::new();
+    for error in &errors {
+        let understood = error.message() == "duplicate key" || not_quoted(error);
+        diagnostics.push(syntax_error(error, text, source, 0));
+        // What comes after a broken line may only be its consequence.
+        if !understood {
+            break;
+        }
+    }
     Err(diagnostics)
+}
+
+fn not_quoted(error: &toml::de::Error) -> bool {
+    error.message().starts_with("string values must be quoted")
 }
 
 /// Reads one TOML value that begins `offset` bytes into its source.
@@ -102,12 +111,18 @@ fn syntax_error(error: &toml::de::Error, text: &str, source: usize, offset: usiz
     let said = error.message();
     let found = text.get(span.clone()).unwrap_or_default().trim();
     if said == "duplicate key" {
+        let line_start = text[..span.start].rfind('\n').map_or(0, |end| end + 1);
+        let help = if text[line_start..].trim_start().starts_with("[[") {
+            "where there may be several, each is headed by double brackets"
+        } else {
+            "keep one of the two"
+        };
         return Diagnostic::error(format!("`{}` is given twice", short(found)))
-            .at(place, "given before")
-            .help("keep one of the two");
+            .at(place, "it stands above already")
+            .help(help);
     }
     let diagnostic = Diagnostic::error("this is not TOML").at(place, said);
-    if said.starts_with("string values must be quoted") {
+    if not_quoted(error) {
         if found.is_empty() {
             return Diagnostic::error("a value is missing after `=`").at(place, "expected a value");
         }

@@ -2,7 +2,7 @@
 
 use crate::{
     diagnostic::Diagnostic,
-    names::{list, nearest, short},
+    names::{nearest, short},
     node::{Entries, Key, Node, Value, parse_value},
     reader::Reader,
     source::Place,
@@ -100,7 +100,7 @@ pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) 
         }
         return reader.report(diagnostic.help(format!(
             "keys are dotted, such as operation.bit_depth; short keys: {}",
-            list(&short_keys)
+            short_keys.join(", ")
         )));
     }
     if let Err(problem) = set_in_table(root, &path, &node, key_place) {

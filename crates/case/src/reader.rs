@@ -2,7 +2,7 @@
 
 use crate::{
     diagnostic::{Diagnostic, Report, Severity},
-    names::{list, nearest, short},
+    names::{nearest, short},
     node::{Entries, Node, Value},
     source::{Place, Source},
 };
@@ -11,6 +11,8 @@ use crate::{
 #[derive(Debug, Default)]
 pub(crate) struct Reader {
     pub(crate) sources: Vec<Source>,
+    /// The key whose value is being read, for messages.
+    pub(crate) key: &'static str,
     diagnostics: Vec<Diagnostic>,
 }
 
@@ -36,7 +38,15 @@ impl Reader {
 
     /// Everything that was found, in the order of the places.
     pub(crate) fn into_report(self) -> Report {
-        let mut diagnostics = self.diagnostics;
+        let diagnostics = self.diagnostics;
+        // One argument may set several values, and be wrong for each.
+        let mut unique: Vec<Diagnostic> = Vec::new();
+        for diagnostic in diagnostics {
+            if !unique.contains(&diagnostic) {
+                unique.push(diagnostic);
+            }
+        }
+        let mut diagnostics = unique;
         diagnostics.sort_by_key(|diagnostic| {
             let place = diagnostic.labels.first().map(|label| label.place);
             place.map_or((0, 0), |place| (place.source, place.start))
@@ -58,10 +68,8 @@ impl Reader {
 
     /// A value of the wrong kind.
     pub(crate) fn expected(&mut self, node: &Node, expected: &str) {
-        let diagnostic =
-            Diagnostic::error(format!("expected {expected}, found {}", node.value.noun()))
-                .at(node.place, format!("expected {expected}"));
-        self.report(diagnostic);
+        let message = format!("`{}` cannot be {}", self.key, node.value.noun());
+        self.report(Diagnostic::error(message).at(node.place, format!("expected {expected}")));
     }
 
     /// The table at a node.
@@ -83,8 +91,15 @@ impl Reader {
         None
     }
 
-    /// Reports the keys of a table that are none of `names`.
-    pub(crate) fn check_names(&mut self, table: &Entries, names: &[&str], heading: &str) {
+    /// Reports the keys of a table that are none of `names`; the names that they were probably meant
+    /// to be.
+    pub(crate) fn check_names(
+        &mut self,
+        table: &Entries,
+        names: &[&'static str],
+        heading: &str,
+    ) -> Vec<&'static str> {
+        let mut meant = Vec::new();
         for (key, _) in &table.0 {
             if names.contains(&key.name.as_str()) {
                 continue;
@@ -95,12 +110,14 @@ impl Reader {
             let homes = crate::schema::homes_of(&key.name);
             if let Some(nearest) = nearest(&key.name, names.iter().copied()) {
                 diagnostic = diagnostic.help(format!("did you mean `{nearest}`?"));
+                meant.push(nearest);
             } else if !homes.is_empty() {
                 diagnostic =
                     diagnostic.help(format!("`{}` belongs to {}", key.name, homes.join(", ")));
             }
-            diagnostic = diagnostic.help(format!("keys of {heading}: {}", list(names)));
+            diagnostic = diagnostic.help(format!("keys of {heading}: {}", names.join(", ")));
             self.report(diagnostic);
         }
+        meant
     }
 }

@@ -5,7 +5,7 @@ use wholestring_units::{Dimension, QuantityErrorKind};
 
 use crate::{
     diagnostic::Diagnostic,
-    names::{list, nearest, short},
+    names::{any_of, nearest, short},
     node::{Entries, Node, Value},
     reader::Reader,
     source::Place,
@@ -23,6 +23,14 @@ pub(crate) trait Rule {
     }
     /// JSON schema of the value.
     fn schema(&self) -> Json;
+    /// The heading of the table, if the value is one, for messages.
+    fn heading(&self) -> Option<&'static str> {
+        None
+    }
+    /// A value as it is written, for messages.
+    fn example(&self) -> Option<String> {
+        None
+    }
     /// The value as the schema shows defaults.
     fn json(&self, _value: &Self::Value) -> Json {
         Json::Null
@@ -97,7 +105,7 @@ impl Range {
 /// A number as a person writes it.
 pub(crate) fn number_text(value: f64) -> String {
     let rounded: f64 = format!("{value:.6e}").parse().unwrap_or(value);
-    if rounded != 0.0 && !(1e-4..1e6).contains(&rounded.abs()) {
+    if rounded != 0.0 && !(1e-4..1e9).contains(&rounded.abs()) {
         format!("{rounded:e}")
     } else {
         format!("{rounded}")
@@ -119,16 +127,17 @@ fn check_range(
     }
     let written = reader.written(node.place);
     let expected = format!("expected {}", range.text(unit, worth));
+    let key = reader.key;
     let message = if value.is_nan() {
-        format!("{written} is not a number that can be computed with")
+        format!("`{key}` is not a number: {written}")
     } else if value < 0.0 && range.min >= 0.0 {
-        format!("{written} is negative")
+        format!("`{key}` is negative: {written}")
     } else if value == 0.0 && range.min_excluded {
-        format!("{written} must be more than zero")
+        format!("`{key}` must be more than zero")
     } else if value > range.max {
-        format!("{written} is larger than any well has")
+        format!("`{key}` is too large: {written}")
     } else {
-        format!("{written} is smaller than any well has")
+        format!("`{key}` is too small: {written}")
     };
     let mut diagnostic = Diagnostic::error(message).at(node.place, expected);
     if !unit.is_empty() && value.is_finite() && matches!(node.value, Value::Number { .. }) {
@@ -219,6 +228,10 @@ impl Rule for Quantity {
             "examples": [self.example],
         });
         json!({ "anyOf": [number, text] })
+    }
+
+    fn example(&self) -> Option<String> {
+        Some(format!("\"{}\"", self.example))
     }
 
     fn json(&self, value: &f64) -> Json {
@@ -342,11 +355,7 @@ impl Rule for Whole {
         {
             return Some(whole);
         }
-        let expected = "a whole number from 0 to 9223372036854775807";
-        let message = match node.value {
-            Value::Number { .. } => format!("{} is not {expected}", reader.written(node.place)),
-            _ => format!("expected {expected}, found {}", node.value.noun()),
-        };
+        let message = format!("`{}` must be a whole number, zero or more", reader.key);
         reader.report(Diagnostic::error(message).at(node.place, "expected a whole number"));
         None
     }
@@ -373,15 +382,16 @@ impl Rule for Text {
             return None;
         };
         let problem = if text.trim().is_empty() {
-            "this text is empty"
+            "is empty"
         } else if text.chars().any(char::is_control) {
-            "this text holds a line break or another control character"
+            "holds a line break or another control character"
         } else if text.chars().count() > 200 {
-            "this text is longer than 200 characters"
+            "is longer than 200 characters"
         } else {
             return Some(text.clone());
         };
-        reader.report(Diagnostic::error(problem).at(node.place, "expected a short text"));
+        let message = format!("`{}` {problem}", reader.key);
+        reader.report(Diagnostic::error(message).at(node.place, "expected a short text"));
         None
     }
 
@@ -403,22 +413,25 @@ impl<T: Copy + PartialEq> Rule for Choice<T> {
 
     fn read(&self, node: &Node, reader: &mut Reader) -> Option<T> {
         let words: Vec<&str> = self.words.iter().map(|(word, _)| *word).collect();
-        let expected = format!("expected {}", list(&words));
+        let expected = any_of(&words);
         let Value::Text { text, .. } = &node.value else {
-            let message = format!("expected {}, found {}", self.noun, node.value.noun());
-            reader.report(Diagnostic::error(message).at(node.place, expected));
+            reader.expected(node, &expected);
             return None;
         };
         if let Some((_, meaning)) = self.words.iter().find(|(word, _)| word == text) {
             return Some(*meaning);
         }
         let mut diagnostic = Diagnostic::error(format!("`{}` is not {}", short(text), self.noun))
-            .at(node.place, expected);
+            .at(node.place, format!("expected {expected}"));
         if let Some(nearest) = nearest(text, words) {
             diagnostic = diagnostic.help(format!("did you mean \"{nearest}\"?"));
         }
         reader.report(diagnostic);
         None
+    }
+
+    fn example(&self) -> Option<String> {
+        self.words.first().map(|(word, _)| format!("\"{word}\""))
     }
 
     fn schema(&self) -> Json {
@@ -466,9 +479,12 @@ impl<R: Rule> Rule for List<R> {
             let message = if items.is_empty() {
                 format!("the list of {} is empty", self.noun)
             } else {
-                format!("{} {} are more than any well has", items.len(), self.noun)
+                format!("{} {} are too many", items.len(), self.noun)
             };
-            let expected = format!("expected 1 to {}", self.most);
+            let expected = match items.len() {
+                0 => "expected at least one".to_owned(),
+                _ => format!("expected at most {}", self.most),
+            };
             reader.report(Diagnostic::error(message).at(node.place, expected));
             return None;
         }
@@ -481,6 +497,14 @@ impl<R: Rule> Rule for List<R> {
             })
             .collect();
         (read.len() == items.len()).then_some(read)
+    }
+
+    fn heading(&self) -> Option<&'static str> {
+        self.item.heading()
+    }
+
+    fn example(&self) -> Option<String> {
+        self.item.example().filter(|_| self.or_one)
     }
 
     fn schema(&self) -> Json {
@@ -528,6 +552,10 @@ impl<T: Table> Rule for Section<T> {
 
     fn absent(&self, table: Place, reader: &mut Reader) -> Option<T> {
         Some(T::read(&Entries::default(), table, reader))
+    }
+
+    fn heading(&self) -> Option<&'static str> {
+        Some(T::HEADING)
     }
 
     fn schema(&self) -> Json {

@@ -116,8 +116,9 @@ impl Rule for StationRule {
         };
         let cells = Self::cells();
         let mut values = [None; 3];
-        for ((cell, item), value) in cells.iter().zip(items).zip(&mut values) {
-            *value = cell.read(item, reader);
+        for (i, (cell, item)) in cells.iter().zip(items).enumerate() {
+            reader.key = ["md", "inc", "azi"][i];
+            values[i] = cell.read(item, reader);
         }
         let [Some(md), Some(inclination), Some(azimuth)] = values else {
             return None;

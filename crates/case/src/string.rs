@@ -180,34 +180,16 @@ pub(crate) fn spec(
     reader: &mut Reader,
 ) -> Option<StringSpec> {
     let mut components = Vec::with_capacity(tables.len());
-    let mut fills: Option<Place> = None;
     let mut sound = true;
     for (index, table) in tables.iter().enumerate() {
         if let Some(length) = table.value.length.given()
             && length.value == ComponentLength::ToSurface
         {
-            if let Some(first) = fills {
-                reader.report(
-                    Diagnostic::error("two components run to the surface")
-                        .at(length.place, "fills the rest of the string")
-                        .at(first, "so does this one")
-                        .help("components stand from the bit up: only the last one can"),
-                );
-                sound = false;
-            } else if index + 1 < tables.len() {
-                reader.report(
-                    Diagnostic::error(format!(
-                        "{} runs to the surface, but more components stand above it",
-                        called(table)
-                    ))
-                    .at(length.place, "nothing is left for the components after it")
-                    .help(
-                        "components stand from the bit up: \"to surface\" belongs to the last one",
-                    ),
-                );
+            let above = &tables[index + 1..];
+            if let Some(mistake) = not_topmost(table, length.place, above) {
+                reader.report(mistake);
                 sound = false;
             }
-            fills = Some(length.place);
         }
         match table.value.build(index == 0, table.place, steel, reader) {
             Some(component) => components.push(component),
@@ -215,6 +197,33 @@ pub(crate) fn spec(
         }
     }
     sound.then_some(StringSpec { components })
+}
+
+/// What is wrong with a component that runs to the surface although others stand above it.
+fn not_topmost(
+    table: &At<ComponentTable>,
+    place: Place,
+    above: &[At<ComponentTable>],
+) -> Option<Diagnostic> {
+    if above.is_empty() {
+        return None;
+    }
+    let diagnostic = Diagnostic::error(format!(
+        "{} runs to the surface, but more components stand above it",
+        called(table)
+    ))
+    .at(place, "nothing is left for the components after it");
+    let other = above.iter().find_map(|table| {
+        let length = table.value.length.given()?;
+        (length.value == ComponentLength::ToSurface).then_some(length.place)
+    });
+    Some(
+        match other {
+            Some(other) => diagnostic.at(other, "this one runs to the surface too"),
+            None => diagnostic,
+        }
+        .help("components stand from the bit up: only the last one can run to the surface"),
+    )
 }
 
 /// How messages call a component.

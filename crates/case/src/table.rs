@@ -88,16 +88,25 @@ pub(crate) fn default<R: Rule>(rule: R, value: R::Value) -> Key<R> {
     }
 }
 
+/// The table that is being read.
+pub(crate) struct Here<'a> {
+    pub(crate) entries: &'a Entries,
+    pub(crate) place: Place,
+    pub(crate) heading: &'static str,
+    /// The keys that misspelt ones were probably meant to be: they are not missed as well.
+    pub(crate) meant: &'a [&'static str],
+}
+
 impl<R: Rule> Key<R> {
     pub(crate) fn read(
         self,
-        name: &str,
-        heading: &str,
-        table: &Entries,
-        place: Place,
+        name: &'static str,
+        here: &Here<'_>,
         reader: &mut Reader,
     ) -> Field<R::Value> {
-        if let Some(node) = table.get(name) {
+        let place = here.place;
+        reader.key = name;
+        if let Some(node) = here.entries.get(name) {
             return match self.rule.read(node, reader) {
                 Some(value) => Field::Given(At {
                     value,
@@ -109,18 +118,31 @@ impl<R: Rule> Key<R> {
         match self.need {
             Need::Default(value) => Field::Default(At { value, place }),
             Need::Required => {
-                let mut diagnostic = Diagnostic::error(format!("{heading} lacks `{name}`"));
-                // The whole file is not worth underlining.
-                if place.end > place.start {
-                    diagnostic = diagnostic.at(place, format!("`{name}` is missing"));
+                if !here.meant.contains(&name) {
+                    reader.report(self.missing(name, here));
                 }
-                reader.report(diagnostic);
                 Field::Bad
             }
             Need::Optional => match self.rule.absent(place, reader) {
                 Some(value) => Field::Default(At { value, place }),
                 None => Field::Absent,
             },
+        }
+    }
+
+    fn missing(&self, name: &str, here: &Here<'_>) -> Diagnostic {
+        let called = match self.rule.heading() {
+            Some(table) => table.to_owned(),
+            None => format!("`{name}`"),
+        };
+        let mut diagnostic = Diagnostic::error(format!("{} lacks {called}", here.heading));
+        // The whole file is not worth underlining.
+        if here.place.end > here.place.start {
+            diagnostic = diagnostic.at(here.place, format!("{called} is missing"));
+        }
+        match self.rule.example() {
+            Some(example) => diagnostic.help(format!("such as {name} = {example}")),
+            None => diagnostic,
         }
     }
 
@@ -187,9 +209,11 @@ macro_rules! table {
                 place: $crate::source::Place,
                 reader: &mut $crate::reader::Reader,
             ) -> Self {
-                reader.check_names(entries, &[$($crate::table::name(stringify!($field))),+], $heading);
+                let names = [$($crate::table::name(stringify!($field))),+];
+                let meant = reader.check_names(entries, &names, $heading);
+                let here = $crate::table::Here { entries, place, heading: $heading, meant: &meant };
                 Self {
-                    $( $field: $key.read($crate::table::name(stringify!($field)), $heading, entries, place, reader), )+
+                    $( $field: $key.read($crate::table::name(stringify!($field)), &here, reader), )+
                 }
             }
 

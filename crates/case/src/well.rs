@@ -89,7 +89,7 @@ impl Rule for FrictionRule {
                 })
             }
             _ => {
-                reader.expected(node, "a friction coefficient such as 0.3, without quotes");
+                reader.expected(node, "a coefficient such as 0.3, without quotes");
                 None
             }
         }
