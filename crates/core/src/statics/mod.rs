@@ -1,1 +1,3 @@
 //! Static torque and drag.
+
+pub mod soft;

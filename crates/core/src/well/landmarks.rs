@@ -15,29 +15,58 @@ const SHARE: f64 = 0.25;
 const LOOK_AHEAD_M: f64 = 90.0;
 
 /// See [`super::Path::kick_off_md_m`].
-pub(super) fn kick_off_md_m(stations: &[Station]) -> Option<f64> {
-    let stations = thinned(stations);
-    kick_off(&stations).map(|index| stations[index].md_m)
+pub(super) fn kick_off_md_m(survey: &[Station]) -> Option<f64> {
+    let stations = thinned(survey);
+    let index = kick_off(&stations)?;
+    let (from, to) = (&stations[index], &stations[index + 1]);
+    let rate = from.dogleg_rad(to) / (to.md_m - from.md_m);
+    // The last of the stations left out below it that the hole still reaches straight.
+    let straight =
+        |station: &&Station| from.dogleg_rad(station) <= SHARE * rate * (station.md_m - from.md_m);
+    let between = between(survey, from, to);
+    Some(between.filter(straight).last().unwrap_or(from).md_m)
 }
 
 /// See [`super::Path::build_end_md_m`].
-pub(super) fn build_end_md_m(stations: &[Station]) -> Option<f64> {
-    let stations = thinned(stations);
+pub(super) fn build_end_md_m(survey: &[Station]) -> Option<f64> {
+    let stations = thinned(survey);
     let start = kick_off(&stations)?;
-    let from = &stations[start];
-    let last = stations.len() - 1;
     if rise_below(&stations, start) <= 0.0 {
         return None;
     }
-    let end = (start + 1..last).find(|&index| {
-        let here = &stations[index];
-        let mean = (here.inclination_rad - from.inclination_rad) / (here.md_m - from.md_m);
-        let next = &stations[index + 1];
-        let ahead_m = (stations[last].md_m - here.md_m).min(LOOK_AHEAD_M);
-        rise_below(&stations, index) < SHARE * mean * ahead_m
-            && next.inclination_rad - here.inclination_rad < SHARE * mean * (next.md_m - here.md_m)
-    });
-    Some(stations[end.unwrap_or(last)].md_m)
+    let mean_rise_to = |station: &Station| {
+        let from = &stations[start];
+        (station.inclination_rad - from.inclination_rad) / (station.md_m - from.md_m)
+    };
+    let last = stations.len() - 1;
+    let end = (start + 1..last)
+        .find(|&index| {
+            let (here, next) = (&stations[index], &stations[index + 1]);
+            let least = SHARE * mean_rise_to(here);
+            let ahead_m = (stations[last].md_m - here.md_m).min(LOOK_AHEAD_M);
+            rise_below(&stations, index) < least * ahead_m
+                && next.inclination_rad - here.inclination_rad < least * (next.md_m - here.md_m)
+        })
+        .unwrap_or(last);
+    let (above, to) = (&stations[end - 1], &stations[end]);
+    let least = SHARE * mean_rise_to(to);
+    // The first of the stations left out above it from which the hole does not build any more.
+    let built = |station: &&Station| {
+        to.inclination_rad - station.inclination_rad < least * (to.md_m - station.md_m)
+    };
+    Some(between(survey, above, to).find(built).unwrap_or(to).md_m)
+}
+
+/// The stations of the survey strictly between two of them.
+fn between<'a>(
+    survey: &'a [Station],
+    above: &Station,
+    below: &Station,
+) -> impl Iterator<Item = &'a Station> {
+    let (from, to) = (above.md_m, below.md_m);
+    survey
+        .iter()
+        .filter(move |station| station.md_m > from && station.md_m < to)
 }
 
 /// Every station that lies far enough below the one kept before it, and the last one.

@@ -288,8 +288,9 @@ impl Path {
     /// Of the survey, thinned to stations at least 25 m apart, this takes the first station whose
     /// direction is more than 3° off the first one's, and goes up from there as long as each
     /// interval turns away at least a quarter as sharply as the one that crossed the 3°. So neither
-    /// the wander of a nominally vertical hole nor a slow start of the build moves it far. `None`
-    /// for a hole that stays within 3° of its first direction.
+    /// the wander of a nominally vertical hole nor a slow start of the build moves it far. A station
+    /// left out counts again if the hole reaches it straight from there. `None` for a hole that
+    /// stays within 3° of its first direction.
     pub fn kick_off_md_m(&self) -> Option<f64> {
         landmarks::kick_off_md_m(&self.stations)
     }
@@ -298,7 +299,8 @@ impl Path {
     ///
     /// Of the same thinned survey, the first station below the kick-off from which the inclination
     /// rises, over the next 90 m and over the next interval, by less than a quarter of the build's
-    /// mean rate up to there. `None` without a kick-off, or where the hole does not build at it.
+    /// mean rate up to there, or a station left out above it, if the hole did not build between the
+    /// two. `None` without a kick-off, or where the hole does not build at it.
     pub fn build_end_md_m(&self) -> Option<f64> {
         landmarks::build_end_md_m(&self.stations)
     }

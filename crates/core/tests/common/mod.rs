@@ -3,7 +3,15 @@
 #![allow(dead_code, unreachable_pub)]
 
 use serde_json::Value;
-use wholestring::string::Material;
+use wholestring::{
+    GRAVITY_M_PER_S2,
+    model::Model,
+    mud::Mud,
+    operation::{Operation, OperationKind},
+    rig::Rig,
+    string::{ComponentLength, ComponentSpec, Material, StringSpec},
+    well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Station, TieIn, Well},
+};
 
 /// A file of `verification/`, parsed.
 pub fn verification(name: &str) -> Value {
@@ -20,6 +28,16 @@ pub fn relative_error(obtained: f64, expected: f64) -> f64 {
     (obtained - expected).abs() / expected.abs()
 }
 
+/// Fails with what was obtained and expected where they differ by more than a relative tolerance.
+#[track_caller]
+pub fn assert_close(what: &str, obtained: f64, expected: f64, tolerance: f64) {
+    let error = relative_error(obtained, expected);
+    assert!(
+        error <= tolerance,
+        "{what}: {obtained} for {expected}, {error:.2e} apart"
+    );
+}
+
 /// Steel of 7850 kg/m³, 210 GPa and 80 GPa.
 pub fn steel() -> Material {
     Material {
@@ -27,4 +45,158 @@ pub fn steel() -> Material {
         youngs_modulus_Pa: 210e9,
         shear_modulus_Pa: 80e9,
     }
+}
+
+/// A path of circular arcs through stations of MD in m, inclination and azimuth in degrees.
+pub fn arcs(stations_m_deg: &[[f64; 3]]) -> Path {
+    path(stations_m_deg, Interpolation::MinimumCurvature)
+}
+
+/// A path through stations of MD in m, inclination and azimuth in degrees.
+pub fn path(stations_m_deg: &[[f64; 3]], interpolation: Interpolation) -> Path {
+    let stations: Vec<Station> = stations_m_deg
+        .iter()
+        .map(|[md_m, inclination_deg, azimuth_deg]| Station {
+            md_m: *md_m,
+            inclination_rad: inclination_deg.to_radians(),
+            azimuth_rad: azimuth_deg.to_radians(),
+        })
+        .collect();
+    Path::new(&stations, interpolation, TieIn::default()).expect("a sound survey")
+}
+
+/// An open hole of 0.3 m with the same friction all the way down.
+pub fn hole(friction: f64, to_md_m: f64) -> Hole {
+    hole_of(&[(friction, to_md_m)])
+}
+
+/// An open hole of 0.3 m with a kinetic friction coefficient down to each measured depth.
+pub fn hole_of(frictions: &[(f64, f64)]) -> Hole {
+    let mut from_md_m = 0.0;
+    let sections = frictions.iter().map(|&(friction, to_md_m)| {
+        let section = HoleSection {
+            kind: HoleKind::Open,
+            from_md_m,
+            to_md_m,
+            diameter_m: 0.3,
+            friction: Friction {
+                kinetic: friction,
+                at_rest: friction,
+            },
+            youngs_modulus_Pa: 50e9,
+            poisson_ratio: 0.3,
+        };
+        from_md_m = to_md_m;
+        section
+    });
+    Hole::new(sections.collect()).expect("a sound hole")
+}
+
+/// Mud of a density, without drag.
+pub fn mud(density_kg_per_m3: f64) -> Mud {
+    Mud {
+        density_kg_per_m3,
+        linear_drag_Pa_s: 0.0,
+        drag_coefficient: 0.0,
+    }
+}
+
+/// Plain pipe of a weight per length in air and a contact radius, its wall a tenth of its diameter.
+pub fn pipe(weight_N_per_m: f64, radius_m: f64, length: ComponentLength) -> ComponentSpec {
+    ComponentSpec {
+        mass_per_length_kg_per_m: weight_N_per_m / GRAVITY_M_PER_S2,
+        ..ComponentSpec::uniform("pipe", 2.0 * radius_m, 1.6 * radius_m, length, steel())
+    }
+}
+
+/// A model of a path, a hole, components from the bit up and a mud, with the bit at a depth.
+pub fn model(
+    path: Path,
+    hole: Hole,
+    components: Vec<ComponentSpec>,
+    mud: Mud,
+    bit_depth_m: f64,
+) -> Model {
+    Model {
+        well: Well { path, hole },
+        string: StringSpec { components }
+            .assemble(bit_depth_m)
+            .expect("a sound string"),
+        mud,
+        rig: Rig::default(),
+    }
+}
+
+/// A uniform plain string in air in one hole, the bit at the last station.
+pub fn uniform_model(stations_m_deg: &[[f64; 3]], w_N_per_m: f64, r_m: f64, mu: f64) -> Model {
+    let path = arcs(stations_m_deg);
+    let bit_depth_m = path.last_md_m();
+    let components = vec![pipe(w_N_per_m, r_m, ComponentLength::ToSurface)];
+    model(
+        path,
+        hole(mu, bit_depth_m),
+        components,
+        mud(0.0),
+        bit_depth_m,
+    )
+}
+
+/// An operation with the bit at a depth: 70 rev/min, off bottom or without weight, no advance.
+pub fn operation(kind: OperationKind, bit_depth_m: f64) -> Operation {
+    Operation {
+        kind,
+        bit_depth_m,
+        rotary_speed_rad_per_s: rpm(70.0),
+        weight_on_bit_N: 0.0,
+        bit_torque_N_m: 0.0,
+        rate_of_penetration_m_per_s: 0.0,
+        trip_speed_m_per_s: 0.3,
+    }
+}
+
+/// Revolutions per minute in rad/s.
+pub fn rpm(revolutions_per_minute: f64) -> f64 {
+    revolutions_per_minute * std::f64::consts::TAU / 60.0
+}
+
+/// Length of the arc of a [`capstan_model`], m.
+pub const CAPSTAN_ARC_M: f64 = 500.0;
+
+/// An arc between two directions (inclination and azimuth in degrees) through which a weightless string
+/// runs under a tension at its lower end.
+///
+/// The pipe in the arc is as dense as the mud, so it weighs nothing there; the tension is the weight of
+/// denser pipe in a straight, frictionless hole of 100 m below the arc.
+pub fn capstan_model(
+    top_deg: [f64; 2],
+    bottom_deg: [f64; 2],
+    mu: f64,
+    radius_m: f64,
+    tension_N: f64,
+) -> Model {
+    let tail_m = 100.0;
+    let depth_m = CAPSTAN_ARC_M + tail_m;
+    let light = steel();
+    let dense = Material {
+        density_kg_per_m3: 2.0 * light.density_kg_per_m3,
+        ..light
+    };
+    // Half of its weight in air is left in a mud half as dense.
+    let weight = 2.0 * tension_N / (tail_m * bottom_deg[0].to_radians().cos());
+    let tail = ComponentSpec {
+        material: dense,
+        ..pipe(weight, radius_m, ComponentLength::Metres(tail_m))
+    };
+    let [[top_inc, top_azi], [inc, azi]] = [top_deg, bottom_deg];
+    model(
+        arcs(&[
+            [0.0, top_inc, top_azi],
+            [CAPSTAN_ARC_M, inc, azi],
+            [depth_m, inc, azi],
+        ]),
+        hole_of(&[(mu, CAPSTAN_ARC_M), (0.0, depth_m)]),
+        vec![tail, pipe(300.0, radius_m, ComponentLength::ToSurface)],
+        mud(light.density_kg_per_m3),
+        depth_m,
+    )
 }

@@ -3,7 +3,7 @@
 use wholestring::well::Station;
 
 use crate::surveys::{
-    extra_data, iscwsa, kick_off_at_300_m, minimum_curvature, spline, station, stations,
+    extra_data, iscwsa, kick_off_at_300_m, minimum_curvature, shipped, spline, station, stations,
 };
 
 fn landmarks(survey: &[Station]) -> (Option<f64>, Option<f64>) {
@@ -15,6 +15,46 @@ fn landmarks(survey: &[Station]) -> (Option<f64>, Option<f64>) {
 fn constant_build() {
     assert_eq!(landmarks(&kick_off_at_300_m()), (Some(300.0), Some(900.0)));
     assert_eq!(spline(&kick_off_at_300_m()).kick_off_md_m(), Some(300.0));
+}
+
+/// The reconstructed well of the article: vertical, an arc of radius R to 65°, a tangent. Its true
+/// vertical depth is 322.9 m + R sin 65° + 3230 m cos 65°; the C2 curve's is off by what its two
+/// transitions cost, κh²/27 each.
+#[test]
+fn the_articles_well() {
+    let survey = shipped("np13-x1042-survey.csv");
+    assert_eq!(landmarks(&survey), (Some(322.9), Some(1075.0)));
+    let inclination = 65.0_f64.to_radians();
+    let radius_m = 752.1 / inclination;
+    let tvd_m = 322.9 + radius_m * inclination.sin() + 3230.0 * inclination.cos();
+    let arcs = minimum_curvature(&survey).at(4305.0).position_m;
+    assert!((arcs.z - tvd_m).abs() < 1e-8, "{}", arcs.z);
+    let departure_m = radius_m * (1.0 - inclination.cos()) + 3230.0 * inclination.sin();
+    assert!((arcs.xy().norm() - departure_m).abs() < 1e-8);
+    let curve = spline(&survey).at(4305.0).position_m;
+    assert!((curve - arcs).norm() < 2.0 * 30.084_f64.powi(2) / radius_m / 27.0);
+}
+
+/// The shipped standard wellpath is the published one.
+#[test]
+fn the_standard_wellpath() {
+    let wells = iscwsa();
+    let (_, well) = wells.iter().find(|well| well.0 == "04 - well").unwrap();
+    assert_eq!(shipped("iscwsa-04-survey.csv"), stations(well));
+}
+
+/// Corners less than 25 m below the station above them, as inserted into an even survey, are found
+/// exactly too.
+#[test]
+fn corners_between_even_stations() {
+    let mut survey = Vec::new();
+    let mut depths: Vec<f64> = (0..60).map(|index| 30.0 * f64::from(index)).collect();
+    depths.extend([310.0, 912.0]);
+    depths.sort_by(f64::total_cmp);
+    for md_m in depths {
+        survey.push(station(md_m, (0.1 * (md_m - 310.0)).clamp(0.0, 60.2), 45.0));
+    }
+    assert_eq!(landmarks(&survey), (Some(310.0), Some(912.0)));
 }
 
 /// A plan with its corner points only.

@@ -70,6 +70,16 @@ pub(crate) fn iscwsa() -> Vec<(String, Vec<Surveyed>)> {
     wells
 }
 
+/// A survey that is shipped with a case: md, inc, azi in m and deg under one header line.
+pub(crate) fn shipped(name: &str) -> Vec<Station> {
+    let file = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join("../../cases")
+        .join(name);
+    let text = fs::read_to_string(file).unwrap();
+    let rows = text.lines().skip(1).map(numbers_of);
+    rows.map(|row| station(row[0], row[1], row[2])).collect()
+}
+
 /// Rows of a file that cannot be shipped, from the folder that WHOLESTRING_EXTRA_DATA names.
 pub(crate) fn extra_data(name: &str) -> Option<Vec<Vec<f64>>> {
     let Some(folder) = std::env::var_os("WHOLESTRING_EXTRA_DATA") else {

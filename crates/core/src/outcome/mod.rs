@@ -1,4 +1,8 @@
-//! The scalars that every solver answers with.
+//! The scalars that every solver answers with, and how profiles along the string are read for them.
+
+mod profile;
+
+pub use profile::{cutoff_depth_m, neutral_point_m};
 
 /// Torque and drag of one operation: the quantities that every solver reports under the same names,
 /// so that their answers can be compared. A dynamic solver reports means over its window.

@@ -1,0 +1,250 @@
+//! Integration from the bit to the surface.
+
+use std::ops::{Add, Mul};
+
+use nalgebra::Vector3;
+
+use super::{SoftError, SoftSettings, motion::Sliding};
+use crate::{
+    GRAVITY_M_PER_S2,
+    model::Model,
+    operation::Operation,
+    string::Component,
+    well::{Path, PathPoint},
+};
+
+/// What accumulates from the bit up. Its derivative has the same fields, per metre upwards.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Totals {
+    pub(super) tension_N: f64,
+    pub(super) torque_N_m: f64,
+    pub(super) axial_friction_N: f64,
+    pub(super) side_force_N: f64,
+    pub(super) stretch_m: f64,
+    pub(super) twist_rad: f64,
+}
+
+impl Add for Totals {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self {
+            tension_N: self.tension_N + other.tension_N,
+            torque_N_m: self.torque_N_m + other.torque_N_m,
+            axial_friction_N: self.axial_friction_N + other.axial_friction_N,
+            side_force_N: self.side_force_N + other.side_force_N,
+            stretch_m: self.stretch_m + other.stretch_m,
+            twist_rad: self.twist_rad + other.twist_rad,
+        }
+    }
+}
+
+impl Mul<f64> for Totals {
+    type Output = Self;
+    fn mul(self, factor: f64) -> Self {
+        Self {
+            tension_N: self.tension_N * factor,
+            torque_N_m: self.torque_N_m * factor,
+            axial_friction_N: self.axial_friction_N * factor,
+            side_force_N: self.side_force_N * factor,
+            stretch_m: self.stretch_m * factor,
+            twist_rad: self.twist_rad * factor,
+        }
+    }
+}
+
+/// A stretch of hole on which everything but the path's direction is constant.
+struct Stretch {
+    /// Upper and lower end, m.
+    from_md_m: f64,
+    to_md_m: f64,
+    weight_N_per_m: f64,
+    contact_radius_m: f64,
+    friction: f64,
+    /// Parts of the sliding direction along and around.
+    sliding: (f64, f64),
+    axial_stiffness_N: f64,
+    torsional_stiffness_N_m2: f64,
+    /// `(1 - 2ν)/E`, 1/Pa.
+    pressure_strain_per_Pa: f64,
+    /// Weight of mud per volume, N/m³.
+    mud_weight_N_per_m3: f64,
+    /// True vertical depth of the mud's surface, m.
+    mud_surface_m: f64,
+}
+
+/// Load on the wall at one point.
+pub(super) struct Load {
+    pub(super) q_N_per_m: Vector3<f64>,
+    pub(super) side_force_N_per_m: f64,
+    pub(super) axial_friction_N_per_m: f64,
+    pub(super) friction_torque_N_m_per_m: f64,
+}
+
+/// State and load at one depth.
+pub(super) struct Row {
+    pub(super) md_m: f64,
+    pub(super) totals: Totals,
+    pub(super) load: Load,
+    pub(super) high_side: Vector3<f64>,
+}
+
+impl Stretch {
+    fn load(&self, point: &PathPoint, tension_N: f64) -> Load {
+        let down = Vector3::z();
+        let across = down - point.tangent * point.tangent.z;
+        let q_N_per_m = point.curvature_per_m * tension_N + across * self.weight_N_per_m;
+        let side_force_N_per_m = q_N_per_m.norm();
+        let friction_N_per_m = self.friction * side_force_N_per_m;
+        let (along, around) = self.sliding;
+        Load {
+            q_N_per_m,
+            side_force_N_per_m,
+            axial_friction_N_per_m: -friction_N_per_m * along,
+            friction_torque_N_m_per_m: friction_N_per_m * around * self.contact_radius_m,
+        }
+    }
+
+    /// Change per metre upwards.
+    fn rate(&self, point: &PathPoint, at: &Totals) -> Totals {
+        let load = self.load(point, at.tension_N);
+        let pressure_Pa = self.mud_weight_N_per_m3 * (point.position_m.z - self.mud_surface_m);
+        Totals {
+            tension_N: self.weight_N_per_m * point.tangent.z + load.axial_friction_N_per_m,
+            torque_N_m: load.friction_torque_N_m_per_m,
+            axial_friction_N: load.axial_friction_N_per_m,
+            side_force_N: load.side_force_N_per_m,
+            stretch_m: at.tension_N / self.axial_stiffness_N
+                - self.pressure_strain_per_Pa * pressure_Pa,
+            twist_rad: at.torque_N_m / self.torsional_stiffness_N_m2,
+        }
+    }
+
+    fn row(&self, path: &Path, md_m: f64, point: &PathPoint, totals: &Totals) -> Row {
+        Row {
+            md_m,
+            totals: *totals,
+            load: self.load(point, totals.tension_N),
+            high_side: path.high_side_at(md_m),
+        }
+    }
+}
+
+/// Ends of the stretches, from the bit up: where the path's curvature, the component or the hole section
+/// may change.
+fn ends(model: &Model, bit_depth_m: f64) -> Vec<f64> {
+    let stations = model
+        .well
+        .path
+        .stations()
+        .iter()
+        .map(|station| station.md_m);
+    let sections = model
+        .well
+        .hole
+        .sections()
+        .iter()
+        .map(|section| section.to_md_m);
+    let components = model.string.spans().map(|span| bit_depth_m - span.to_bit_m);
+    let mut ends: Vec<f64> = stations
+        .chain(sections)
+        .chain(components)
+        .filter(|&md_m| md_m > SHORTEST_STRETCH_M && md_m < bit_depth_m - SHORTEST_STRETCH_M)
+        .chain([0.0, bit_depth_m])
+        .collect();
+    ends.sort_by(|a, b| b.total_cmp(a));
+    ends.dedup_by(|above, below| *below - *above < SHORTEST_STRETCH_M);
+    ends
+}
+
+/// Boundaries that lie closer together than this are one, m.
+const SHORTEST_STRETCH_M: f64 = 1e-6;
+
+fn stretch(
+    model: &Model,
+    sliding: Sliding,
+    bit_depth_m: f64,
+    to_md_m: f64,
+    from_md_m: f64,
+) -> Stretch {
+    let middle_m = 0.5 * (from_md_m + to_md_m);
+    let (_, component): (_, &Component) = model.string.component_at(bit_depth_m - middle_m);
+    let mud_density = model.mud.density_kg_per_m3;
+    let contact_radius_m = component.contact_radius_m();
+    let material = &component.material;
+    Stretch {
+        from_md_m,
+        to_md_m,
+        weight_N_per_m: component.buoyed_weight_per_length_N_per_m(mud_density),
+        contact_radius_m,
+        friction: model.well.hole.at(middle_m).friction.kinetic,
+        sliding: sliding.direction(contact_radius_m),
+        axial_stiffness_N: component.axial_stiffness_N(),
+        torsional_stiffness_N_m2: component.torsional_stiffness_N_m2(),
+        pressure_strain_per_Pa: (1.0 - 2.0 * material.poisson_ratio()) / material.youngs_modulus_Pa,
+        mud_weight_N_per_m3: mud_density * GRAVITY_M_PER_S2,
+        mud_surface_m: model.well.path.at(0.0).position_m.z,
+    }
+}
+
+/// One step of the classical Runge-Kutta method, up by `step_m`, through three points of the path.
+fn step(stretch: &Stretch, points: [&PathPoint; 3], step_m: f64, at: Totals) -> Totals {
+    let [lower, middle, upper] = points;
+    let k1 = stretch.rate(lower, &at);
+    let k2 = stretch.rate(middle, &(at + k1 * (0.5 * step_m)));
+    let k3 = stretch.rate(middle, &(at + k2 * (0.5 * step_m)));
+    let k4 = stretch.rate(upper, &(at + k3 * step_m));
+    at + (k1 + (k2 + k3) * 2.0 + k4) * (step_m / 6.0)
+}
+
+/// The rows from the bit up, at least two, and the totals at the surface.
+pub(super) fn from_bit(
+    model: &Model,
+    operation: &Operation,
+    sliding: Sliding,
+    settings: &SoftSettings,
+) -> Result<(Vec<Row>, Totals), SoftError> {
+    let bit_depth_m = operation.bit_depth_m;
+    let path = &model.well.path;
+    let mut totals = Totals {
+        tension_N: -operation.weight_on_bit_now_N(),
+        torque_N_m: operation.bit_torque_now_N_m(),
+        axial_friction_N: 0.0,
+        side_force_N: 0.0,
+        stretch_m: 0.0,
+        twist_rad: 0.0,
+    };
+    let mut rows = Vec::new();
+    let ends = ends(model, bit_depth_m);
+    for pair in ends.windows(2) {
+        let stretch = stretch(model, sliding, bit_depth_m, pair[0], pair[1]);
+        let length_m = stretch.to_md_m - stretch.from_md_m;
+        let count = (length_m / settings.step_m).ceil().max(1.0);
+        let step_m = length_m / count;
+        // The curvature may jump at the stretch's lower end: this is its value just above.
+        let mut lower_md_m = stretch.to_md_m;
+        let mut lower = path.at(lower_md_m.next_down());
+        for index in 1..=count as usize {
+            let upper_md_m = if index == count as usize {
+                stretch.from_md_m
+            } else {
+                stretch.to_md_m - index as f64 * step_m
+            };
+            rows.push(stretch.row(path, lower_md_m, &lower, &totals));
+            let middle = path.at(0.5 * (lower_md_m + upper_md_m));
+            let upper = path.at(upper_md_m);
+            totals = step(&stretch, [&lower, &middle, &upper], step_m, totals);
+            if !(totals.tension_N.is_finite()
+                && totals.torque_N_m.is_finite()
+                && totals.stretch_m.is_finite()
+                && totals.twist_rad.is_finite())
+            {
+                return Err(SoftError::NotFinite { md_m: upper_md_m });
+            }
+            (lower_md_m, lower) = (upper_md_m, upper);
+        }
+        if stretch.from_md_m == 0.0 {
+            rows.push(stretch.row(path, 0.0, &lower, &totals));
+        }
+    }
+    Ok((rows, totals))
+}

@@ -1,0 +1,150 @@
+//! What the soft string answers with.
+
+use nalgebra::Vector3;
+
+use super::integrate::{Row, Totals};
+use crate::{
+    model::Model,
+    operation::Operation,
+    outcome::{Scalars, cutoff_depth_m, neutral_point_m},
+};
+
+/// How far below the build the cut-off is looked for, m.
+const BELOW_BUILD_M: f64 = 30.0;
+
+/// Loads along the string, from the surface to the bit, and their scalars.
+///
+/// All vectors are of the same length; `md_m` grows strictly, from 0 to the depth of the bit. Where a
+/// property jumps (a station of a minimum-curvature path, the end of a component or hole section), side
+/// force and friction are those of the stretch above.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SoftProfile {
+    /// Measured depth, m.
+    pub md_m: Vec<f64>,
+    /// Effective tension, N.
+    pub tension_N: Vec<f64>,
+    /// Torque, N·m.
+    pub torque_N_m: Vec<f64>,
+    /// Magnitude of the load on the wall per length, N/m, positive where the pipe touches the upper
+    /// half of the hole, negative on the lower half.
+    pub side_force_N_per_m: Vec<f64>,
+    /// Unit vector from the hole's axis to where the pipe touches the wall, the direction of the load;
+    /// towards the low side where there is no load.
+    pub contact_direction: Vec<Vector3<f64>>,
+    /// Wall friction along the hole per length, N/m; positive adds to the hook load.
+    pub axial_friction_N_per_m: Vec<f64>,
+    /// Friction torque per length, N·m/m.
+    pub friction_torque_N_m_per_m: Vec<f64>,
+    /// Elongation of the string between the bit and this depth, m, against the unloaded string.
+    pub stretch_m: Vec<f64>,
+    /// Turn of the string at this depth against the bit, rad, positive when the top leads.
+    pub twist_rad: Vec<f64>,
+    /// The operation's scalars.
+    pub scalars: Scalars,
+}
+
+impl SoftProfile {
+    /// `rows` run from the bit up and are at least two.
+    pub(super) fn new(
+        model: &Model,
+        operation: &Operation,
+        mut rows: Vec<Row>,
+        totals: &Totals,
+    ) -> Self {
+        rows.reverse();
+        let column = |of: fn(&Row) -> f64| rows.iter().map(of).collect::<Vec<f64>>();
+        let md_m = column(|row| row.md_m);
+        let tension_N = column(|row| row.totals.tension_N);
+        let side_force_N_per_m = column(|row| {
+            let side = row.load.q_N_per_m.dot(&row.high_side);
+            row.load.side_force_N_per_m.copysign(side)
+        });
+        let bit_torque_N_m = operation.bit_torque_now_N_m();
+        let scalars = Scalars {
+            hook_load_N: totals.tension_N,
+            surface_torque_N_m: totals.torque_N_m,
+            friction_torque_N_m: totals.torque_N_m - bit_torque_N_m,
+            axial_friction_N: totals.axial_friction_N,
+            side_force_total_N: totals.side_force_N,
+            weight_on_bit_N: operation.weight_on_bit_now_N(),
+            bit_torque_N_m,
+            twist_rad: totals.twist_rad,
+            stretch_m: totals.stretch_m,
+            neutral_point_m: neutral_point_m(&md_m, &tension_N),
+            cutoff_depth_m: cutoff(model, operation, &md_m, &side_force_N_per_m),
+        };
+        Self {
+            torque_N_m: column(|row| row.totals.torque_N_m),
+            contact_direction: rows
+                .iter()
+                .map(|row| {
+                    let load = row.load.q_N_per_m.try_normalize(0.0);
+                    load.unwrap_or(-row.high_side)
+                })
+                .collect(),
+            axial_friction_N_per_m: column(|row| row.load.axial_friction_N_per_m),
+            friction_torque_N_m_per_m: column(|row| row.load.friction_torque_N_m_per_m),
+            stretch_m: column(|row| row.totals.stretch_m),
+            twist_rad: column(|row| row.totals.twist_rad),
+            md_m,
+            tension_N,
+            side_force_N_per_m,
+            scalars,
+        }
+    }
+
+    /// Effective tension at a measured depth, N, linear between the rows; the end's value beyond them.
+    pub fn tension_at_N(&self, md_m: f64) -> f64 {
+        interpolate(&self.md_m, &self.tension_N, md_m)
+    }
+
+    /// Torque at a measured depth, N·m, linear between the rows; the end's value beyond them.
+    pub fn torque_at_N_m(&self, md_m: f64) -> f64 {
+        interpolate(&self.md_m, &self.torque_N_m, md_m)
+    }
+
+    /// Signed side force at a measured depth, N/m, linear between the rows; the end's value beyond them.
+    pub fn side_force_at_N_per_m(&self, md_m: f64) -> f64 {
+        interpolate(&self.md_m, &self.side_force_N_per_m, md_m)
+    }
+
+    /// Turn of the string at a measured depth against the bit, rad, linear between the rows; the end's
+    /// value beyond them.
+    pub fn twist_at_rad(&self, md_m: f64) -> f64 {
+        interpolate(&self.md_m, &self.twist_rad, md_m)
+    }
+
+    /// Direction of contact at a measured depth: that of the nearest row.
+    pub fn contact_direction_at(&self, md_m: f64) -> Vector3<f64> {
+        let below = self.md_m.partition_point(|&md| md < md_m);
+        let below = below.min(self.md_m.len() - 1);
+        let above = below.saturating_sub(1);
+        let nearer_above = md_m - self.md_m[above] < self.md_m[below] - md_m;
+        self.contact_direction[if nearer_above { above } else { below }]
+    }
+}
+
+fn cutoff(
+    model: &Model,
+    operation: &Operation,
+    md_m: &[f64],
+    side_force_N_per_m: &[f64],
+) -> Option<f64> {
+    let path = &model.well.path;
+    let from_md_m = path.kick_off_md_m()?;
+    let to_md_m = path.build_end_md_m()? + BELOW_BUILD_M;
+    let to_md_m = to_md_m.min(operation.bit_depth_m);
+    cutoff_depth_m(md_m, side_force_N_per_m, from_md_m, to_md_m)
+}
+
+fn interpolate(md: &[f64], values: &[f64], at_m: f64) -> f64 {
+    let below = md.partition_point(|&md| md < at_m);
+    if below == 0 {
+        return values[0];
+    }
+    if below == md.len() {
+        return values[below - 1];
+    }
+    let part = (at_m - md[below - 1]) / (md[below] - md[below - 1]);
+    values[below - 1] + part * (values[below] - values[below - 1])
+}
