@@ -172,15 +172,11 @@ impl Dimension {
             Dimension::Frequency => ["1/s", "1/s", "1/s"],
             Dimension::Mass => ["kg", "t", "lb"],
         };
-        let symbol = match set {
+        match set {
             UnitSet::Si => si,
             UnitSet::Metric => metric,
             UnitSet::Field => field,
-        };
-        self.units()
-            .iter()
-            .find(|unit| unit.symbol == symbol)
-            .unwrap_or(self.si_unit())
+        }
     }
 
     /// The unit that is written so, or `None`.
