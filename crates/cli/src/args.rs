@@ -1,0 +1,68 @@
+//! The command line as the user writes it.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+use wholestring_case::Override;
+use wholestring_units::UnitSet;
+
+/// Torque, drag and dynamics of a whole drill string in a deviated well.
+#[derive(Debug, Parser)]
+#[command(version, max_term_width = 100, after_help = EXIT_STATUS)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+const EXIT_STATUS: &str = "\
+Exit status: 0 done; 2 bad input; 3 the run failed; 130 interrupted.";
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Is the case sound? One line, or diagnostics
+    Check(CheckArgs),
+    /// Solve a case and write its results
+    Run(RunArgs),
+    /// Print the JSON schema of the case file
+    Schema,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CaseArgs {
+    /// Case file
+    #[arg(value_name = "CASE.toml")]
+    pub(crate) case: PathBuf,
+
+    /// Set a key of the case, such as `well.hole.0.friction=0.1`; short keys: friction, bit_depth,
+    /// rpm, wob. Repeatable
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub(crate) overrides: Vec<Override>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CheckArgs {
+    #[command(flatten)]
+    pub(crate) case: CaseArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct RunArgs {
+    #[command(flatten)]
+    pub(crate) case: CaseArgs,
+
+    /// Folder for the results [default: out/<case name>]
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Units on the screen: si, metric or field [default: the case's]
+    #[arg(long)]
+    pub(crate) units: Option<UnitSet>,
+
+    /// Write the tables as CSV too
+    #[arg(long)]
+    pub(crate) csv: bool,
+
+    /// Print nothing but errors
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
