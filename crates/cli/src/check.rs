@@ -26,7 +26,7 @@ fn outline(case: &Case) -> String {
         .first()
         .map_or(0.0, |operation| operation.bit_depth_m);
     format!(
-        "{} by {}, bit at {}",
+        "{}; {}; bit at {}",
         list(operations),
         list(models),
         Dimension::Length.format(depth, case.units),

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use wholestring::outcome::Scalars;
-use wholestring_results::{ModelKind, Numerics, OperationSummary, Summary};
+use wholestring_results::{ModelKind, Numerics, OperationSummary, Status, Summary};
 use wholestring_units::{Dimension, UnitSet};
 
 /// A row: what people call the quantity, how it is read, and its key in the statistics.
@@ -172,27 +172,35 @@ pub(crate) fn table(summary: &Summary, units: UnitSet, width: Option<usize>) -> 
     text
 }
 
-/// What the dynamic columns cost and how sound they are, in a line; nothing without such columns.
-pub(crate) fn numerics(summary: &Summary) -> Option<String> {
+/// What is to be known about the table, in lines: columns that are not complete, and what the dynamic
+/// ones cost and how sound they are.
+pub(crate) fn notes(summary: &Summary) -> String {
+    let mut notes = String::new();
+    let incomplete = |solved: &OperationSummary| solved.status != Status::Complete;
+    if summary.operations.iter().any(incomplete) {
+        notes += "* as far as it was computed\n";
+    }
     let all = || {
         summary
             .operations
             .iter()
             .filter_map(|solved| solved.numerics.as_ref())
     };
-    all().next()?;
-    let largest = |of: fn(&Numerics) -> f64| all().map(of).fold(0.0, f64::max);
-    let took_s: f64 = all().map(|of| of.wall_time_s).sum();
-    let simulated_s: f64 = all().map(|of| of.real_time_factor * of.wall_time_s).sum();
-    let smallest_step_s = all().map(|of| of.time_step_s).fold(f64::INFINITY, f64::min);
-    Some(format!(
-        "Dynamics: {} elements, step {:.3} ms, added axial mass {:.2} %; {simulated_s:.0} s simulated in \
-         {took_s:.1} s, {:.1} × real time",
-        largest(|of| of.elements as f64),
-        smallest_step_s * 1e3,
-        largest(|of| of.added_axial_mass_fraction) * 100.0,
-        simulated_s / took_s,
-    ))
+    if all().next().is_some() {
+        let largest = |of: fn(&Numerics) -> f64| all().map(of).fold(0.0, f64::max);
+        let took_s: f64 = all().map(|of| of.wall_time_s).sum();
+        let simulated_s: f64 = all().map(|of| of.real_time_factor * of.wall_time_s).sum();
+        let shortest_step_s = all().map(|of| of.time_step_s).fold(f64::INFINITY, f64::min);
+        notes += &format!(
+            "Dynamics: {} elements, step {:.3} ms, added axial mass {:.2} %; {simulated_s:.1} s simulated \
+             in {took_s:.1} s, {:.1} × real time\n",
+            largest(|of| of.elements as f64),
+            shortest_step_s * 1e3,
+            largest(|of| of.added_axial_mass_fraction) * 100.0,
+            simulated_s / took_s,
+        );
+    }
+    notes
 }
 
 impl Column {
@@ -222,7 +230,14 @@ fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
     let cell = |row: usize, value: Option<f64>| match value {
         Some(value) if value.is_finite() => {
             let decimals = decimals[row];
-            format!("{:.decimals$}", QUANTITIES[row].unit.shown(value, units))
+            let text = format!("{:.decimals$}", QUANTITIES[row].unit.shown(value, units));
+            // What rounds to zero has no sign.
+            match text.strip_prefix('-') {
+                Some(digits) if digits.bytes().all(|byte| matches!(byte, b'0' | b'.')) => {
+                    digits.to_owned()
+                }
+                _ => text,
+            }
         }
         _ => "–".to_owned(),
     };
@@ -244,7 +259,8 @@ fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
         };
         let heading = match solved.model {
             ModelKind::Soft => "soft",
-            ModelKind::Dynamic => "dynamic",
+            ModelKind::Dynamic if solved.status == Status::Complete => "dynamic",
+            ModelKind::Dynamic => "dynamic*",
         };
         let values = QUANTITIES.iter().enumerate();
         let cells = values.map(|(row, quantity)| cell(row, (quantity.value)(&solved.scalars)));

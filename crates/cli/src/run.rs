@@ -40,17 +40,13 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         let width = terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
         let title = format!("{}: {}", case.name, record::subtitle(&case, units));
         let table = comparison::table(&record.summary, units, width);
-        let numerics = comparison::numerics(&record.summary);
-        let numerics = numerics.map_or(String::new(), |line| {
-            line + "
-"
-        });
+        let notes = comparison::notes(&record.summary);
         let place = folder.path().display();
         say(&format!(
             "{title}
 
 {table}
-{numerics}Results in {place}
+{notes}Results in {place}
 "
         ))?;
     }
