@@ -185,6 +185,11 @@ pub fn chain(model: &Model, mesh: &Mesh, plan: &StepPlan) -> Chain {
     let mut chain = Chain::new(mesh.nodes.len());
     let mud = &model.mud;
     let last = mesh.nodes.len() - 1;
+    for index in 0..=last {
+        node!(chain, index, mass_axial) = 0.0;
+        node!(chain, index, mass_lateral) = 0.0;
+        node!(chain, index, polar) = 0.0;
+    }
     for (index, element) in mesh.elements.iter().enumerate() {
         let section = &element.section;
         let inertia = &plan.inertia[index];

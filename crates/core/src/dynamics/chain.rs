@@ -161,14 +161,15 @@ pub struct ElementBlock {
 const DOWN: Rows = [ZERO, ZERO, ONE];
 
 impl NodeBlock {
-    /// Nodes that fill the last block: nothing moves them and they move nothing.
+    /// Nodes that fill the last block: nothing moves them and they move nothing. Real nodes begin as
+    /// these, with the masses cleared.
     const IDLE: Self = Self {
         tangent: DOWN,
         curvature: [ZERO; 3],
         weight: [ZERO; 3],
-        mass_axial: ZERO,
-        mass_lateral: ZERO,
-        polar: ZERO,
+        mass_axial: ONE,
+        mass_lateral: ONE,
+        polar: ONE,
         inv_mass_axial: ZERO,
         inv_mass_lateral: ZERO,
         inv_polar: ZERO,

@@ -216,31 +216,24 @@ fn put<N: Number>(arrays: &mut [[f64; LANES]; 3], lane: usize, v: Vector<N>) {
 
 /// Eight numbers of a strip from `from` on.
 #[inline(always)]
-fn eight(strip: &Strip, from: usize) -> [f64; LANES] {
-    *strip[from..].first_chunk().expect("a strip holds its tile")
+fn eight(strip: &Strip, from: usize) -> &[f64; LANES] {
+    strip[from..].first_chunk().expect("a strip holds its tile")
 }
 
 /// Eight vectors of three strips from `from` on.
 #[inline(always)]
-fn eights(strips: &[Strip; 3], from: usize) -> [[f64; LANES]; 3] {
+fn eights(strips: &[Strip; 3], from: usize) -> [&[f64; LANES]; 3] {
     [eight(&strips[0], from), eight(&strips[1], from), eight(&strips[2], from)]
 }
 
 /// The nine vectors that the elements of a block see.
 #[inline(always)]
-fn nine(fields: &[Field; 3], block: usize) -> [[f64; LANES + 1]; 3] {
-    [*fields[0].nine(block), *fields[1].nine(block), *fields[2].nine(block)]
-}
-
-/// A copy of the eight vectors of a block.
-#[inline(always)]
-fn taken(fields: &mut [Field; 3], block: usize) -> [[f64; LANES]; 3] {
-    let [x, y, z] = fields;
-    [*x.eight(block), *y.eight(block), *z.eight(block)]
+fn nine(fields: &[Field; 3], block: usize) -> [&[f64; LANES + 1]; 3] {
+    [fields[0].nine(block), fields[1].nine(block), fields[2].nine(block)]
 }
 
 #[inline(always)]
-fn from<N: Number, const L: usize>(arrays: &[[f64; L]; 3], lane: usize) -> Vector<N> {
+fn from<N: Number, const L: usize>(arrays: &[&[f64; L]; 3], lane: usize) -> Vector<N> {
     Vector(N::splat(arrays[0][lane]), N::splat(arrays[1][lane]), N::splat(arrays[2][lane]))
 }
 
@@ -264,7 +257,7 @@ fn elements_of_block<N: Number>(
     let v = nine(&state.v, block);
     let d = nine(&state.d, block);
     let w = nine(&state.w, block);
-    let spin = *state.spin.nine(block);
+    let spin = state.spin.nine(block);
     let (dt, beta) = (N::splat(input.dt), N::splat(input.stiffness_damping));
     let mut force = [[0.0; LANES]; 3];
     let mut moment1 = [[0.0; LANES]; 3];
@@ -306,9 +299,7 @@ fn elements_of_block<N: Number>(
         damped[lane] = r.damping_power.get();
     }
     (e.twist.0, e.tension.0, e.torque.0) = (twist, tension, torque);
-    for (sum, power) in losses.damping.iter_mut().zip(damped) {
-        *sum += power;
-    }
+    add(&mut losses.damping, &damped);
     // Strips are one element late: place `i + 1` holds element `i`.
     let from = k * LANES + 1;
     for axis in 0..3 {
@@ -337,21 +328,26 @@ fn nodes_of_block<N: Number, const HERTZ: bool, const VECTOR: bool>(
     let moment_below = eights(&pull.moment1, below);
     let torque_above = eight(&pull.torque, above);
     let torque_below = eight(&pull.torque, below);
-    let mut u = taken(&mut state.u, block);
-    let mut v = taken(&mut state.v, block);
-    let mut d = taken(&mut state.d, block);
-    let mut w = taken(&mut state.w, block);
-    let mut spin = *state.spin.eight(block);
+    let (u0, v0) = (nine(&state.u, block), nine(&state.v, block));
+    let (d0, w0) = (nine(&state.d, block), nine(&state.w, block));
+    let spin0 = state.spin.nine(block);
+    // Results are kept apart until all lanes are read, so that the compiler sees no overlap.
+    let (mut u, mut v) = ([[0.0; LANES]; 3], [[0.0; LANES]; 3]);
+    let (mut d, mut w) = ([[0.0; LANES]; 3], [[0.0; LANES]; 3]);
+    let mut spin = [0.0; LANES];
+    let (mut push, mut rub_axial, mut rub_torque) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+    let (mut rubbed, mut dragged) = ([0.0; LANES], [0.0; LANES]);
     for lane in 0..LANES {
         let node = Node {
-            force: from::<N, 8>(&force_above, lane) - from(&force_below, lane) + at3(&n.weight, lane),
+            force: from::<N, 8>(&force_above, lane) - from(&force_below, lane)
+                + at3(&n.weight, lane),
             moment: from::<N, 8>(&moment_above, lane) + from(&moment_below, lane),
             torque: N::splat(torque_below[lane]) - N::splat(torque_above[lane]),
-            u: from(&u, lane),
-            v: from(&v, lane),
-            d: from(&d, lane),
-            w: from(&w, lane),
-            spin: N::splat(spin[lane]),
+            u: from(&u0, lane),
+            v: from(&v0, lane),
+            d: from(&d0, lane),
+            w: from(&w0, lane),
+            spin: N::splat(spin0[lane]),
         };
         let moved = move_node::<N, HERTZ, VECTOR>(n, lane, &node, input);
         put(&mut u, lane, moved.u);
@@ -359,11 +355,11 @@ fn nodes_of_block<N: Number, const HERTZ: bool, const VECTOR: bool>(
         put(&mut d, lane, moved.d);
         put(&mut w, lane, moved.w);
         spin[lane] = moved.spin.get();
-        n.sum_normal.0[lane] += moved.push.get();
-        n.sum_axial.0[lane] += moved.rub_axial.get();
-        n.sum_torque.0[lane] += moved.rub_torque.get();
-        losses.friction[lane] += moved.rubbed.get();
-        losses.drag[lane] += moved.dragged.get();
+        push[lane] = moved.push.get();
+        rub_axial[lane] = moved.rub_axial.get();
+        rub_torque[lane] = moved.rub_torque.get();
+        rubbed[lane] = moved.rubbed.get();
+        dragged[lane] = moved.dragged.get();
     }
     for axis in 0..3 {
         *state.u[axis].eight(block) = u[axis];
@@ -372,6 +368,18 @@ fn nodes_of_block<N: Number, const HERTZ: bool, const VECTOR: bool>(
         *state.w[axis].eight(block) = w[axis];
     }
     *state.spin.eight(block) = spin;
+    add(&mut n.sum_normal.0, &push);
+    add(&mut n.sum_axial.0, &rub_axial);
+    add(&mut n.sum_torque.0, &rub_torque);
+    add(&mut losses.friction, &rubbed);
+    add(&mut losses.drag, &dragged);
+}
+
+#[inline(always)]
+fn add(sum: &mut [f64; LANES], values: &[f64; LANES]) {
+    for lane in 0..LANES {
+        sum[lane] += values[lane];
+    }
 }
 
 /// A node, and what the rod and gravity do to it.
@@ -419,6 +427,8 @@ fn move_node<N: Number, const HERTZ: bool, const VECTOR: bool>(
     let (per_ml, per_ma) =
         (at::<N>(&n.inv_mass_lateral, lane), at::<N>(&n.inv_mass_axial, lane));
     let per_j = at::<N>(&n.inv_polar, lane);
+    let (ml, ma, j) =
+        (at::<N>(&n.mass_lateral, lane), at::<N>(&n.mass_axial, lane), at::<N>(&n.polar, lane));
     let (v0, s0) = (node.v, node.spin);
     let along = th.dot(node.force);
     let v1 = v0.plus(node.force, dt * per_ml).plus(th, dt * along * (per_ma - per_ml));
@@ -427,7 +437,8 @@ fn move_node<N: Number, const HERTZ: bool, const VECTOR: bool>(
     // Mud drag and mass-proportional damping.
     let axial1 = th.dot(v1);
     let across1 = v1.minus(th, axial1);
-    let speed = across1.dot(across1).sqrt();
+    let across0 = v0.minus(th, th.dot(v0));
+    let speed = across0.dot(across0).sqrt();
     let drag = at::<N>(&n.drag_quadratic, lane).mul_add(speed, at(&n.drag_linear, lane));
     let rate = per_ml.mul_add(drag, alpha);
     let slowed = one / rate.mul_add(dt, one);
@@ -449,7 +460,8 @@ fn move_node<N: Number, const HERTZ: bool, const VECTOR: bool>(
     let mobility = dt * per_ml;
     let stiffness = at::<N>(&n.stiffness, lane);
     let push = if HERTZ {
-        contact::hertz(penetration, inward, stiffness, splat(input.dissipation), dt * mobility)
+        let inertia = ml * splat(1.0 / (input.dt * input.dt));
+        contact::hertz(penetration, inward, stiffness, splat(input.dissipation), inertia)
     } else {
         let damping = at(&n.damping, lane);
         contact::linear(penetration, inward, stiffness, damping, dt * mobility, mobility)
@@ -480,8 +492,6 @@ fn move_node<N: Number, const HERTZ: bool, const VECTOR: bool>(
     let s3 = (dt * per_j).neg_mul_add(rub_torque, s2);
 
     // Energy that left: every impulse works on the mean of the velocities before and after it.
-    let (ml, ma, j) =
-        (at::<N>(&n.mass_lateral, lane), at::<N>(&n.mass_axial, lane), at::<N>(&n.polar, lane));
     let v_mean = (v0 + v3).scaled(half);
     let s_mean = (s0 + s3) * half;
     let axial_mean = th.dot(v_mean);
@@ -502,7 +512,9 @@ fn move_node<N: Number, const HERTZ: bool, const VECTOR: bool>(
         kicked.scaled((one - p2) * inverse).minus(kicked.cross(d0), (p + p) * inverse);
     let w = turned.minus(d0, turned.dot(d0));
     let q = splat(0.25) * (dt * dt) * w.dot(w);
-    let shrink = one / (one + q);
+    // 1/(1 + q) to rounding: q is the square of a quarter of the turn in a step.
+    let q2 = q * q;
+    let shrink = (one - q).mul_add(one + q2, q2 * q2);
     let d = d0.scaled((one - q) * shrink).plus(w.cross(d0), dt * shrink);
 
     Moved {
