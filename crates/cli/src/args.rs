@@ -50,8 +50,13 @@ pub(crate) struct RunArgs {
     #[command(flatten)]
     pub(crate) case: CaseArgs,
 
-    /// Folder for the results [default: out/<case name>]
-    #[arg(short, long, value_name = "DIR")]
+    // Not a doc comment, which would read `<case name>` as HTML.
+    #[arg(
+        short,
+        long,
+        value_name = "DIR",
+        help = "Folder for the results [default: out/<case name>]"
+    )]
     pub(crate) output: Option<PathBuf>,
 
     /// Units on the screen: si, metric or field [default: the case's]
