@@ -147,6 +147,9 @@ fn check_range(
     None
 }
 
+/// How a text that may be a quantity begins.
+const NUMBER_PATTERN: &str = r"^\s*[-+\u2212]?[0-9.\u00BC-\u00BE\u2153-\u215E]";
+
 /// A quantity: text with a unit, or a bare number.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Quantity {
@@ -224,7 +227,7 @@ impl Rule for Quantity {
         let text = json!({
             "type": "string",
             "description": format!("A {} with its unit: {}.", self.dimension.name(), units.join(", ")),
-            "pattern": "^\\s*[-+]?[0-9.]",
+            "pattern": NUMBER_PATTERN,
             "examples": [self.example],
         });
         json!({ "anyOf": [number, text] })
