@@ -415,13 +415,32 @@ fn lacks_partner(
     None
 }
 
-/// A pipe is not heavier than a solid bar as thick as its joints.
+/// A pipe is not heavier than a solid bar as thick as its joints, nor lighter than its own body.
 fn check_mass(component: &ComponentSpec, place: Place, reader: &mut Reader) -> Option<()> {
     let od_m = component
         .joints
         .map_or(component.od_m, |joints| joints.od_m);
     let solid = component.material.density_kg_per_m3 * std::f64::consts::FRAC_PI_4 * od_m.powi(2);
     if component.mass_per_length_kg_per_m <= solid * 1.001 {
+        let body = component.material.density_kg_per_m3
+            * std::f64::consts::FRAC_PI_4
+            * (component.od_m.powi(2) - component.id_m.powi(2));
+        if component.mass_per_length_kg_per_m < 0.95 * body {
+            reader.report(
+                Diagnostic::warning(format!(
+                    "{} kg/m is less than the body alone weighs",
+                    number_text(component.mass_per_length_kg_per_m)
+                ))
+                .at(
+                    place,
+                    format!(
+                        "a body of {} kg/m",
+                        number_text((body * 10.0).round() / 10.0)
+                    ),
+                )
+                .help("if the metal is lighter than [steel], give its density too"),
+            );
+        }
         return Some(());
     }
     reader.report(

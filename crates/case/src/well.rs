@@ -26,8 +26,9 @@ table! {
         north: f64 = crate::table::default(coordinate(), 0.0);
         /// East of the first station, m unless a unit is given. Default 0.
         east: f64 = crate::table::default(coordinate(), 0.0);
-        /// True vertical depth of the first station, m unless a unit is given. Default 0.
-        tvd: f64 = crate::table::default(coordinate(), 0.0);
+        /// True vertical depth of the first station, m unless a unit is given. Default: its measured
+        /// depth, as if the hole were vertical down to it.
+        tvd: f64 = optional(coordinate());
     }
 }
 
@@ -236,17 +237,21 @@ impl WellTable {
     }
 
     fn tie_in(&self, stations: &Stations) -> Option<TieIn> {
-        match self.tie_in.given() {
-            Some(given) => Some(TieIn {
+        let under_origin = TieIn {
+            tvd_m: stations.list.first().map_or(0.0, |first| first.md_m),
+            ..TieIn::default()
+        };
+        match self.tie_in.optional()? {
+            Some(given) if self.tie_in.given().is_some() => Some(TieIn {
                 north_m: *given.value.north.get()?,
                 east_m: *given.value.east.get()?,
-                tvd_m: *given.value.tvd.get()?,
+                tvd_m: given
+                    .value
+                    .tvd
+                    .optional()?
+                    .map_or(under_origin.tvd_m, |at| at.value),
             }),
-            None if self.tie_in.optional().is_none() => None,
-            None => Some(stations.tie_in.unwrap_or(TieIn {
-                tvd_m: stations.list.first().map_or(0.0, |first| first.md_m),
-                ..TieIn::default()
-            })),
+            _ => Some(stations.tie_in.unwrap_or(under_origin)),
         }
     }
 

@@ -422,6 +422,11 @@ fn worth_a_warning() {
             "contact_law = \"linear\"\nhertz_dissipation = 0.1 ",
         ),
         ("warn_hoist_key", "[mesh]", "[hoist]\ngain = 1e-7\n[mesh]"),
+        (
+            "warn_mass",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\nmass_per_length = \"20 kg/m\" ",
+        ),
         ("warn_moduli", "\"76.923 GPa\"", "\"27 GPa\""),
         (
             "warn_joint_mass",
