@@ -4,12 +4,13 @@ use wholestring::{mud::Mud, string::DrillString, well::Hole};
 
 use crate::{
     diagnostic::Diagnostic,
+    hole::HoleTable,
     names::short,
+    range::number_text,
     reader::Reader,
-    rule::{At, number_text},
+    rule::At,
     source::Place,
     string::{ComponentTable, mm},
-    well::HoleTable,
 };
 
 /// Diameters that differ by less than this are equal, m: a thousandth of a millimetre.

@@ -8,8 +8,10 @@ use crate::{
     diagnostic::Diagnostic,
     names::short,
     node::{Node, Value},
+    quantity::Quantity,
+    range::{Range, number_text},
     reader::Reader,
-    rule::{At, Quantity, Range, Rule, number_text},
+    rule::{At, Rule},
     source::{Files, Place},
 };
 
