@@ -152,6 +152,8 @@ pub struct Case {
     pub operations: Vec<Operation>,
     /// What a dynamic run needs beside these.
     pub dynamics: DynamicsSettings,
+    /// How the survey file was understood, in sentences; empty where the stations stand in the case.
+    pub survey_notes: Vec<String>,
     /// What is probably not meant, but can be computed.
     pub warnings: Report,
     /// The case with all defaults filled in: SI numbers, units in the names of the keys.
@@ -338,6 +340,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         model,
         operations,
         dynamics,
+        survey_notes: stations.map_or_else(Vec::new, |stations| stations.notes),
         warnings: Report::default(),
         settings,
     })

@@ -39,6 +39,7 @@ mod settings;
 mod source;
 mod stations;
 mod string;
+pub mod survey;
 mod table;
 mod well;
 

@@ -17,6 +17,7 @@ fn the_documented_example_loads() {
     assert_eq!(case.models, [ModelKind::Dynamic]);
     assert!(case.warnings.is_empty(), "{}", case.warnings);
     assert_eq!(case.model.well.path.stations().len(), 7);
+    assert!(!case.survey_notes.is_empty());
     assert_eq!(case.model.well.path.interpolation(), Interpolation::Spline);
     assert_eq!(case.model.well.hole.sections().len(), 2);
     assert_eq!(case.model.well.hole.sections()[1].from_md_m, 2986.53);
