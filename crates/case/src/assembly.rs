@@ -25,7 +25,10 @@ pub(crate) fn spec(
                 sound = false;
             }
         }
-        match table.value.build(index == 0, table.place, steel, reader) {
+        match table
+            .value
+            .build(index == 0 && tables.len() > 1, table.place, steel, reader)
+        {
             Some(component) => components.push(component),
             None => sound = false,
         }

@@ -307,6 +307,10 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         if let (Some(hole), Some(sections)) = (&hole, sections) {
             fit::check_clearance(drill_string, components, hole, sections, reader);
         }
+        if let Some(mud) = &mud {
+            let wob = operation.and_then(|operation| operation.wob.given());
+            fit::check_weight_on_bit(drill_string, mud, wob, reader);
+        }
         if let (Some(mud), Some(place)) = (&mud, case.mud.get().and_then(|mud| mud.density.at())) {
             fit::check_weight(drill_string, components, mud, place.place, reader);
         }

@@ -134,8 +134,8 @@ table! {
         catalogue: String = optional(Text);
         /// Outside diameter of the body, m unless a unit is given. Needed without `catalogue`.
         od: f64 = optional(diameter("139.7 mm"));
-        /// Inside diameter of the body, less than od. Needed without `catalogue`, except for the first
-        /// component, the bit, which is solid by default.
+        /// Inside diameter of the body, less than od. Needed without `catalogue`, except for the first of
+        /// several components, the bit, which is solid by default.
         id: f64 = optional(Quantity::si(
             Dimension::Diameter,
             Range::from_to(0.0, 2.0),

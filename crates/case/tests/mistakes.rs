@@ -365,6 +365,16 @@ fn several_at_once() {
     refused("several_at_once", read(&text));
 }
 
+/// Only a bit below other components is taken to be solid.
+#[test]
+fn of_a_pipe_alone() {
+    let start = EXAMPLE.find("[[string]]").expect("the string");
+    let end = EXAMPLE.find("[bit]").expect("the bit");
+    let pipe = "[[string]]\ncomponent = \"pipe\"\nod = \"5 in\"\nlength = \"to surface\"\n";
+    let text = format!("{}{pipe}{}", &EXAMPLE[..start], &EXAMPLE[end..]);
+    refused("pipe_alone_without_id", read(&text));
+}
+
 #[test]
 fn of_the_file() {
     let files = survey_files(SURVEY.as_bytes());
@@ -477,6 +487,7 @@ fn worth_a_warning() {
             "contact_law = \"linear\"\nhertz_dissipation = 0.1 ",
         ),
         ("warn_hoist_key", "[mesh]", "[hoist]\ngain = 1e-7\n[mesh]"),
+        ("warn_weight_on_bit", "wob = \"6 tf\"", "wob = \"200 tf\""),
         (
             "warn_mass",
             "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
