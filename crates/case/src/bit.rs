@@ -4,7 +4,8 @@ use wholestring::dynamics::{BitSettings, DynamicsSettings};
 use wholestring_units::Dimension;
 
 use crate::{
-    rule::{Quantity, Range},
+    quantity::Quantity,
+    range::Range,
     table::{default, optional, table},
 };
 

@@ -2,16 +2,15 @@
 
 use std::path::Path as FilePath;
 
-use wholestring::{
-    dynamics::DynamicsSettings, model::Model, operation::Operation, string::DrillString, well::Well,
-};
+use wholestring::{dynamics::DynamicsSettings, model::Model, operation::Operation, well::Well};
 use wholestring_units::UnitSet;
 
 use crate::{
+    assembly,
     bit::BitTable,
     diagnostic::{Diagnostic, Report},
     dynamics::{DynamicsTable, MeshTable},
-    fit,
+    effort, fit, hole,
     mud::MudTable,
     names::short,
     node::{self, Entries, Node, Value},
@@ -22,7 +21,7 @@ use crate::{
     rule::{At, Choice, List, Rule, Section, Table, Text},
     settings,
     source::{Disk, Files, Place, read_bounded},
-    string::{self, ComponentTable, SteelTable},
+    string::{ComponentTable, SteelTable},
     table::{default, optional, required, table},
     well::WellTable,
 };
@@ -153,6 +152,8 @@ pub struct Case {
     pub operations: Vec<Operation>,
     /// What a dynamic run needs beside these.
     pub dynamics: DynamicsSettings,
+    /// How the survey file was understood, in sentences; empty where the stations stand in the case.
+    pub survey_notes: Vec<String>,
     /// What is probably not meant, but can be computed.
     pub warnings: Report,
     /// The case with all defaults filled in: SI numbers, units in the names of the keys.
@@ -262,7 +263,8 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     let path = well
         .zip(stations.as_ref())
         .and_then(|(at, stations)| at.value.path(stations, reader));
-    let hole = well.and_then(|at| at.value.hole(reader));
+    let sections = well.and_then(|at| at.value.hole.get());
+    let hole = sections.and_then(|sections| hole::build(sections, reader));
 
     let last_md_m = path.as_ref().map(|path| path.last_md_m());
     let operation = case.operation.get();
@@ -294,16 +296,20 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     let components = case.string.get();
     let spec = components
         .zip(steel.as_ref())
-        .and_then(|(components, steel)| string::spec(components, steel, reader));
+        .and_then(|(components, steel)| assembly::spec(components, steel, reader));
     let drill_string = match (&spec, components, bit_depth_m) {
         (Some(spec), Some(components), Some(bit_depth_m)) => {
-            string::assemble(spec, components, bit_depth_m, bit_place, reader)
+            assembly::assemble(spec, components, bit_depth_m, bit_place, reader)
         }
         _ => None,
     };
     if let (Some(drill_string), Some(components)) = (&drill_string, components) {
-        if let (Some(hole), Some(sections)) = (&hole, well.and_then(|at| at.value.hole.get())) {
+        if let (Some(hole), Some(sections)) = (&hole, sections) {
             fit::check_clearance(drill_string, components, hole, sections, reader);
+        }
+        if let Some(mud) = &mud {
+            let wob = operation.and_then(|operation| operation.wob.given());
+            fit::check_weight_on_bit(drill_string, mud, wob, reader);
         }
         if let (Some(mud), Some(place)) = (&mud, case.mud.get().and_then(|mud| mud.density.at())) {
             fit::check_weight(drill_string, components, mud, place.place, reader);
@@ -321,7 +327,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         rig: rig?,
     };
     let (models, operations, dynamics) = (models?, operations?, dynamics?);
-    check_effort(&models, &model.string, &dynamics, &case, reader)?;
+    effort::check_effort(&models, &model.string, &dynamics, &case, reader)?;
     let name = match case.name.optional()? {
         Some(given) => given.value.clone(),
         None => FilePath::new(name).file_stem().map_or_else(
@@ -338,6 +344,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         model,
         operations,
         dynamics,
+        survey_notes: stations.map_or_else(Vec::new, |stations| stations.notes),
         warnings: Report::default(),
         settings,
     })
@@ -356,54 +363,4 @@ fn models(case: &CaseTable, reader: &mut Reader) -> Option<Vec<ModelKind>> {
         }
     }
     Some(models.iter().map(|at| at.value).collect())
-}
-
-/// More elements than this make no sense in the longest of wells.
-const MOST_ELEMENTS: f64 = 1e5;
-/// More element-steps than this are weeks of computing.
-const MOST_ELEMENT_STEPS: f64 = 1e14;
-
-/// Whether a dynamic run of the case can be finished.
-fn check_effort(
-    models: &[ModelKind],
-    string: &DrillString,
-    dynamics: &DynamicsSettings,
-    case: &CaseTable,
-    reader: &mut Reader,
-) -> Option<()> {
-    let mut elements = 0.0;
-    let mut fastest_m_per_s = 0.0_f64;
-    for component in string.components() {
-        let spacing_m = component
-            .joints
-            .map_or(f64::INFINITY, |joints| joints.spacing_m);
-        let element_m = dynamics.element_length_m.min(spacing_m);
-        elements += (component.length_m / element_m).ceil();
-        let material = component.material;
-        let wave = (material.youngs_modulus_Pa / material.density_kg_per_m3).sqrt();
-        fastest_m_per_s = fastest_m_per_s.max(wave);
-    }
-    let time_s = dynamics.settle_s + dynamics.duration_s;
-    let steps = time_s * fastest_m_per_s / dynamics.element_length_m;
-    let dynamic = models.contains(&ModelKind::Dynamic);
-    let message = if elements > MOST_ELEMENTS {
-        format!("the string would be cut into {elements:.0} elements")
-    } else if dynamic && elements * steps > MOST_ELEMENT_STEPS {
-        format!("{elements:.0} elements over {time_s:.0} s would take weeks")
-    } else {
-        return Some(());
-    };
-    let mut diagnostic = Diagnostic::error(message);
-    if let Some(given) = case.mesh.get().and_then(|mesh| mesh.element_length.given()) {
-        diagnostic = diagnostic.at(given.place, "raise the element length");
-    }
-    if let Some(given) = case
-        .dynamics
-        .get()
-        .and_then(|dynamics| dynamics.duration.given())
-    {
-        diagnostic = diagnostic.at(given.place, "or shorten the window");
-    }
-    reader.report(diagnostic);
-    None
 }

@@ -75,7 +75,7 @@ impl Diagnostic {
 pub struct Report {
     /// The case file first, then what else was read.
     pub sources: Vec<Source>,
-    /// In the order of their places.
+    /// In the order of their places; at most a hundred.
     pub diagnostics: Vec<Diagnostic>,
 }
 

@@ -6,9 +6,11 @@ use wholestring_units::Dimension;
 use crate::{
     bit::BitTable,
     diagnostic::Diagnostic,
+    quantity::Quantity,
+    range::{Number, Range, Whole, number_text},
     reader::Reader,
     rig::HoistTable,
-    rule::{Choice, Number, Quantity, Range, Section, Whole, number_text},
+    rule::{Choice, Section},
     source::Place,
     table::{default, optional, table},
 };

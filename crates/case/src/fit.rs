@@ -4,12 +4,13 @@ use wholestring::{mud::Mud, string::DrillString, well::Hole};
 
 use crate::{
     diagnostic::Diagnostic,
+    hole::HoleTable,
     names::short,
+    range::number_text,
     reader::Reader,
-    rule::{At, number_text},
+    rule::At,
     source::Place,
     string::{ComponentTable, mm},
-    well::HoleTable,
 };
 
 /// Diameters that differ by less than this are equal, m: a thousandth of a millimetre.
@@ -71,6 +72,34 @@ pub(crate) fn check_clearance(
             );
         }
         reader.report(diagnostic);
+    }
+}
+
+/// A string that weighs less than it is to put on the bit would be pushed into the hole.
+pub(crate) fn check_weight_on_bit(
+    string: &DrillString,
+    mud: &Mud,
+    wob: Option<&At<f64>>,
+    reader: &mut Reader,
+) {
+    let Some(wob) = wob else { return };
+    let weight_N: f64 = string
+        .components()
+        .iter()
+        .map(|component| {
+            component.length_m * component.buoyed_weight_per_length_N_per_m(mud.density_kg_per_m3)
+        })
+        .sum();
+    if weight_N > 0.0 && wob.value > weight_N {
+        let kN = |force_N: f64| number_text((force_N / 100.0).round() / 10.0);
+        reader.report(
+            Diagnostic::warning("the weight on bit is more than the string weighs")
+                .at(wob.place, format!("{} kN on the bit", kN(wob.value)))
+                .help(format!(
+                    "the whole string weighs {} kN in this mud",
+                    kN(weight_N)
+                )),
+        );
     }
 }
 

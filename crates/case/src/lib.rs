@@ -16,16 +16,21 @@
 //! ```
 #![warn(missing_docs)]
 
+mod assembly;
 mod bit;
 mod case;
 mod diagnostic;
 mod dynamics;
+mod effort;
 mod fit;
+mod hole;
 mod mud;
 mod names;
 mod node;
 mod operation;
 mod overrides;
+mod quantity;
+mod range;
 mod reader;
 mod rig;
 mod rule;
@@ -34,6 +39,7 @@ mod settings;
 mod source;
 mod stations;
 mod string;
+pub mod survey;
 mod table;
 mod well;
 

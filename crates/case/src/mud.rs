@@ -4,7 +4,8 @@ use wholestring::mud::Mud;
 use wholestring_units::Dimension;
 
 use crate::{
-    rule::{Number, Quantity, Range},
+    quantity::Quantity,
+    range::{Number, Range},
     table::{default, required, table},
 };
 

@@ -9,8 +9,10 @@ use crate::{
     bit::BitTable,
     case::ModelKind,
     diagnostic::Diagnostic,
+    quantity::Quantity,
+    range::Range,
     reader::Reader,
-    rule::{At, Choice, List, Quantity, Range},
+    rule::{At, Choice, List},
     source::Place,
     table::{Field, default, optional, required, table},
 };

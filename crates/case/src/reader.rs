@@ -16,6 +16,9 @@ pub(crate) struct Reader {
     diagnostics: Vec<Diagnostic>,
 }
 
+/// More mistakes than this are kept by nobody: the file is probably something else.
+const MOST: usize = 100;
+
 impl Reader {
     /// Adds a text that places can point into; its index.
     pub(crate) fn add_source(&mut self, name: &str, text: &str) -> usize {
@@ -27,6 +30,13 @@ impl Reader {
     }
 
     pub(crate) fn report(&mut self, diagnostic: Diagnostic) {
+        if self.diagnostics.len() >= MOST {
+            if diagnostic.severity == Severity::Warning || self.has_errors() {
+                return;
+            }
+            // An error is never lost behind warnings.
+            self.diagnostics.pop();
+        }
         self.diagnostics.push(diagnostic);
     }
 
@@ -101,7 +111,7 @@ impl Reader {
     ) -> Vec<&'static str> {
         let mut meant = Vec::new();
         for (key, _) in &table.0 {
-            if names.contains(&key.name.as_str()) {
+            if names.contains(&key.name.as_str()) || self.diagnostics.len() >= MOST {
                 continue;
             }
             let mut diagnostic =

@@ -8,8 +8,10 @@ use wholestring_units::Dimension;
 
 use crate::{
     diagnostic::Diagnostic,
+    quantity::Quantity,
+    range::Range,
     reader::Reader,
-    rule::{Choice, Quantity, Range},
+    rule::Choice,
     table::{Field, default, optional, table},
 };
 

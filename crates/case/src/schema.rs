@@ -1,5 +1,7 @@
 //! The JSON schema of the case file, from the same declarations that read it.
 
+use std::sync::LazyLock;
+
 use serde_json::{Value as Json, json};
 
 use crate::{case::CaseTable, rule::Table};
@@ -9,11 +11,13 @@ use crate::{case::CaseTable, rule::Table};
 /// It is made of the declarations that read the file, so that the two cannot disagree. What no schema
 /// can say (relations between keys, what stands in the survey) is checked by [`crate::parse`].
 pub fn schema() -> Json {
-    let mut schema = CaseTable::schema();
+    let mut schema = TABLES.clone();
     schema["$schema"] = json!("https://json-schema.org/draft/2020-12/schema");
     schema["title"] = json!("wholestring case");
     schema
 }
+
+static TABLES: LazyLock<Json> = LazyLock::new(CaseTable::schema);
 
 /// The tables that have a key of this name, as messages call them.
 pub(crate) fn homes_of(name: &str) -> Vec<String> {
@@ -34,13 +38,12 @@ pub(crate) fn homes_of(name: &str) -> Vec<String> {
         }
     }
     let mut homes = Vec::new();
-    visit(&CaseTable::schema(), name, &mut homes);
+    visit(&TABLES, name, &mut homes);
     homes
 }
 
 /// The keys outside all tables, and the tables.
 pub(crate) fn top_level() -> Vec<String> {
-    let schema = CaseTable::schema();
-    let keys = schema["properties"].as_object();
+    let keys = TABLES["properties"].as_object();
     keys.map_or_else(Vec::new, |keys| keys.keys().cloned().collect())
 }

@@ -8,9 +8,12 @@ use crate::{
     diagnostic::Diagnostic,
     names::short,
     node::{Node, Value},
+    quantity::Quantity,
+    range::{Range, number_text},
     reader::Reader,
-    rule::{At, Quantity, Range, Rule, number_text},
+    rule::{At, Rule},
     source::{Files, Place},
+    survey::{self, SurveyError},
 };
 
 /// No hole bends more sharply than this, rad/m: 10 deg/m is a radius of 5.7 m.
@@ -20,14 +23,19 @@ const SHARPEST_RAD_PER_M: f64 = 10.0 * std::f64::consts::PI / 180.0;
 #[derive(Debug)]
 pub(crate) struct Stations {
     pub(crate) list: Vec<Station>,
+    /// One for each station, if they stand in the case.
     places: Vec<Place>,
+    /// The survey as a whole.
+    whole: Place,
     /// Position of the first station, if the survey's file says it.
     pub(crate) tie_in: Option<TieIn>,
+    /// How the file was understood.
+    pub(crate) notes: Vec<String>,
 }
 
 impl Stations {
     pub(crate) fn place(&self, index: usize) -> Place {
-        self.places.get(index).copied().unwrap_or_default()
+        self.places.get(index).copied().unwrap_or(self.whole)
     }
 
     /// What no survey has, although the engine could compute with it.
@@ -52,12 +60,12 @@ impl Stations {
             if length_m > 1e-3 && turn_rad / length_m > SHARPEST_RAD_PER_M {
                 reader.report(
                     Diagnostic::error(format!(
-                        "the hole bends by {} deg within {} m",
+                        "the hole bends by {} deg within {} m below {} m",
                         number_text((turn_rad.to_degrees() * 10.0).round() / 10.0),
-                        number_text((length_m * 1e3).round() / 1e3)
+                        number_text((length_m * 1e3).round() / 1e3),
+                        number_text(above.md_m)
                     ))
-                    .at(self.place(index + 1), "expected at most 10 deg per metre")
-                    .at(self.place(index), "the station above"),
+                    .at(self.place(index + 1), "expected at most 10 deg per metre"),
                 );
                 return None;
             }
@@ -145,7 +153,9 @@ pub(crate) fn from_case(listed: &At<Vec<At<[f64; 3]>>>) -> Stations {
     Stations {
         list: list.collect(),
         places: listed.value.iter().map(|at| at.place).collect(),
+        whole: listed.place,
         tie_in: None,
+        notes: Vec::new(),
     }
 }
 
@@ -173,34 +183,46 @@ pub(crate) fn from_file(
             return None;
         }
     };
-    let text = String::from_utf8_lossy(&bytes);
-    let source = reader.add_source(&file.value, &text);
-    let mut list = Vec::new();
-    let mut places = Vec::new();
-    let mut start = 0;
-    for line in text.split_inclusive('\n') {
-        let place = Place {
-            source,
-            start,
-            end: start + line.trim_end().len(),
-        };
-        start += line.len();
-        let cells: Vec<f64> = line
-            .split(',')
-            .filter_map(|cell| cell.trim().parse().ok())
-            .collect();
-        if let [md_m, inclination, azimuth] = cells.as_slice() {
-            list.push(Station {
-                md_m: *md_m,
-                inclination_rad: inclination.to_radians(),
-                azimuth_rad: azimuth.to_radians(),
-            });
-            places.push(place);
+    match survey::read(&bytes, &file.value) {
+        Ok(imported) => Some(Stations {
+            list: imported.stations,
+            places: Vec::new(),
+            whole: file.place,
+            tie_in: imported.tie_in,
+            notes: imported.notes,
+        }),
+        Err(error) => {
+            let diagnostic = no_survey(&error, file, reader);
+            reader.report(diagnostic);
+            None
         }
     }
-    Some(Stations {
-        list,
-        places,
-        tie_in: None,
-    })
+}
+
+/// What is wrong with a survey file, underlined in it where it is a text.
+fn no_survey(error: &SurveyError, file: &At<String>, reader: &mut Reader) -> Diagnostic {
+    let sentence = error.kind().to_string();
+    let (message, expected) = sentence.split_once("; ").unwrap_or((&sentence, ""));
+    let diagnostic = Diagnostic::error(message);
+    match (error.text(), error.span(), error.place()) {
+        (Some(text), Some(span), _) => {
+            let source = reader.add_source(&file.value, text);
+            let place = Place {
+                source,
+                start: span.start,
+                end: span.end,
+            };
+            diagnostic.at(place, expected).at(file.place, "the survey")
+        }
+        (_, _, Some(place)) => {
+            let diagnostic = diagnostic.at(file.place, format!("in {place}"));
+            if expected.is_empty() {
+                diagnostic
+            } else {
+                diagnostic.help(expected)
+            }
+        }
+        _ => Diagnostic::error(format!("the survey cannot be read: {message}"))
+            .at(file.place, expected),
+    }
 }

@@ -1,17 +1,16 @@
 //! `[[string]]` and `[steel]`.
 
-use wholestring::string::{
-    AssemblyError, ComponentLength, ComponentSpec, DrillString, Material, StringSpec, ToolJoints,
-    catalogue,
-};
+use wholestring::string::{ComponentLength, ComponentSpec, Material, ToolJoints, catalogue};
 use wholestring_units::Dimension;
 
 use crate::{
     diagnostic::Diagnostic,
     names::{nearest, short},
     node::{Node, Value},
+    quantity::Quantity,
+    range::{Range, number_text},
     reader::Reader,
-    rule::{At, Quantity, Range, Rule, Text, number_text},
+    rule::{At, Rule, Text},
     source::Place,
     table::{default, optional, required, table},
 };
@@ -135,8 +134,8 @@ table! {
         catalogue: String = optional(Text);
         /// Outside diameter of the body, m unless a unit is given. Needed without `catalogue`.
         od: f64 = optional(diameter("139.7 mm"));
-        /// Inside diameter of the body, less than od. Needed without `catalogue`, except for the first
-        /// component, the bit, which is solid by default.
+        /// Inside diameter of the body, less than od. Needed without `catalogue`, except for the first of
+        /// several components, the bit, which is solid by default.
         id: f64 = optional(Quantity::si(
             Dimension::Diameter,
             Range::from_to(0.0, 2.0),
@@ -173,69 +172,8 @@ table! {
     }
 }
 
-/// The string as the case gives it.
-pub(crate) fn spec(
-    tables: &[At<ComponentTable>],
-    steel: &Material,
-    reader: &mut Reader,
-) -> Option<StringSpec> {
-    let mut components = Vec::with_capacity(tables.len());
-    let mut sound = true;
-    for (index, table) in tables.iter().enumerate() {
-        if let Some(length) = table.value.length.given()
-            && length.value == ComponentLength::ToSurface
-        {
-            let above = &tables[index + 1..];
-            if let Some(mistake) = not_topmost(table, length.place, above) {
-                reader.report(mistake);
-                sound = false;
-            }
-        }
-        match table.value.build(index == 0, table.place, steel, reader) {
-            Some(component) => components.push(component),
-            None => sound = false,
-        }
-    }
-    sound.then_some(StringSpec { components })
-}
-
-/// What is wrong with a component that runs to the surface although others stand above it.
-fn not_topmost(
-    table: &At<ComponentTable>,
-    place: Place,
-    above: &[At<ComponentTable>],
-) -> Option<Diagnostic> {
-    if above.is_empty() {
-        return None;
-    }
-    let diagnostic = Diagnostic::error(format!(
-        "{} runs to the surface, but more components stand above it",
-        called(table)
-    ))
-    .at(place, "nothing is left for the components after it");
-    let other = above.iter().find_map(|table| {
-        let length = table.value.length.given()?;
-        (length.value == ComponentLength::ToSurface).then_some(length.place)
-    });
-    Some(
-        match other {
-            Some(other) => diagnostic.at(other, "this one runs to the surface too"),
-            None => diagnostic,
-        }
-        .help("components stand from the bit up: only the last one can run to the surface"),
-    )
-}
-
-/// How messages call a component.
-fn called(table: &At<ComponentTable>) -> String {
-    match table.value.component.get() {
-        Some(name) => format!("`{}`", short(name)),
-        None => "the component".to_owned(),
-    }
-}
-
 impl ComponentTable {
-    fn build(
+    pub(crate) fn build(
         &self,
         is_bit: bool,
         place: Place,
@@ -415,13 +353,32 @@ fn lacks_partner(
     None
 }
 
-/// A pipe is not heavier than a solid bar as thick as its joints.
+/// A pipe is not heavier than a solid bar as thick as its joints, nor lighter than its own body.
 fn check_mass(component: &ComponentSpec, place: Place, reader: &mut Reader) -> Option<()> {
     let od_m = component
         .joints
         .map_or(component.od_m, |joints| joints.od_m);
     let solid = component.material.density_kg_per_m3 * std::f64::consts::FRAC_PI_4 * od_m.powi(2);
     if component.mass_per_length_kg_per_m <= solid * 1.001 {
+        let body = component.material.density_kg_per_m3
+            * std::f64::consts::FRAC_PI_4
+            * (component.od_m.powi(2) - component.id_m.powi(2));
+        if component.mass_per_length_kg_per_m < 0.95 * body {
+            reader.report(
+                Diagnostic::warning(format!(
+                    "{} kg/m is less than the body alone weighs",
+                    number_text(component.mass_per_length_kg_per_m)
+                ))
+                .at(
+                    place,
+                    format!(
+                        "a body of {} kg/m",
+                        number_text((body * 10.0).round() / 10.0)
+                    ),
+                )
+                .help("if the metal is lighter than [steel], give its density too"),
+            );
+        }
         return Some(());
     }
     reader.report(
@@ -441,54 +398,4 @@ fn check_mass(component: &ComponentSpec, place: Place, reader: &mut Reader) -> O
 /// A diameter in messages.
 pub(crate) fn mm(diameter_m: f64) -> String {
     format!("{} mm", number_text(diameter_m * 1e3))
-}
-
-/// The string for a depth of the bit.
-pub(crate) fn assemble(
-    spec: &StringSpec,
-    tables: &[At<ComponentTable>],
-    bit_depth_m: f64,
-    bit_place: Option<Place>,
-    reader: &mut Reader,
-) -> Option<DrillString> {
-    let error = match spec.assemble(bit_depth_m) {
-        Ok(string) => return Some(string),
-        Err(error) => error,
-    };
-    let metres = |value: f64| number_text((value * 1e3).round() / 1e3);
-    let top = tables.last().map(|table| table.place).unwrap_or_default();
-    let bit = |diagnostic: Diagnostic| match bit_place {
-        Some(place) => diagnostic.at(place, "the bit depth"),
-        None => diagnostic
-            .help("without bit_depth under [operation] the bit is at the last survey station"),
-    };
-    let diagnostic = match &error {
-        AssemblyError::AssemblyTooLong {
-            assembly_m,
-            bit_depth_m,
-            ..
-        } => bit(Diagnostic::error(format!(
-            "the string is longer than the hole is deep: {} m stand below the top component, the bit is at {} m",
-            metres(*assembly_m),
-            metres(*bit_depth_m)
-        ))
-        .at(top, "nothing is left for this component")),
-        AssemblyError::LengthMismatch {
-            string_m,
-            bit_depth_m,
-        } => bit(Diagnostic::error(format!(
-            "the string is {} m long, the bit is at {} m",
-            metres(*string_m),
-            metres(*bit_depth_m)
-        ))
-        .at(top, format!("{} m {}", metres((bit_depth_m - string_m).abs()), if string_m > bit_depth_m { "too long" } else { "too short" }))
-        .help("length = \"to surface\" in the last component fills the rest")),
-        AssemblyError::Dimension { index, .. } => {
-            let place = tables.get(*index).map(|table| table.place).unwrap_or(top);
-            Diagnostic::error(short(&error.to_string())).at(place, "this component")
-        }
-        _ => Diagnostic::error(short(&error.to_string())).at(top, "the string"),
-    };
-    reader.report(diagnostic);
-    None
 }

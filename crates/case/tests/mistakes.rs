@@ -365,6 +365,16 @@ fn several_at_once() {
     refused("several_at_once", read(&text));
 }
 
+/// Only a bit below other components is taken to be solid.
+#[test]
+fn of_a_pipe_alone() {
+    let start = EXAMPLE.find("[[string]]").expect("the string");
+    let end = EXAMPLE.find("[bit]").expect("the bit");
+    let pipe = "[[string]]\ncomponent = \"pipe\"\nod = \"5 in\"\nlength = \"to surface\"\n";
+    let text = format!("{}{pipe}{}", &EXAMPLE[..start], &EXAMPLE[end..]);
+    refused("pipe_alone_without_id", read(&text));
+}
+
 #[test]
 fn of_the_file() {
     let files = survey_files(SURVEY.as_bytes());
@@ -384,6 +394,61 @@ fn of_the_file() {
     );
     refused("file_missing", load("no-such-case.toml".as_ref(), &[]));
     refused("file_is_a_folder", load("tests".as_ref(), &[]));
+}
+
+#[test]
+fn of_the_survey() {
+    let cases: [(&str, &[u8]); 11] = [
+        (
+            "survey_runs_backwards",
+            b"MD (m),Inc,Azi\n0,0,0\n900,10,45\n600,20,45\n4305,20,45\n",
+        ),
+        (
+            "survey_inclination",
+            b"MD (m),Inc,Azi\n0,0,0\n900,190,45\n4305,20,45\n",
+        ),
+        (
+            "survey_not_a_number",
+            b"MD (m),Inc,Azi\n0,0,0\n900,1o,45\n4305,20,45\n",
+        ),
+        (
+            "survey_nan",
+            b"MD (m),Inc,Azi\n0,0,0\n900,nan,45\n4305,20,45\n",
+        ),
+        (
+            "survey_lacks_azimuth",
+            b"MD (m),Inc,TVD\n0,0,0\n900,10,45\n",
+        ),
+        (
+            "survey_lacks_unit",
+            b"Measured Depth,Inclination,Azimuth,TVD\n0,0,0,0\n900,10,45,890\n",
+        ),
+        (
+            "survey_unit_of_another_dimension",
+            b"MD (kg),Inc,Azi\n0,0,0\n900,10,45\n",
+        ),
+        ("survey_of_one_station", b"MD (m),Inc,Azi\n0,0,0\n"),
+        ("survey_empty", b""),
+        ("survey_not_text", b"\x89PNG\r\n\x1a\n\0\0\0\x0d"),
+        (
+            "survey_workbook_corrupt",
+            b"PK\x03\x04 this was a workbook once",
+        ),
+    ];
+    for (name, survey) in cases {
+        refused(
+            name,
+            parse("case.toml", EXAMPLE.as_bytes(), &survey_files(survey), &[]),
+        );
+    }
+    refused(
+        "survey_missing",
+        read(&changed("np13-x1042-survey.csv", "np13-survey.csv")),
+    );
+    refused("survey_bend", {
+        let survey = b"MD (m),Inc,Azi\n0,0,0\n900,0,45\n901,30,45\n4305,30,45\n";
+        parse("case.toml", EXAMPLE.as_bytes(), &survey_files(survey), &[])
+    });
 }
 
 #[test]
@@ -422,6 +487,12 @@ fn worth_a_warning() {
             "contact_law = \"linear\"\nhertz_dissipation = 0.1 ",
         ),
         ("warn_hoist_key", "[mesh]", "[hoist]\ngain = 1e-7\n[mesh]"),
+        ("warn_weight_on_bit", "wob = \"6 tf\"", "wob = \"200 tf\""),
+        (
+            "warn_mass",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\nmass_per_length = \"20 kg/m\" ",
+        ),
         ("warn_moduli", "\"76.923 GPa\"", "\"27 GPa\""),
         (
             "warn_joint_mass",
