@@ -89,7 +89,7 @@ pub struct BitSettings {
 /// Everything that a dynamic run needs beside the model and the operation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DynamicsSettings {
-    /// Longest element, m; a node always stands on tool joints and stabilisers.
+    /// Length of the elements, m, at most a fifth longer; a node stands on tool joints and stabilisers.
     pub element_length_m: f64,
     /// Length of the window that the statistics cover, s.
     pub duration_s: f64,
