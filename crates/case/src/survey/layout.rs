@@ -46,13 +46,15 @@ impl Layout {
     }
 }
 
+/// A column's heading: the cell's index, its text and what it says.
+type Taken = (usize, String, Heading);
+
 /// A header row with the needed columns.
 #[derive(Debug, Clone)]
 pub(super) struct Header {
     /// Its last row.
     row: usize,
-    /// Each column's heading: the cell's index, its text and what it says.
-    headings: Vec<(usize, String, Heading)>,
+    headings: Vec<Taken>,
     /// Headings of columns that another was taken for.
     passed_over: Vec<String>,
     texts: Vec<String>,
@@ -140,7 +142,7 @@ fn named(table: &Table, top: usize, row: usize) -> Result<Header, Partial> {
         .filter_map(|(index, text)| Some((index, heading::recognise(text)?)))
         .collect();
 
-    let mut taken = Vec::new();
+    let mut taken: Vec<Taken> = Vec::new();
     let mut passed_over = Vec::new();
     let mut fault = None;
     for column in Column::ALL {
@@ -164,6 +166,17 @@ fn named(table: &Table, top: usize, row: usize) -> Result<Header, Partial> {
                 passed_over.extend(others.iter().map(|other| texts[other.0].clone()));
             }
         }
+    }
+    // One alone is no position: "N" may as well number the rows.
+    let is_plan = |column| matches!(column, Column::North | Column::East);
+    if taken
+        .iter()
+        .filter(|(_, _, heading): &&Taken| is_plan(heading.column))
+        .count()
+        == 1
+    {
+        let alone = taken.extract_if(.., |(_, _, heading)| is_plan(heading.column));
+        passed_over.extend(alone.map(|(_, text, _)| text));
     }
     match fault {
         None => Ok(Header {
@@ -214,15 +227,10 @@ fn missing(column: Column, texts: &[String]) -> SurveyErrorKind {
 
 /// The layout below a header: its units, and where the numbers begin.
 pub(super) fn below(table: &Table, header: Header) -> Result<Layout, SurveyError> {
-    let mut notes = vec![format!(
-        "header in {}, columns parted by {}",
-        table.source.row_name(table.rows[header.row].end),
-        table.parted_by
-    )];
+    let row = table.source.row_name(table.rows[header.row].end);
+    let mut notes = vec![table.note(&format!("header in {row}"))];
     for text in &header.passed_over {
-        notes.push(format!(
-            "the column '{text}' is not used: another of its kind is"
-        ));
+        notes.push(format!("the column '{text}' is not used"));
     }
     let (units_row, data) = units_row(table, &header);
     let bare = bare_md_inc_azi(&header, units_row.is_some());
@@ -325,11 +333,10 @@ pub(super) fn without_header(table: &Table) -> Option<Layout> {
             }
         })
         .collect();
-    let notes = vec![format!(
-        "no header, three columns parted by {}: \
-         read as measured depth in m, inclination in deg, azimuth in deg",
-        table.parted_by
-    )];
+    let notes = vec![
+        table.note("no header"),
+        "three columns read as measured depth in m, inclination in deg, azimuth in deg".to_owned(),
+    ];
     Some(Layout {
         columns,
         data: first,

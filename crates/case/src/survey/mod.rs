@@ -25,6 +25,7 @@
 
 mod blanks;
 mod column;
+mod compound;
 mod decode;
 mod delimited;
 mod error;
@@ -117,9 +118,9 @@ pub fn read_excel(bytes: &[u8], name: &str) -> Result<ImportedSurvey, SurveyErro
                 sheet: &sheet.name,
             },
             rows: sheet.rows.clone(),
-            parted_by: "cells",
+            parted_by: None,
             counted: None,
-            notes: vec![format!("sheet '{}'", sheet.name)],
+            notes: Vec::new(),
         })
         .collect();
     read_first(&tables).unwrap_or_else(|| {
