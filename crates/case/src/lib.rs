@@ -1,1 +1,3 @@
-//! Case files.
+//! Case files, and the surveys that they name.
+
+pub mod survey;

@@ -172,6 +172,7 @@ impl Dimension {
             Dimension::Frequency => ["1/s", "1/s", "1/s"],
             Dimension::Mass => ["kg", "t", "lb"],
         };
+<<<<<<< HEAD
         let symbol = match set {
             UnitSet::Si => si,
             UnitSet::Metric => metric,
@@ -181,6 +182,13 @@ impl Dimension {
             .iter()
             .find(|unit| unit.symbol == symbol)
             .unwrap_or(self.si_unit())
+=======
+        match set {
+            UnitSet::Si => si,
+            UnitSet::Metric => metric,
+            UnitSet::Field => field,
+        }
+>>>>>>> units
     }
 
     /// The unit that is written so, or `None`.

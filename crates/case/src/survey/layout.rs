@@ -1,0 +1,241 @@
+//! Where a table's columns stand: their units, and the first row of numbers.
+
+use wholestring_units::Unit;
+
+use super::Column;
+use super::error::{SurveyError, SurveyErrorKind};
+use super::header::Header;
+use super::heading::{self, HeadingUnit};
+use super::number;
+use super::table::{Position, Table};
+
+/// One column of the survey in the table.
+#[derive(Debug, Clone)]
+pub(super) struct Found {
+    pub(super) column: Column,
+    /// Which cell of each row.
+    pub(super) index: usize,
+    pub(super) unit: &'static Unit,
+}
+
+/// Where everything is.
+#[derive(Debug, Clone)]
+pub(super) struct Layout {
+    pub(super) columns: Vec<Found>,
+    /// The first row below the header and the units.
+    pub(super) data: usize,
+    /// The header's texts, by which a header repeated further down is known.
+    pub(super) header: Vec<String>,
+    pub(super) notes: Vec<String>,
+}
+
+impl Layout {
+    pub(super) fn column(&self, column: Column) -> Option<&Found> {
+        self.columns.iter().find(|found| found.column == column)
+    }
+}
+
+/// The layout below a header: its units, and where the numbers begin.
+pub(super) fn below(table: &Table, header: Header) -> Result<Layout, SurveyError> {
+    let row = table.source.row_name(table.rows[header.row].end);
+    let mut notes = vec![table.note(&format!("header in {row}"))];
+    for text in &header.passed_over {
+        notes.push(format!("the column '{text}' is not used"));
+    }
+    let (units_row, data) = units_row(table, &header);
+    let bare = bare_md_inc_azi(&header, units_row.is_some());
+
+    let mut columns = Vec::new();
+    let mut in_degrees = Vec::new();
+    for (index, text, heading) in &header.headings {
+        let column = heading.column;
+        let header_at = header_position(table, header.row, *index);
+        let in_row = match units_row {
+            Some(row) => unit_in_row(table, row, *index, column)?,
+            None => None,
+        };
+        let unit = match (&heading.unit, in_row) {
+            (HeadingUnit::Wrong { found, is }, _) => {
+                let kind = SurveyErrorKind::WrongUnit {
+                    column,
+                    found: found.clone(),
+                    is: *is,
+                };
+                return Err(table.source.error(kind, Some(header_at)));
+            }
+            (HeadingUnit::Unit(in_header), Some((in_row, at))) if *in_header != in_row => {
+                let kind = SurveyErrorKind::UnitConflict {
+                    column,
+                    header: in_header.symbol,
+                    row: in_row.symbol,
+                };
+                return Err(table.source.error(kind, Some(at)));
+            }
+            (HeadingUnit::Unit(unit), _) => *unit,
+            (HeadingUnit::None, Some((unit, _))) => unit,
+            (HeadingUnit::None, None) => match column {
+                Column::Inclination | Column::Azimuth => {
+                    in_degrees.push(column.to_string());
+                    named_unit(column, "deg")
+                }
+                _ if bare => named_unit(column, "m"),
+                _ => {
+                    let kind = SurveyErrorKind::MissingUnit {
+                        column,
+                        header: text.clone(),
+                    };
+                    return Err(table.source.error(kind, Some(header_at)));
+                }
+            },
+        };
+        notes.push(format!("{column} from '{text}' in {}", unit.symbol));
+        columns.push(Found {
+            column,
+            index: *index,
+            unit,
+        });
+    }
+    if bare {
+        notes.push("the header 'md, inc, azi' has no units: read in m, deg, deg".to_owned());
+    } else if !in_degrees.is_empty() {
+        notes.push(format!(
+            "no unit for {}: read in degrees",
+            in_degrees.join(" and ")
+        ));
+    }
+    Ok(Layout {
+        columns,
+        data,
+        header: header.texts,
+        notes,
+    })
+}
+
+/// Three columns of numbers without a header, from the first row that is such; `Err` if the
+/// numbers stand in more columns, or under a header that names none of them.
+pub(super) fn without_header(table: &Table) -> Option<Layout> {
+    let first = table.rows.iter().position(|row| {
+        !row.is_empty() && row.texts().count() > 1 && row.texts().all(number::is_number)
+    })?;
+    let headed = table.rows[..first]
+        .iter()
+        .any(|row| !row.is_comment() && row.texts().count() >= Column::NEEDED.len());
+    if headed || table.rows[first].texts().count() != Column::NEEDED.len() {
+        return None;
+    }
+    let cells = &table.rows[first].cells;
+    let filled = cells
+        .iter()
+        .enumerate()
+        .filter(|(_, cell)| !cell.is_empty());
+    let columns = filled
+        .zip(Column::NEEDED)
+        .map(|((index, _), column)| {
+            let symbol = if column == Column::MeasuredDepth {
+                "m"
+            } else {
+                "deg"
+            };
+            Found {
+                column,
+                index,
+                unit: named_unit(column, symbol),
+            }
+        })
+        .collect();
+    let notes = vec![
+        table.note("no header"),
+        "three columns read as measured depth in m, inclination in deg, azimuth in deg".to_owned(),
+    ];
+    Some(Layout {
+        columns,
+        data: first,
+        header: Vec::new(),
+        notes,
+    })
+}
+
+/// The row of units below a header, if there is one, and the row after it.
+fn units_row(table: &Table, header: &Header) -> (Option<usize>, usize) {
+    let below = header.row + 1;
+    let drawn = |row: usize| table.rows[row].is_empty() || table.rows[row].is_rule();
+    let Some(row) = (below..table.rows.len()).find(|&row| !drawn(row)) else {
+        return (None, below);
+    };
+    let mut cells = header
+        .headings
+        .iter()
+        .map(|(index, _, heading)| (heading.column, table.rows[row].text(*index)))
+        .filter(|(_, text)| !text.is_empty())
+        .peekable();
+    let mut names_unit = false;
+    let mut names_number = false;
+    for (column, text) in cells.by_ref() {
+        let unit = heading::bare_unit(text);
+        names_unit |= column.dimension().find_unit(unit).is_some();
+        names_unit |= heading::dimension_of(unit).is_some();
+        names_number |= number::is_number(text);
+    }
+    if names_unit && !names_number {
+        (Some(row), row + 1)
+    } else {
+        (None, below)
+    }
+}
+
+/// The unit in a row of units, and where it stands.
+fn unit_in_row(
+    table: &Table,
+    row: usize,
+    index: usize,
+    column: Column,
+) -> Result<Option<(&'static Unit, Position)>, SurveyError> {
+    let Some(cell) = table.rows[row].cells.get(index) else {
+        return Ok(None);
+    };
+    let text = heading::bare_unit(&cell.text);
+    if text.is_empty() || text.chars().all(|c| "-=_".contains(c)) {
+        return Ok(None);
+    }
+    match column.dimension().find_unit(text) {
+        Some(unit) => Ok(Some((unit, cell.at))),
+        None => {
+            let is = heading::dimension_of(text);
+            let kind = SurveyErrorKind::WrongUnit {
+                column,
+                found: text.to_owned(),
+                is,
+            };
+            Err(table.source.error(kind, Some(cell.at)))
+        }
+    }
+}
+
+/// The header is `md`, `inc`, `azi` as the case file's own keys, and nothing gives a unit.
+fn bare_md_inc_azi(header: &Header, units_row: bool) -> bool {
+    let is = |column, name| {
+        header
+            .headings
+            .iter()
+            .any(|(_, text, heading)| heading.column == column && text == name)
+    };
+    !units_row
+        && is(Column::MeasuredDepth, "md")
+        && is(Column::Inclination, "inc")
+        && is(Column::Azimuth, "azi")
+        && header
+            .headings
+            .iter()
+            .all(|(_, _, heading)| heading.unit == HeadingUnit::None)
+}
+
+fn header_position(table: &Table, row: usize, index: usize) -> Position {
+    let row = &table.rows[row];
+    row.cells.get(index).map_or(row.end, |cell| cell.at)
+}
+
+/// A unit of the column by its symbol; the dimension's first if the symbol were not its.
+fn named_unit(column: Column, symbol: &str) -> &'static Unit {
+    let dimension = column.dimension();
+    dimension.find_unit(symbol).unwrap_or(&dimension.units()[0])
+}
