@@ -172,23 +172,11 @@ impl Dimension {
             Dimension::Frequency => ["1/s", "1/s", "1/s"],
             Dimension::Mass => ["kg", "t", "lb"],
         };
-<<<<<<< HEAD
-        let symbol = match set {
-            UnitSet::Si => si,
-            UnitSet::Metric => metric,
-            UnitSet::Field => field,
-        };
-        self.units()
-            .iter()
-            .find(|unit| unit.symbol == symbol)
-            .unwrap_or(self.si_unit())
-=======
         match set {
             UnitSet::Si => si,
             UnitSet::Metric => metric,
             UnitSet::Field => field,
         }
->>>>>>> units
     }
 
     /// The unit that is written so, or `None`.

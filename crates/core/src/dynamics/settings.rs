@@ -130,7 +130,7 @@ impl Default for DynamicsSettings {
             },
             damping: RodDamping {
                 mass_per_s: 0.1,
-                stiffness_s: 2e-5,
+                stiffness_s: 1e-5,
             },
             hoist_control: None,
             hoist_line: HoistLine {
