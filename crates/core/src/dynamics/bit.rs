@@ -82,11 +82,11 @@ impl Bit {
 
         let mut step = BitStep::default();
         if self.on_bottom {
-            let spin = node!(chain, index, spin);
+            // The spin that the step gave without the rock is not the bit's: its torque is to come.
             let pace = if self.motor || self.nominal_spin_rad_per_s == 0.0 {
                 1.0
             } else {
-                (spin / self.nominal_spin_rad_per_s).max(0.0)
+                (spin_before / self.nominal_spin_rad_per_s).max(0.0)
             };
             let rate = self.rate_m_per_s_per_N * pace;
             let mobility = dt * node!(chain, index, inv_mass_axial);
@@ -98,6 +98,7 @@ impl Bit {
             displacement = displacement.minus(tangent, dt * mobility * weight);
             self.front_m += dt * rate * weight;
 
+            let spin = node!(chain, index, spin);
             let wanted = self.torque_per_weight_m * weight;
             let mobility = dt * node!(chain, index, inv_polar);
             // Rock stops a bit but never turns it back; a motor's reaction does turn the string.

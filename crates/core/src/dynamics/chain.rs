@@ -352,6 +352,18 @@ impl Chain {
         }
     }
 
+    /// Takes out what rounding has added to the directors' lengths and to the angular velocities along
+    /// them. The step preserves both to rounding: once in a few hundred steps is plenty.
+    pub fn square_up(&mut self) {
+        for index in 0..self.nodes {
+            let d = self.director(index);
+            let unit = d.scaled(1.0 / d.dot(d).sqrt());
+            let w = self.turning(index);
+            self.set_director(index, unit);
+            self.set_turning(index, w.minus(unit, w.dot(unit)));
+        }
+    }
+
     /// Sets the chord between the anchors of an element, and what follows from it.
     pub fn set_anchor_chord(&mut self, index: usize, chord: Vector<f64>) {
         let length = element!(self, index, length);

@@ -89,7 +89,7 @@ pub struct BitSettings {
 /// Everything that a dynamic run needs beside the model and the operation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DynamicsSettings {
-    /// Longest element, m; a node always stands on tool joints and stabilisers.
+    /// Length of the elements, m, at most a fifth longer; a node stands on tool joints and stabilisers.
     pub element_length_m: f64,
     /// Length of the window that the statistics cover, s.
     pub duration_s: f64,
@@ -130,7 +130,7 @@ impl Default for DynamicsSettings {
             },
             damping: RodDamping {
                 mass_per_s: 0.1,
-                stiffness_s: 2e-5,
+                stiffness_s: 1e-5,
             },
             hoist_control: None,
             hoist_line: HoistLine {

@@ -73,9 +73,7 @@ pub struct Diverged {
 struct Ledger {
     energy_at_start: f64,
     work: f64,
-    friction: f64,
-    drag: f64,
-    damping: f64,
+    losses: f64,
 }
 
 /// A drill string in time.
@@ -313,9 +311,7 @@ impl Simulation {
         let surface_torque = -element!(self.chain, 0, torque);
         let drive = surface_torque * node!(self.chain, 0, spin) * dt;
         self.ledger.work += bit.work_J + hoist.work_J + drive;
-        self.ledger.friction += losses.friction;
-        self.ledger.drag += losses.drag;
-        self.ledger.damping += losses.damping;
+        self.ledger.losses += losses.outside + losses.damping;
 
         let sum = &mut self.since_sample;
         sum.steps += 1;
@@ -406,6 +402,7 @@ impl Simulation {
         series.bit_rotary_speed_rad_per_s.push(node!(self.chain, last, spin));
 
         self.surroundings.follow(&mut self.chain, &mut self.anchors);
+        self.chain.square_up();
         for (high, anchor) in self.high.iter_mut().zip(&self.anchors) {
             *high = anchor.high_side.into();
         }
@@ -441,9 +438,8 @@ impl Simulation {
         if !self.window_open {
             return 0.0;
         }
-        let Ledger { energy_at_start, work, friction, drag, damping } = self.ledger;
+        let Ledger { energy_at_start, work, losses } = self.ledger;
         let change = self.energy_J() - energy_at_start;
-        let losses = friction + drag + damping;
         let largest = change.abs().max(work.abs()).max(losses.abs());
         if largest > 0.0 { (work - losses - change) / largest } else { 0.0 }
     }

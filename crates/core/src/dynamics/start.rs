@@ -125,8 +125,10 @@ impl Guide {
             let load = profile.side_force_at_N_per_m(md).abs();
             let side = profile.contact_direction_at(md);
             let friction = model.well.hole.at(md).friction.kinetic;
+            // Wherever the nodes stand, the component touches with its joints.
+            let radius = model.string.component_at(mesh.nodes[i].from_bit_m).1.contact_radius_m();
             let mu = if turning {
-                around(friction, mesh.nodes[i].contact_radius_m, &operation, settings.friction_law)
+                around(friction, radius, &operation, settings.friction_law)
             } else {
                 0.0
             };
@@ -137,7 +139,7 @@ impl Guide {
             lean[i] = touch * (load / (load + LIGHT_N_PER_M));
             if i > 0 {
                 let length = mesh.tributary_length_m(i);
-                torque += mu * climb * load * length * mesh.nodes[i].contact_radius_m;
+                torque += mu * climb * load * length * radius;
                 torque_N_m[i - 1] = torque;
             }
         }

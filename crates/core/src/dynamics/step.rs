@@ -40,11 +40,9 @@ pub struct StepInput {
 /// Energies that left the string in a step, J.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct StepLosses {
-    /// Into friction on the wall.
-    pub friction: f64,
-    /// Into wall contact, mud drag and mass-proportional damping.
-    pub drag: f64,
-    /// Into stiffness-proportional damping.
+    /// To the wall (contact and friction), to the mud and to mass-proportional damping.
+    pub outside: f64,
+    /// To stiffness-proportional damping.
     pub damping: f64,
 }
 
@@ -157,8 +155,7 @@ impl Pull {
 /// Energy lost by each lane.
 #[derive(Default)]
 struct Losses {
-    friction: [f64; LANES],
-    drag: [f64; LANES],
+    outside: [f64; LANES],
     damping: [f64; LANES],
 }
 
@@ -191,8 +188,7 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool>(
         pull.carry(tile * LANES);
     }
     StepLosses {
-        friction: losses.friction.iter().sum(),
-        drag: losses.drag.iter().sum(),
+        outside: losses.outside.iter().sum(),
         damping: losses.damping.iter().sum::<f64>() * input.dt,
     }
 }
@@ -336,7 +332,7 @@ fn nodes_of_block<N: Number, const HERTZ: bool, const VECTOR: bool>(
     let (mut d, mut w) = ([[0.0; LANES]; 3], [[0.0; LANES]; 3]);
     let mut spin = [0.0; LANES];
     let (mut push, mut rub_axial, mut rub_torque) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
-    let (mut rubbed, mut dragged) = ([0.0; LANES], [0.0; LANES]);
+    let mut lost = [0.0; LANES];
     for lane in 0..LANES {
         let node = Node {
             force: from::<N, 8>(&force_above, lane) - from(&force_below, lane)
@@ -358,8 +354,7 @@ fn nodes_of_block<N: Number, const HERTZ: bool, const VECTOR: bool>(
         push[lane] = moved.push.get();
         rub_axial[lane] = moved.rub_axial.get();
         rub_torque[lane] = moved.rub_torque.get();
-        rubbed[lane] = moved.rubbed.get();
-        dragged[lane] = moved.dragged.get();
+        lost[lane] = moved.lost.get();
     }
     for axis in 0..3 {
         *state.u[axis].eight(block) = u[axis];
@@ -371,8 +366,7 @@ fn nodes_of_block<N: Number, const HERTZ: bool, const VECTOR: bool>(
     add(&mut n.sum_normal.0, &push);
     add(&mut n.sum_axial.0, &rub_axial);
     add(&mut n.sum_torque.0, &rub_torque);
-    add(&mut losses.friction, &rubbed);
-    add(&mut losses.drag, &dragged);
+    add(&mut losses.outside, &lost);
 }
 
 #[inline(always)]
@@ -404,8 +398,7 @@ struct Moved<N> {
     push: N,
     rub_axial: N,
     rub_torque: N,
-    rubbed: N,
-    dragged: N,
+    lost: N,
 }
 
 #[inline(always)]
@@ -422,42 +415,43 @@ fn move_node<N: Number, const HERTZ: bool, const VECTOR: bool>(
     let calm = splat(1.0 / (1.0 + input.dt * input.mass_damping));
     let (rigid_v, rigid_s) = (splat(input.rigid_velocity), splat(input.rigid_spin));
 
-    // Kick by the rod and by gravity.
+    // Kick by the rod and by gravity, along the hole and across it.
     let th = at3::<N>(&n.tangent, lane);
     let (per_ml, per_ma) =
         (at::<N>(&n.inv_mass_lateral, lane), at::<N>(&n.inv_mass_axial, lane));
     let per_j = at::<N>(&n.inv_polar, lane);
     let (ml, ma, j) =
         (at::<N>(&n.mass_lateral, lane), at::<N>(&n.mass_axial, lane), at::<N>(&n.polar, lane));
+    let mobility = dt * per_ml;
     let (v0, s0) = (node.v, node.spin);
     let along = th.dot(node.force);
-    let v1 = v0.plus(node.force, dt * per_ml).plus(th, dt * along * (per_ma - per_ml));
+    let axial0 = th.dot(v0);
+    let across0 = v0.minus(th, axial0);
+    let axial1 = (dt * per_ma).mul_add(along, axial0);
+    let across1 = across0.plus(node.force.minus(th, along), mobility);
     let s1 = (dt * per_j).mul_add(node.torque, s0);
 
     // Mud drag and mass-proportional damping.
-    let axial1 = th.dot(v1);
-    let across1 = v1.minus(th, axial1);
-    let across0 = v0.minus(th, th.dot(v0));
     let speed = across0.dot(across0).sqrt();
     let drag = at::<N>(&n.drag_quadratic, lane).mul_add(speed, at(&n.drag_linear, lane));
-    let rate = per_ml.mul_add(drag, alpha);
-    let slowed = one / rate.mul_add(dt, one);
-    let axial2 = (dt * alpha).mul_add(rigid_v, axial1) * calm;
+    let slowed = one / per_ml.mul_add(drag, alpha).mul_add(dt, one);
+    let axial2 = (axial1 - rigid_v).mul_add(calm, rigid_v);
     let across2 = across1.scaled(slowed);
-    let v2 = across2.plus(th, axial2);
-    let free = per_j.if_positive(one, splat(0.0));
-    let s2 = (free * (dt * alpha)).mul_add(rigid_s, s1) * (free * (calm - one) + one);
+    let calm_spin = per_j.if_positive(calm, one);
+    let s2 = (s1 - rigid_s).mul_add(calm_spin, rigid_s);
 
     // Contact where the step would end, against the curved wall.
     let u0 = node.u;
-    let end = u0.plus(v2, dt);
-    let z = th.dot(end);
-    let offset = end.minus(th, z).minus(at3(&n.curvature, lane), half * (z * z));
+    let z0 = th.dot(u0);
+    let z = dt.mul_add(axial2, z0);
+    let offset = u0
+        .minus(th, z0)
+        .plus(across2, dt)
+        .minus(at3(&n.curvature, lane), half * (z * z));
     let rho = (offset.dot(offset) + splat(1e-30)).sqrt();
     let normal = offset.scaled(one / rho);
     let penetration = rho - at(&n.clearance, lane);
-    let inward = v2.dot(normal);
-    let mobility = dt * per_ml;
+    let inward = across2.dot(normal);
     let stiffness = at::<N>(&n.stiffness, lane);
     let push = if HERTZ {
         let inertia = ml * splat(1.0 / (input.dt * input.dt));
@@ -470,9 +464,8 @@ fn move_node<N: Number, const HERTZ: bool, const VECTOR: bool>(
     // Friction at the surface that touches.
     let around = th.cross(normal);
     let radius = at::<N>(&n.radius, lane);
-    let slip_around = radius.mul_add(s2, v2.dot(around));
-    let slip_axial = axial2;
-    let speed2 = slip_around.mul_add(slip_around, slip_axial * slip_axial);
+    let slip_around = radius.mul_add(s2, across2.dot(around));
+    let speed2 = slip_around.mul_add(slip_around, axial2 * axial2);
     let limit = push
         * friction::coefficient(at(&n.friction, lane), at(&n.friction_rise, lane), speed2);
     // One newton always takes some speed away: a node that is held everywhere keeps its friction.
@@ -480,39 +473,34 @@ fn move_node<N: Number, const HERTZ: bool, const VECTOR: bool>(
     let g_axial = (dt * per_ma).max(least);
     let g_around = (dt * radius * radius).mul_add(per_j, mobility).max(least);
     let (rub_axial, rub_around) = if VECTOR {
-        friction::vector(limit, slip_axial, slip_around, g_axial, g_around)
+        friction::vector(limit, axial2, slip_around, g_axial, g_around)
     } else {
-        friction::independent(limit, slip_axial, slip_around, g_axial, g_around)
+        friction::independent(limit, axial2, slip_around, g_axial, g_around)
     };
     let rub_torque = rub_around * radius;
-    let v3 = v2
-        .minus(normal, mobility * push)
-        .minus(around, mobility * rub_around)
-        .minus(th, dt * per_ma * rub_axial);
+    let axial3 = (dt * per_ma).neg_mul_add(rub_axial, axial2);
+    let across3 =
+        across2.minus(normal, mobility * push).minus(around, mobility * rub_around);
+    let v3 = across3.plus(th, axial3);
     let s3 = (dt * per_j).neg_mul_add(rub_torque, s2);
 
-    // Energy that left: every impulse works on the mean of the velocities before and after it.
-    let v_mean = (v0 + v3).scaled(half);
-    let s_mean = (s0 + s3) * half;
-    let axial_mean = th.dot(v_mean);
-    let rubbed = rub_around
-        .mul_add(radius.mul_add(s_mean, around.dot(v_mean)), rub_axial * axial_mean);
-    let dragged = (ml * rate).mul_add(across2.dot(v_mean), push * normal.dot(v_mean))
-        + alpha
-            * (ma * (axial2 - rigid_v)).mul_add(axial_mean, free * j * (s2 - rigid_s) * s_mean);
+    // Energy that left the string: every impulse but the rod's and gravity's works on the mean of the
+    // velocities before and after the step.
+    let lost = (ml * (across1 - across3).dot(across0 + across3))
+        + (ma * (axial1 - axial3)).mul_add(axial0 + axial3, j * (s1 - s3) * (s0 + s3));
 
     // Directors.
     let (d0, w0) = (node.d, node.w);
     let kicked = w0.plus(node.moment, dt * at(&n.inv_rotary, lane)).scaled(calm);
     let p = half * dt * at(&n.gyroscopic, lane) * s0;
+    // Cayley's rotation by the precession: (1 − p²)/(1 + p²) and 2p/(1 + p²), to rounding, for p, half
+    // the precession in a step, is below 1e-2.
     let p2 = p * p;
-    // 1/(1 + p²) to rounding: p, half the precession in a step, is below 1e-2.
-    let inverse = p2.mul_add(p2, one - p2);
-    let turned =
-        kicked.scaled((one - p2) * inverse).minus(kicked.cross(d0), (p + p) * inverse);
-    let w = turned.minus(d0, turned.dot(d0));
-    let q = splat(0.25) * (dt * dt) * w.dot(w);
-    // 1/(1 + q) to rounding: q is the square of a quarter of the turn in a step.
+    let sine = (p + p) * (one - p2);
+    let cosine = (p2 + p2).mul_add(p2 - one, one);
+    let w = kicked.scaled(cosine).minus(kicked.cross(d0), sine);
+    let q = splat(0.25 * input.dt * input.dt) * w.dot(w);
+    // 1/(1 + q) to rounding: q is the square of half the turn in a step.
     let q2 = q * q;
     let shrink = (one - q).mul_add(one + q2, q2 * q2);
     let d = d0.scaled((one - q) * shrink).plus(w.cross(d0), dt * shrink);
@@ -526,7 +514,6 @@ fn move_node<N: Number, const HERTZ: bool, const VECTOR: bool>(
         push,
         rub_axial,
         rub_torque,
-        rubbed: dt * rubbed,
-        dragged: dt * dragged,
+        lost: half * lost,
     }
 }
