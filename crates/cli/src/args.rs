@@ -2,9 +2,10 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use wholestring::well::Interpolation;
 use wholestring_case::Override;
-use wholestring_units::UnitSet;
+use wholestring_units::{Dimension, UnitSet};
 
 /// Torque, drag and dynamics of a whole drill string in a deviated well.
 #[derive(Debug, Parser)]
@@ -23,6 +24,8 @@ pub(crate) enum Command {
     Check(CheckArgs),
     /// Solve a case and write its results
     Run(RunArgs),
+    /// Position and dogleg severity along a survey
+    Survey(SurveyArgs),
     /// Print the JSON schema of the case file
     Schema,
 }
@@ -70,4 +73,55 @@ pub(crate) struct RunArgs {
     /// Print nothing but errors
     #[arg(short, long)]
     pub(crate) quiet: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SurveyArgs {
+    /// Survey: measured depth, inclination, azimuth; CSV or Excel, units in the header or a row of
+    /// their own
+    #[arg(value_name = "SURVEY.csv")]
+    pub(crate) survey: PathBuf,
+
+    /// File for the result [default: the screen]
+    #[arg(short, long, value_name = "OUT.csv")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Curve between the stations
+    #[arg(long, value_enum, default_value_t = PathKind::MinimumCurvature)]
+    pub(crate) path: PathKind,
+
+    /// A row at every multiple of this length too, such as 10m
+    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    pub(crate) step: Option<f64>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum PathKind {
+    /// Circular arcs, the industry's standard
+    MinimumCurvature,
+    /// Continuous curvature, as the dynamics need it
+    Spline,
+}
+
+impl From<PathKind> for Interpolation {
+    fn from(kind: PathKind) -> Self {
+        match kind {
+            PathKind::MinimumCurvature => Self::MinimumCurvature,
+            PathKind::Spline => Self::Spline,
+        }
+    }
+}
+
+/// Shortest step between rows: a well of 10 km is ten million rows of a millimetre.
+const SHORTEST_STEP_M: f64 = 0.01;
+
+fn length(text: &str) -> Result<f64, String> {
+    let length = Dimension::Length
+        .parse(text)
+        .map_err(|error| error.to_string())?;
+    if length >= SHORTEST_STEP_M && length.is_finite() {
+        Ok(length)
+    } else {
+        Err(format!("expected at least {SHORTEST_STEP_M} m"))
+    }
 }

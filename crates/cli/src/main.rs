@@ -9,6 +9,7 @@ mod picture;
 mod progress;
 mod record;
 mod run;
+mod survey;
 
 use std::{
     env,
@@ -25,6 +26,7 @@ fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Check(args) => check::check(&args),
         Command::Run(args) => run::run(&args),
+        Command::Survey(args) => survey::survey(&args),
         Command::Schema => schema(),
     };
     match done {
@@ -43,14 +45,17 @@ fn schema() -> Result<(), Failure> {
 
 /// Reads the case with its overrides, and tells its warnings.
 fn load(args: &CaseArgs, quiet: bool) -> Result<wholestring_case::Case, Failure> {
-    let color =
-        io::stderr().is_terminal() && env::var_os("NO_COLOR").is_none_or(|no| no.is_empty());
     let case = wholestring_case::load(&args.case, &args.overrides)
-        .map_err(|report| Failure::BadInput(report.render(color)))?;
+        .map_err(|report| Failure::BadInput(report.render(color())))?;
     if !quiet && !case.warnings.is_empty() {
-        eprint!("{}", case.warnings.render(color));
+        eprint!("{}", case.warnings.render(color()));
     }
     Ok(case)
+}
+
+/// Whether diagnostics are coloured: on a terminal whose user has not said no.
+fn color() -> bool {
+    io::stderr().is_terminal() && env::var_os("NO_COLOR").is_none_or(|no| no.is_empty())
 }
 
 /// Prints to standard output. A reader that has seen enough (`| head`) is no failure.

@@ -3,3 +3,4 @@
 mod check;
 mod desk;
 mod run;
+mod survey;
