@@ -1,5 +1,7 @@
 //! A run: the string in time, from its start to its outcome.
 
+use nalgebra::Vector3;
+
 use super::{
     assembly::{self, Anchor, Surroundings, mud_pressure_Pa},
     bit::{Bit, BitStep},
@@ -16,7 +18,7 @@ use crate::{
     model::Model,
     operation::Operation,
     rod::{
-        mesh::Mesh,
+        mesh::{Mesh, MeshNode},
         stability::{self, StepPlan},
     },
     statics::soft::SoftError,
@@ -267,6 +269,17 @@ impl Simulation {
             self.rigid_velocity_m_per_s = velocity;
         }
         self.hoist.set_control(control);
+    }
+
+    /// Gives every node an additional velocity, m/s, and an additional spin, rad/s: a blow. `blow` is
+    /// asked for each node but the top, which is clamped.
+    pub fn strike(&mut self, blow: impl Fn(&MeshNode) -> (Vector3<f64>, f64)) {
+        for (index, node) in self.mesh.nodes.iter().enumerate().skip(1) {
+            let (velocity, spin) = blow(node);
+            let before = self.chain.velocity(index);
+            self.chain.set_velocity(index, before + velocity.into());
+            node!(self.chain, index, spin) += spin;
+        }
     }
 
     /// Goes on for `seconds`, to the nearest sample.
