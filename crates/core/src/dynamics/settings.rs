@@ -55,8 +55,10 @@ pub enum HoistControl {
 
 impl HoistControl {
     /// The autodriller with its default gain and filter.
-    pub const AUTODRILLER: Self =
-        Self::Autodriller { gain_m_per_s_per_N: 1e-7, filter_s: 1.0 };
+    pub const AUTODRILLER: Self = Self::Autodriller {
+        gain_m_per_s_per_N: 1e-7,
+        filter_s: 1.0,
+    };
 }
 
 /// The hoisting system between the block and the top of the string.

@@ -56,7 +56,9 @@ pub struct Stepper {
 
 impl std::fmt::Debug for Stepper {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Stepper").field("instructions", &self.instructions).finish()
+        f.debug_struct("Stepper")
+            .field("instructions", &self.instructions)
+            .finish()
     }
 }
 
@@ -171,7 +173,15 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool>(
         let tile = TILE.min(blocks - first);
         for k in 0..tile {
             let elements = &mut chain.element_blocks[first + k];
-            elements_of_block::<N>(elements, &chain.state, first + k, input, &mut pull, k, &mut losses);
+            elements_of_block::<N>(
+                elements,
+                &chain.state,
+                first + k,
+                input,
+                &mut pull,
+                k,
+                &mut losses,
+            );
         }
         for k in 0..tile {
             let nodes = &mut chain.node_blocks[first + k];
@@ -219,24 +229,38 @@ fn eight(strip: &Strip, from: usize) -> &[f64; LANES] {
 /// Eight vectors of three strips from `from` on.
 #[inline(always)]
 fn eights(strips: &[Strip; 3], from: usize) -> [&[f64; LANES]; 3] {
-    [eight(&strips[0], from), eight(&strips[1], from), eight(&strips[2], from)]
+    [
+        eight(&strips[0], from),
+        eight(&strips[1], from),
+        eight(&strips[2], from),
+    ]
 }
 
 /// The nine vectors that the elements of a block see.
 #[inline(always)]
 fn nine(fields: &[Field; 3], block: usize) -> [&[f64; LANES + 1]; 3] {
-    [fields[0].nine(block), fields[1].nine(block), fields[2].nine(block)]
+    [
+        fields[0].nine(block),
+        fields[1].nine(block),
+        fields[2].nine(block),
+    ]
 }
 
 #[inline(always)]
 fn from<N: Number, const L: usize>(arrays: &[&[f64; L]; 3], lane: usize) -> Vector<N> {
-    Vector(N::splat(arrays[0][lane]), N::splat(arrays[1][lane]), N::splat(arrays[2][lane]))
+    Vector(
+        N::splat(arrays[0][lane]),
+        N::splat(arrays[1][lane]),
+        N::splat(arrays[2][lane]),
+    )
 }
 
 /// Writes eight numbers to a strip from `from` on.
 #[inline(always)]
 fn write_eight(strip: &mut Strip, from: usize, values: &[f64; LANES]) {
-    *strip[from..].first_chunk_mut().expect("a strip holds its tile") = *values;
+    *strip[from..]
+        .first_chunk_mut()
+        .expect("a strip holds its tile") = *values;
 }
 
 #[inline(always)]
@@ -417,11 +441,16 @@ fn move_node<N: Number, const HERTZ: bool, const VECTOR: bool>(
 
     // Kick by the rod and by gravity, along the hole and across it.
     let th = at3::<N>(&n.tangent, lane);
-    let (per_ml, per_ma) =
-        (at::<N>(&n.inv_mass_lateral, lane), at::<N>(&n.inv_mass_axial, lane));
+    let (per_ml, per_ma) = (
+        at::<N>(&n.inv_mass_lateral, lane),
+        at::<N>(&n.inv_mass_axial, lane),
+    );
     let per_j = at::<N>(&n.inv_polar, lane);
-    let (ml, ma, j) =
-        (at::<N>(&n.mass_lateral, lane), at::<N>(&n.mass_axial, lane), at::<N>(&n.polar, lane));
+    let (ml, ma, j) = (
+        at::<N>(&n.mass_lateral, lane),
+        at::<N>(&n.mass_axial, lane),
+        at::<N>(&n.polar, lane),
+    );
     let mobility = dt * per_ml;
     let (v0, s0) = (node.v, node.spin);
     let along = th.dot(node.force);
@@ -455,10 +484,23 @@ fn move_node<N: Number, const HERTZ: bool, const VECTOR: bool>(
     let stiffness = at::<N>(&n.stiffness, lane);
     let push = if HERTZ {
         let inertia = ml * splat(1.0 / (input.dt * input.dt));
-        contact::hertz(penetration, inward, stiffness, splat(input.dissipation), inertia)
+        contact::hertz(
+            penetration,
+            inward,
+            stiffness,
+            splat(input.dissipation),
+            inertia,
+        )
     } else {
         let damping = at(&n.damping, lane);
-        contact::linear(penetration, inward, stiffness, damping, dt * mobility, mobility)
+        contact::linear(
+            penetration,
+            inward,
+            stiffness,
+            damping,
+            dt * mobility,
+            mobility,
+        )
     };
 
     // Friction at the surface that touches.
@@ -466,8 +508,8 @@ fn move_node<N: Number, const HERTZ: bool, const VECTOR: bool>(
     let radius = at::<N>(&n.radius, lane);
     let slip_around = radius.mul_add(s2, across2.dot(around));
     let speed2 = slip_around.mul_add(slip_around, axial2 * axial2);
-    let limit = push
-        * friction::coefficient(at(&n.friction, lane), at(&n.friction_rise, lane), speed2);
+    let limit =
+        push * friction::coefficient(at(&n.friction, lane), at(&n.friction_rise, lane), speed2);
     // One newton always takes some speed away: a node that is held everywhere keeps its friction.
     let least = splat(1e-30);
     let g_axial = (dt * per_ma).max(least);
@@ -479,8 +521,9 @@ fn move_node<N: Number, const HERTZ: bool, const VECTOR: bool>(
     };
     let rub_torque = rub_around * radius;
     let axial3 = (dt * per_ma).neg_mul_add(rub_axial, axial2);
-    let across3 =
-        across2.minus(normal, mobility * push).minus(around, mobility * rub_around);
+    let across3 = across2
+        .minus(normal, mobility * push)
+        .minus(around, mobility * rub_around);
     let v3 = across3.plus(th, axial3);
     let s3 = (dt * per_j).neg_mul_add(rub_torque, s2);
 
@@ -491,7 +534,9 @@ fn move_node<N: Number, const HERTZ: bool, const VECTOR: bool>(
 
     // Directors.
     let (d0, w0) = (node.d, node.w);
-    let kicked = w0.plus(node.moment, dt * at(&n.inv_rotary, lane)).scaled(calm);
+    let kicked = w0
+        .plus(node.moment, dt * at(&n.inv_rotary, lane))
+        .scaled(calm);
     let p = half * dt * at(&n.gyroscopic, lane) * s0;
     // Cayley's rotation by the precession: (1 − p²)/(1 + p²) and 2p/(1 + p²), to rounding, for p, half
     // the precession in a step, is below 1e-2.

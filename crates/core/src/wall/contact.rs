@@ -79,7 +79,10 @@ mod tests {
                 // Where next to nothing is left of the penetration, its digits are lost.
                 if k * alpha.sqrt() / inertia < 60.0 {
                     let law = k * end.powf(1.5);
-                    assert!((law / n - 1.0).abs() < 1e-5, "alpha {alpha} k {k}: {law} {n}");
+                    assert!(
+                        (law / n - 1.0).abs() < 1e-5,
+                        "alpha {alpha} k {k}: {law} {n}"
+                    );
                     solved += 1;
                 }
             }
