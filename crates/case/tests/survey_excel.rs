@@ -1,5 +1,8 @@
 //! Surveys in Excel workbooks, made here.
 
+mod old_excel;
+
+use old_excel::Value;
 use rust_xlsxwriter::{ExcelDateTime, Format, Workbook, Worksheet};
 use wholestring_case::survey::{ImportedSurvey, Place, SurveyErrorKind, read, read_excel};
 
@@ -76,11 +79,7 @@ fn the_sheet_with_the_columns_is_found() {
         (tie_in.north_m, tie_in.east_m, tie_in.tvd_m),
         (3.048, 6.096, 0.0)
     );
-    assert!(
-        survey.notes.contains(&"sheet 'Survey 2'".to_owned()),
-        "{:?}",
-        survey.notes
-    );
+    assert_eq!(survey.notes[0], "header in row 4 of sheet 'Survey 2'");
 }
 
 #[test]
@@ -236,4 +235,60 @@ fn a_cell_in_the_far_corner_costs_nothing() {
         sheet.write_number(1_048_575, 16_383, 1.0).unwrap();
     })]);
     assert_eq!(survey(&bytes).stations.len(), 2);
+}
+
+/// A survey in the old format, in feet with a row of units.
+fn old_survey() -> Vec<u8> {
+    let texts = ["MD", "Incl", "Azi", "ft", "deg", "deg"];
+    let numbers = [0.0, 0.0, 359.5, 100.0, 1.25, 0.5, 200.0, 2.5, 1.5];
+    let at = |i: usize| ((i / 3) as u16, (i % 3) as u16);
+    let texts = texts.iter().map(|&text| Value::Text(text));
+    let numbers = numbers.iter().map(|&number| Value::Number(number));
+    let cells: Vec<(u16, u16, Value)> = texts
+        .chain(numbers)
+        .enumerate()
+        .map(|(i, value)| (at(i).0, at(i).1, value))
+        .collect();
+    old_excel::workbook(&cells)
+}
+
+#[test]
+fn old_workbooks_are_read() {
+    let survey = read(&old_survey(), "a.xls").unwrap_or_else(|error| panic!("{error}"));
+    let depths: Vec<f64> = survey.stations.iter().map(|station| station.md_m).collect();
+    assert_eq!(depths, [0.0, 30.48, 60.96]);
+    assert_eq!(survey.stations[0].azimuth_rad, 359.5f64.to_radians());
+    assert!(
+        survey.notes[0].starts_with("header in row 1 of sheet 'Survey'"),
+        "{:?}",
+        survey.notes
+    );
+}
+
+/// A claim of 2^32 rows would be made room for.
+#[test]
+fn old_workbooks_that_claim_more_than_the_format_has_are_refused() {
+    let whole = old_survey();
+    let claim = whole
+        .windows(4)
+        .position(|bytes| bytes == [0x00, 0x02, 14, 0])
+        .unwrap();
+    let number = whole
+        .windows(4)
+        .position(|bytes| bytes == [0x03, 0x02, 14, 0])
+        .unwrap();
+    let damages: [(usize, &[u8]); 3] = [
+        (claim + 8, &[0xf0, 0xff, 0xff, 0xff]),
+        (claim + 14, &[0xff, 0xff]),
+        (number + 6, &[0xff, 0xff]),
+    ];
+    for (at, damage) in damages {
+        let mut bytes = whole.clone();
+        bytes[at..at + damage.len()].copy_from_slice(damage);
+        let error = read(&bytes, "a.xls").unwrap_err();
+        assert!(
+            matches!(error.kind(), SurveyErrorKind::NotAWorkbook { .. }),
+            "{error}"
+        );
+    }
 }

@@ -1,8 +1,12 @@
 //! No bytes make the import panic, and what it accepts is sound.
 
+mod old_excel;
+
 use std::f64::consts::{PI, TAU};
+use std::io::{Cursor, Write};
 use std::sync::LazyLock;
 
+use old_excel::Value;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use wholestring_case::survey::{ImportedSurvey, SurveyError, read, read_csv, read_excel};
@@ -107,23 +111,84 @@ const TEXT: &[u8] =
 
 const REPORT: &[u8] = b"  Measured     Incl    Azimuth\n  Depth (ft)  (deg)    (deg)\n    0.0   0.0   0.0\n ! 1,500.0   1.0   2.0\n 1,600.0  1.5  2\n";
 
-static WORKBOOK: LazyLock<Vec<u8>> = LazyLock::new(|| {
-    let mut workbook = rust_xlsxwriter::Workbook::new();
-    let sheet = workbook.add_worksheet();
-    for (column, heading) in ["MD (m)", "Inc", "Azi"].into_iter().enumerate() {
-        sheet.write_string(0, column as u16, heading).unwrap();
-        for row in 1..4 {
-            sheet
-                .write_number(row, column as u16, f64::from(row))
-                .unwrap();
-        }
+/// The parts of the least workbook that is one.
+const PARTS: [(&str, &str); 5] = [
+    (
+        "[Content_Types].xml",
+        r#"<?xml version="1.0"?><Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="xml" ContentType="application/xml"/><Override PartName="/xl/workbook.xml" ContentType="application/vnd.openxmlformats-officedocument.spreadsheetml.sheet.main+xml"/></Types>"#,
+    ),
+    (
+        "_rels/.rels",
+        r#"<?xml version="1.0"?><Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Id="rId1" Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/officeDocument" Target="xl/workbook.xml"/></Relationships>"#,
+    ),
+    (
+        "xl/_rels/workbook.xml.rels",
+        r#"<?xml version="1.0"?><Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Id="rId1" Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/worksheet" Target="worksheets/sheet1.xml"/></Relationships>"#,
+    ),
+    (
+        "xl/workbook.xml",
+        r#"<?xml version="1.0"?><workbook xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main" xmlns:r="http://schemas.openxmlformats.org/officeDocument/2006/relationships"><sheets><sheet name="S" sheetId="1" r:id="rId1"/></sheets></workbook>"#,
+    ),
+    (
+        "xl/worksheets/sheet1.xml",
+        r#"<?xml version="1.0"?><worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><dimension ref="A1:C4"/><sheetData><row r="1"><c r="A1" t="inlineStr"><is><t>MD (m)</t></is></c><c r="B1" t="inlineStr"><is><t>Inc</t></is></c><c r="C1" t="inlineStr"><is><t>Azi</t></is></c></row><row r="2"><c r="A2"><v>0</v></c><c r="B2"><v>0</v></c><c r="C2"><v>0</v></c></row><row r="3"><c r="A3"><v>30</v></c><c r="B3" t="str"><v>1,5</v></c><c r="C3"><v>45</v></c></row><row r="4"><c r="A4"><v>60</v></c><c r="B4"><v>3</v></c><c r="C4"><v>4.5E1</v></c></row></sheetData></worksheet>"#,
+    ),
+];
+
+/// A workbook of these parts, one of them replaced.
+fn workbook(replaced: usize, by: &[u8]) -> Vec<u8> {
+    let mut zip = zip::ZipWriter::new(Cursor::new(Vec::new()));
+    let options =
+        zip::write::SimpleFileOptions::default().compression_method(zip::CompressionMethod::Stored);
+    for (index, (name, part)) in PARTS.iter().enumerate() {
+        zip.start_file(*name, options).unwrap();
+        zip.write_all(if index == replaced {
+            by
+        } else {
+            part.as_bytes()
+        })
+        .unwrap();
     }
-    workbook.save_to_buffer().unwrap()
+    zip.finish().unwrap().into_inner()
+}
+
+static WORKBOOK: LazyLock<Vec<u8>> = LazyLock::new(|| workbook(0, PARTS[0].1.as_bytes()));
+
+static OLD_WORKBOOK: LazyLock<Vec<u8>> = LazyLock::new(|| {
+    let mut cells = Vec::new();
+    for (column, heading) in (0..).zip(["MD (m)", "Inc", "Azi"]) {
+        cells.push((0, column, Value::Text(heading)));
+        cells.extend((1..4).map(|row| (row, column, Value::Number(f64::from(row)))));
+    }
+    old_excel::workbook(&cells)
 });
+
+/// A workbook of which one part is damaged, its archive whole.
+fn damaged_part() -> impl Strategy<Value = Vec<u8>> {
+    (2..PARTS.len()).prop_flat_map(|part| {
+        damaged(PARTS[part].1.as_bytes()).prop_map(move |bytes| workbook(part, &bytes))
+    })
+}
+
+/// An old workbook damaged where its records are: the rest of the file is padding.
+fn damaged_records() -> impl Strategy<Value = Vec<u8>> {
+    let whole: &'static [u8] = &OLD_WORKBOOK;
+    let records = 3 * 512..3 * 512 + 400;
+    damaged(&whole[records.clone()]).prop_map(move |bytes| {
+        let mut all = whole.to_vec();
+        all[records.start..records.start + bytes.len()].copy_from_slice(&bytes);
+        all
+    })
+}
 
 #[test]
 fn what_is_damaged_below_is_whole() {
-    for (bytes, name) in [(TEXT, "a.csv"), (REPORT, "a.txt"), (&WORKBOOK, "a.xlsx")] {
+    for (bytes, name) in [
+        (TEXT, "a.csv"),
+        (REPORT, "a.txt"),
+        (&WORKBOOK, "a.xlsx"),
+        (&OLD_WORKBOOK, "a.xls"),
+    ] {
         assert!(
             read(bytes, name).is_ok_and(|survey| survey.stations.len() == 3),
             "{name}"
@@ -162,7 +227,9 @@ proptest! {
     }
 
     #[test]
-    fn damaged_workbooks(bytes in damaged(&WORKBOOK)) {
+    fn damaged_workbooks(bytes in prop_oneof![
+        damaged(&WORKBOOK), damaged_part(), damaged(&OLD_WORKBOOK), damaged_records(),
+    ]) {
         sound(read_excel(&bytes, "a.xlsx"))?;
     }
 }

@@ -108,7 +108,8 @@ fn bare_headers_and_no_header_mean_metres_and_degrees_and_say_so() {
     ] {
         let headless = survey(text);
         assert_stations(&headless, &expected);
-        noted(&headless, "no header, three columns");
+        noted(&headless, "no header");
+        noted(&headless, "three columns read as measured depth in m");
     }
     let degrees = survey("MD (m),Inc,Azi\n0,0,0\n30,1.5,45\n");
     assert_stations(&degrees, &expected);
@@ -161,6 +162,29 @@ fn the_first_row_ties_the_survey_in() {
     noted(&no_depth, "north and east are not used");
     let surface = survey("MD (m),Inc (deg),Azi (deg),N (m),E (m)\n0,10,45,1,2\n530,10,45,3,4\n");
     assert_eq!(surface.tie_in.unwrap().north_m, 1.0);
+}
+
+#[test]
+fn north_without_east_numbers_the_rows() {
+    let survey = survey("N,MD (m),Inc,Azi\n1,0,0,0\n2,30,1,1\n");
+    assert_eq!(survey.tie_in, None);
+    noted(&survey, "the column 'N' is not used");
+}
+
+#[test]
+fn the_ends_of_the_ranges_are_in_them() {
+    let ends = survey("MD (m),Inc,Azi\n0,0,-360\n100000,180,720\n");
+    assert_stations(&ends, &[[0.0, 0.0, -360.0], [100_000.0, 180.0, 720.0]]);
+}
+
+#[test]
+fn bare_headers_may_have_a_bare_position() {
+    let survey = survey("md,inc,azi,tvd,north,east\n10,0,0,9,1,2\n30,1,1,29,1,2\n");
+    let tie_in = survey.tie_in.unwrap();
+    assert_eq!(
+        (tie_in.tvd_m, tie_in.north_m, tie_in.east_m),
+        (9.0, 1.0, 2.0)
+    );
 }
 
 #[test]

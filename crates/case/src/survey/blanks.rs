@@ -72,7 +72,7 @@ pub(super) fn cut<'a>(source: Source<'a>, text: &'a str) -> Table<'a> {
     Table {
         source,
         rows,
-        parted_by: "blanks",
+        parted_by: Some("blanks"),
         counted,
         notes,
     }

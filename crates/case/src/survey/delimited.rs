@@ -38,7 +38,7 @@ pub(super) fn cut<'a>(
     Table {
         source,
         rows,
-        parted_by,
+        parted_by: Some(parted_by),
         counted: None,
         notes: Vec::new(),
     }

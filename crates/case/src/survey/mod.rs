@@ -25,11 +25,14 @@
 
 mod blanks;
 mod column;
+mod compound;
 mod decode;
 mod delimited;
 mod error;
+mod header;
 mod heading;
 mod layout;
+mod names;
 mod number;
 mod stations;
 mod table;
@@ -117,9 +120,9 @@ pub fn read_excel(bytes: &[u8], name: &str) -> Result<ImportedSurvey, SurveyErro
                 sheet: &sheet.name,
             },
             rows: sheet.rows.clone(),
-            parted_by: "cells",
+            parted_by: None,
             counted: None,
-            notes: vec![format!("sheet '{}'", sheet.name)],
+            notes: Vec::new(),
         })
         .collect();
     read_first(&tables).unwrap_or_else(|| {
@@ -132,9 +135,9 @@ pub fn read_excel(bytes: &[u8], name: &str) -> Result<ImportedSurvey, SurveyErro
 /// The first of the tables with a header that names the needed columns; or else the first of three
 /// bare columns; or else the error of the header that comes nearest. `None` if none comes near.
 fn read_first(tables: &[Table]) -> Option<Result<ImportedSurvey, SurveyError>> {
-    let mut nearest: Option<(layout::Partial, &Table)> = None;
+    let mut nearest: Option<(header::Partial, &Table)> = None;
     for table in tables {
-        match layout::header(table) {
+        match header::find(table) {
             Ok(header) => {
                 let layout = layout::below(table, header);
                 return Some(layout.and_then(|layout| stations::read(table, layout)));

@@ -70,12 +70,22 @@ impl Row {
 pub(super) struct Table<'a> {
     pub(super) source: Source<'a>,
     pub(super) rows: Vec<Row>,
-    /// How its cells are parted, in words.
-    pub(super) parted_by: &'static str,
+    /// What parts the cells of a text, in words.
+    pub(super) parted_by: Option<&'static str>,
     /// Every row must have as many values: cells are counted, not parted by a sign.
     pub(super) counted: Option<usize>,
     /// What was passed over while the rows were cut.
     pub(super) notes: Vec<String>,
+}
+
+impl Table<'_> {
+    /// A note on a thing found, and on what parts the cells.
+    pub(super) fn note(&self, found: &str) -> String {
+        match self.parted_by {
+            Some(sign) => format!("{found}, columns parted by {sign}"),
+            None => found.to_owned(),
+        }
+    }
 }
 
 /// A text or a sheet of a workbook.
@@ -120,7 +130,7 @@ impl Source<'_> {
     pub(super) fn row_name(&self, at: Position) -> String {
         match self.place(at) {
             Place::Text { line, .. } => format!("line {line}"),
-            Place::Cell { row, .. } => format!("row {row}"),
+            Place::Cell { row, sheet, .. } => format!("row {row} of sheet '{sheet}'"),
         }
     }
 }

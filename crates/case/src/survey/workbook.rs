@@ -6,6 +6,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use calamine::{Data, Reader, SheetType, Xls, Xlsx};
 
+use super::compound;
 use super::error::SurveyErrorKind;
 use super::table::{Cell, Position, Row};
 
@@ -72,6 +73,9 @@ fn xlsx(bytes: &[u8]) -> Result<Vec<Sheet>, String> {
 }
 
 fn xls(bytes: &[u8]) -> Result<Vec<Sheet>, String> {
+    if !compound::is_plausible(bytes) {
+        return Err("it holds no workbook, or it is damaged".to_owned());
+    }
     let mut workbook = Xls::new(Cursor::new(bytes)).map_err(|error| error.to_string())?;
     let mut sheets = Vec::new();
     for name in worksheets(workbook.sheets_metadata()) {

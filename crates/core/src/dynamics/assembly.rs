@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::{
-    chain::{Chain, NO_WALL_M, element, node},
+    chain::{Chain, NO_WALL_M, node},
     settings::ContactLaw,
 };
 use crate::{
@@ -76,7 +76,7 @@ impl Surroundings {
             .iter()
             .map(|n| {
                 let (_, component) = model.string.component_at(n.from_bit_m);
-                (component.material.youngs_modulus_Pa, component.poisson_ratio())
+                (component.material.youngs_modulus_Pa, component.material.poisson_ratio())
             })
             .collect();
         // The top is clamped in the rotary, the bit is held by its own hole.
@@ -185,6 +185,11 @@ pub fn chain(model: &Model, mesh: &Mesh, plan: &StepPlan) -> Chain {
     let mut chain = Chain::new(mesh.nodes.len());
     let mud = &model.mud;
     let last = mesh.nodes.len() - 1;
+    for index in 0..=last {
+        node!(chain, index, mass_axial) = 0.0;
+        node!(chain, index, mass_lateral) = 0.0;
+        node!(chain, index, polar) = 0.0;
+    }
     for (index, element) in mesh.elements.iter().enumerate() {
         let section = &element.section;
         let inertia = &plan.inertia[index];

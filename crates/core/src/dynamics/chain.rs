@@ -1,7 +1,6 @@
 //! The chain of nodes and elements as the time loop holds it.
 //!
-//! Eight neighbours stand side by side in one block, so that one instruction works on all of them; a
-//! whole string of thousands of metres fits in the second-level cache. Positions are displacements
+//! Neighbours stand side by side, so that one instruction works on eight of them; a whole string of thousands of metres fits in the second-level cache. Positions are displacements
 //! from each node's own anchor on the hole's axis.
 
 use crate::rod::{
@@ -24,20 +23,61 @@ const ONE: Row = Row([1.0; LANES]);
 /// Clearance of a node that no wall is near, m.
 pub const NO_WALL_M: f64 = 1e3;
 
-/// Eight nodes: what moves, then what they are, then what is summed up between samples.
+/// One number for each node, in one piece: an element reads its two ends from neighbouring places.
+/// Padded so that nine numbers can be read at every eighth place.
+#[derive(Debug, Clone)]
+pub struct Field(pub Vec<f64>);
+
+impl Field {
+    fn filled(blocks: usize, value: f64) -> Self {
+        Self(vec![value; (blocks + 1) * LANES])
+    }
+
+    /// The eight numbers of a block and the first of the next.
+    #[inline(always)]
+    pub fn nine(&self, block: usize) -> &[f64; LANES + 1] {
+        self.0[block * LANES..].first_chunk().expect("every field is padded by a block")
+    }
+
+    /// The eight numbers of a block.
+    #[inline(always)]
+    pub fn eight(&mut self, block: usize) -> &mut [f64; LANES] {
+        self.0[block * LANES..].first_chunk_mut().expect("every field is padded by a block")
+    }
+}
+
+/// What moves.
+#[derive(Debug, Clone)]
+pub struct State {
+    /// Displacement from the anchor, m.
+    pub u: [Field; 3],
+    /// Velocity, m/s, half a step behind the displacement.
+    pub v: [Field; 3],
+    /// Director.
+    pub d: [Field; 3],
+    /// Angular velocity across the director, rad/s.
+    pub w: [Field; 3],
+    /// Spin about the director, rad/s.
+    pub spin: Field,
+}
+
+impl State {
+    fn at_rest(blocks: usize) -> Self {
+        let zeros = || std::array::from_fn(|_| Field::filled(blocks, 0.0));
+        Self {
+            u: zeros(),
+            v: zeros(),
+            d: [0.0, 0.0, 1.0].map(|x| Field::filled(blocks, x)),
+            w: zeros(),
+            spin: Field::filled(blocks, 0.0),
+        }
+    }
+}
+
+/// Eight nodes: what they are, then what is summed up between samples.
 #[derive(Debug, Clone, Copy)]
 #[repr(C, align(64))]
 pub struct NodeBlock {
-    /// Displacement from the anchor, m.
-    pub u: Rows,
-    /// Velocity, m/s, half a step behind the displacement.
-    pub v: Rows,
-    /// Director.
-    pub d: Rows,
-    /// Angular velocity across the director, rad/s.
-    pub w: Rows,
-    /// Spin about the director, rad/s.
-    pub spin: Row,
     /// Tangent of the hole's axis at the anchor.
     pub tangent: Rows,
     /// Curvature vector of the hole's axis at the anchor, 1/m.
@@ -121,19 +161,15 @@ pub struct ElementBlock {
 const DOWN: Rows = [ZERO, ZERO, ONE];
 
 impl NodeBlock {
-    /// Nodes that fill the last block: nothing moves them and they move nothing.
-    pub const IDLE: Self = Self {
-        u: [ZERO; 3],
-        v: [ZERO; 3],
-        d: DOWN,
-        w: [ZERO; 3],
-        spin: ZERO,
+    /// Nodes that fill the last block: nothing moves them and they move nothing. Real nodes begin as
+    /// these, with the masses cleared.
+    const IDLE: Self = Self {
         tangent: DOWN,
         curvature: [ZERO; 3],
         weight: [ZERO; 3],
-        mass_axial: ZERO,
-        mass_lateral: ZERO,
-        polar: ZERO,
+        mass_axial: ONE,
+        mass_lateral: ONE,
+        polar: ONE,
         inv_mass_axial: ZERO,
         inv_mass_lateral: ZERO,
         inv_polar: ZERO,
@@ -176,14 +212,19 @@ impl ElementBlock {
 #[derive(Debug, Clone)]
 pub struct Chain {
     nodes: usize,
+    /// What moves.
+    pub state: State,
     /// Nodes by eights.
     pub node_blocks: Vec<NodeBlock>,
     /// Elements by eights, as many blocks as nodes have.
     pub element_blocks: Vec<ElementBlock>,
 }
 
-/// Reads lane `index` of a row that `field` picks.
+/// One number of a node or an element, by the name of its field.
 macro_rules! node {
+    ($chain:expr, $index:expr, spin) => {
+        $chain.state.spin.0[$index]
+    };
     ($chain:expr, $index:expr, $field:ident) => {
         $chain.node_blocks[$index / $crate::rod::lanes::LANES].$field.0
             [$index % $crate::rod::lanes::LANES]
@@ -197,6 +238,20 @@ macro_rules! element {
 }
 pub(crate) use {element, node};
 
+macro_rules! state_access {
+    ($($get:ident, $set:ident, $field:ident, $what:literal;)*) => {$(
+        #[doc = $what]
+        pub fn $get(&self, index: usize) -> Vector<f64> {
+            let [x, y, z] = &self.state.$field;
+            Vector(x.0[index], y.0[index], z.0[index])
+        }
+        #[doc = concat!("Sets: ", $what)]
+        pub fn $set(&mut self, index: usize, value: Vector<f64>) {
+            let [x, y, z] = &mut self.state.$field;
+            (x.0[index], y.0[index], z.0[index]) = (value.0, value.1, value.2);
+        }
+    )*};
+}
 macro_rules! vector_access {
     ($($get:ident, $set:ident, $blocks:ident, $field:ident, $what:literal;)*) => {$(
         #[doc = $what]
@@ -222,6 +277,7 @@ impl Chain {
         let blocks = nodes.div_ceil(LANES);
         Self {
             nodes,
+            state: State::at_rest(blocks),
             node_blocks: vec![NodeBlock::IDLE; blocks],
             element_blocks: vec![ElementBlock::IDLE; blocks],
         }
@@ -237,11 +293,14 @@ impl Chain {
         self.nodes - 1
     }
 
+    state_access! {
+        displacement, set_displacement, u, "Displacement of a node from its anchor, m.";
+        velocity, set_velocity, v, "Velocity of a node, m/s.";
+        director, set_director, d, "Director of a node.";
+        turning, set_turning, w, "Angular velocity of a node across its director, rad/s.";
+    }
+
     vector_access! {
-        displacement, set_displacement, node_blocks, u, "Displacement of a node from its anchor, m.";
-        velocity, set_velocity, node_blocks, v, "Velocity of a node, m/s.";
-        director, set_director, node_blocks, d, "Director of a node.";
-        turning, set_turning, node_blocks, w, "Angular velocity of a node across its director, rad/s.";
         tangent, set_tangent, node_blocks, tangent, "Tangent of the hole at a node's anchor.";
         curvature, set_curvature, node_blocks, curvature, "Curvature of the hole at a node's anchor, 1/m.";
         weight, set_weight, node_blocks, weight, "Buoyed weight of a node, N.";
@@ -290,6 +349,18 @@ impl Chain {
             w2: self.turning(two),
             spin: node!(self, two, spin) - node!(self, one, spin),
             twist: element!(self, index, twist),
+        }
+    }
+
+    /// Takes out what rounding has added to the directors' lengths and to the angular velocities along
+    /// them. The step preserves both to rounding: once in a few hundred steps is plenty.
+    pub fn square_up(&mut self) {
+        for index in 0..self.nodes {
+            let d = self.director(index);
+            let unit = d.scaled(1.0 / d.dot(d).sqrt());
+            let w = self.turning(index);
+            self.set_director(index, unit);
+            self.set_turning(index, w.minus(unit, w.dot(unit)));
         }
     }
 

@@ -1,10 +1,20 @@
 //! The whole string in time: 3D nonlinear rod, wall contact and friction, top drive, hoist and bit.
 
+mod assembly;
+mod bit;
 mod chain;
+mod hoist;
+mod outcome;
+mod record;
 mod settings;
+mod simulation;
+mod start;
 mod step;
+mod summary;
 
+pub use outcome::{DynamicOutcome, NodeProfile, Numerics, Statistic, TimeSeries};
 pub use settings::{
     BitSettings, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping,
     Start,
 };
+pub use simulation::{Diverged, SetupError, Simulation};

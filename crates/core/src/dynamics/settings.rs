@@ -53,6 +53,12 @@ pub enum HoistControl {
     HookLoad(f64),
 }
 
+impl HoistControl {
+    /// The autodriller with its default gain and filter.
+    pub const AUTODRILLER: Self =
+        Self::Autodriller { gain_m_per_s_per_N: 1e-7, filter_s: 1.0 };
+}
+
 /// The hoisting system between the block and the top of the string.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HoistLine {
@@ -83,7 +89,7 @@ pub struct BitSettings {
 /// Everything that a dynamic run needs beside the model and the operation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DynamicsSettings {
-    /// Longest element, m; a node always stands on tool joints and stabilisers.
+    /// Length of the elements, m, at most a fifth longer; a node stands on tool joints and stabilisers.
     pub element_length_m: f64,
     /// Length of the window that the statistics cover, s.
     pub duration_s: f64,
@@ -124,7 +130,7 @@ impl Default for DynamicsSettings {
             },
             damping: RodDamping {
                 mass_per_s: 0.1,
-                stiffness_s: 1e-4,
+                stiffness_s: 1e-5,
             },
             hoist_control: None,
             hoist_line: HoistLine {

@@ -159,7 +159,10 @@ pub fn react<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Reacti
     let across = gt.minus(t, gt.dot(t));
     let force = -(t.scaled(tension).plus(across, inverse_l));
 
-    let share = one / (one + c12);
+    // 1/(1 + c12) by its series about aligned directors: within 1e-8 for a bend of 15° in an element, and
+    // the same in the rate and in its moments, so that no work is lost.
+    let off = half * (one - c12);
+    let share = half * off.mul_add(off.mul_add(off.mul_add(off + one, one), one), one);
     let twist_rate = (p.w2.dot(p.d1) - p.w1.dot(p.d2)).mul_add(share, p.spin);
     let twist = twist_rate.mul_add(dt, p.twist);
     let damping_torque = k.twist * (beta * twist_rate);

@@ -50,8 +50,11 @@ const CROWDED: f64 = 0.5;
 /// Longest distance over which marks are merged, m.
 const CROWDED_M: f64 = 2.0;
 
-/// How much longer than asked an element may be rather than be halved.
-const TOLERANCE: f64 = 0.05;
+/// How much longer than asked an element may be rather than be halved: short elements bound the step.
+const TOLERANCE: f64 = 0.2;
+
+/// How far a blade stands out over its neighbours, m.
+const BLADE_HEIGHT_M: f64 = 1e-3;
 
 impl Mesh {
     /// Cuts `string` into elements of about `element_length_m`, with a node at the bit, at the top, on
@@ -144,7 +147,9 @@ fn marks(string: &DrillString, element_length_m: f64) -> Vec<Mark> {
 /// reamer. The bit is no neighbour to stand out from, and is none itself.
 fn is_blade(components: &[Component], index: usize) -> bool {
     let radius = components[index].contact_radius_m();
-    let over = |other: Option<&Component>| other.is_none_or(|c| radius > c.contact_radius_m());
+    let over = |other: Option<&Component>| {
+        other.is_none_or(|c| radius > c.contact_radius_m() + BLADE_HEIGHT_M)
+    };
     index > 0
         && components[index].length_m <= LONGEST_BLADE_M
         && over(if index == 1 { None } else { components.get(index - 1) })

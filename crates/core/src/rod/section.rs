@@ -26,6 +26,8 @@ pub struct Section {
     pub polar_inertia_kg_m: f64,
     /// Outside diameter, m.
     pub od_m: f64,
+    /// What mud pressure inside and out shortens a closed string by, `(1 − 2ν)/E`, 1/Pa.
+    pub pressure_strain_per_Pa: f64,
 }
 
 impl Section {
@@ -42,6 +44,7 @@ impl Section {
             bore_m2: 0.0,
             polar_inertia_kg_m: 0.0,
             od_m: 0.0,
+            pressure_strain_per_Pa: 0.0,
         };
         let mut bottom = 0.0;
         let last = string.components().len() - 1;
@@ -68,6 +71,7 @@ impl Section {
             mean.polar_inertia_kg_m +=
                 part * steel * component.polar_moment_m4() / component.area_m2();
             mean.od_m += part * component.od_m;
+            mean.pressure_strain_per_Pa += part * (1.0 - 2.0 * nu) / e;
         }
         mean.axial_stiffness_N = 1.0 / mean.axial_stiffness_N;
         mean.shear_stiffness_N = 1.0 / mean.shear_stiffness_N;

@@ -22,29 +22,32 @@ pub fn hertz_stiffness(modulus_Pa: f64, hole_radius_m: f64, pipe_radius_m: f64) 
 }
 
 /// `N = K α^1.5 (1 + d v_n)` at the end of a step that, without contact, would end at penetration
-/// `alpha`; `compliance` is the penetration that one newton takes away, `dt²/m`.
+/// `alpha`. One newton takes `dt²/m` of it away; `inertia` is `m/dt²`.
 ///
-/// With `y = √α` the law is the cubic `y² + G K' y³ = α_free`, `K' = K (1 + d v_n)`; in `z = G K' y`
-/// it is `z²(1 + z) = (G K')² α_free`, one curve for every contact, solved by two Newton steps from
-/// `r/√(1 + r/2)`: within 1e-5 of the root for any contact of pipe on wall. `d` is never allowed to
-/// pull.
+/// With `y = √α` the law is the cubic `y² + G y³ = α_free`, `G = K (1 + d v_n) dt²/m`; in `z = G y` it is
+/// `z²(1 + z) = G² α_free = r²`, one curve for every contact. A rational function within 2 % of it for
+/// `r < 60` and two Newton steps solve it to 1e-6 there; beyond (walls stiffer than any) the
+/// force stays between zero and the one that takes all penetration away. `d` is never allowed to pull.
 #[inline(always)]
-pub fn hertz<N: Number>(alpha: N, v_n: N, stiffness: N, dissipation: N, compliance: N) -> N {
+pub fn hertz<N: Number>(alpha: N, v_n: N, stiffness: N, dissipation: N, inertia: N) -> N {
     let one = N::splat(1.0);
-    let two = N::splat(2.0);
+    let (two, three) = (N::splat(2.0), N::splat(3.0));
+    let tiny = N::splat(1e-300);
     let alpha = alpha.max(N::zero());
     let k = stiffness * dissipation.mul_add(v_n, one).max(N::zero());
-    let gk = compliance * k;
-    let root = alpha.sqrt();
-    let r = gk * root;
-    let mut z = r / N::splat(0.5).mul_add(r, one).sqrt();
-    for _ in 0..2 {
-        let s = one + z;
-        let excess = two * (z * s - r * s.sqrt());
-        z = z - excess / N::splat(3.0).mul_add(z, two);
-    }
-    let y2 = alpha / (one + z.max(N::zero()));
-    k * (y2 * y2.sqrt())
+    let r = k * alpha.sqrt() / inertia;
+    let square = r * r;
+    let start = N::splat(0.229).mul_add(r, one) * r
+        / N::splat(0.006_43).mul_add(square, N::splat(0.6016).mul_add(r, one));
+    // Newton for z²(1 + z) − r²: z → (z²(1 + 2z) + r²)/(z(2 + 3z)).
+    let newton = |z: N| {
+        let above = (z * z).mul_add(two.mul_add(z, one), square);
+        (above, z.mul_add(three.mul_add(z, two), tiny))
+    };
+    let (above, below) = newton(start);
+    let (above, below) = newton(above / below);
+    // N = (m/dt²) α z/(1 + z): what is left of the penetration carries the force.
+    inertia * alpha * (above / (above + below))
 }
 
 /// `N = max(0, k α + c v_n)` while the surfaces overlap, at the end of the step; `compliance` is
@@ -61,29 +64,33 @@ pub fn linear<N: Number>(alpha: N, v_n: N, k: N, c: N, compliance: N, mobility: 
 mod tests {
     use super::*;
 
-    /// The implicit law satisfies its own equation over every stiffness and depth a contact can
-    /// have. The tolerance is that of two Newton steps (see [`hertz`]): `r` stays below 100.
+    /// The implicit law satisfies its own equation for every stiffness and depth of a contact. The
+    /// tolerance is that of two Newton steps (see [`hertz`]).
     #[test]
     fn hertz_solves_its_cubic() {
+        let inertia = 150.0 / 3e-7;
+        let mut solved = 0;
         for exponent in -12..=0 {
             for k in [1e6, 1e9, 1e11, 2e12] {
-                let (alpha, compliance) = (10f64.powi(exponent), 3e-7 / 150.0);
-                let n = hertz(alpha, 0.0, k, 0.5, compliance);
-                let end = alpha - compliance * n;
-                let law = k * end.max(0.0).powf(1.5);
-                let r = compliance * k * alpha.sqrt();
-                if r < 100.0 {
-                    assert!((law / n - 1.0).abs() < 1e-3, "alpha {alpha} k {k}: {law} {n}");
+                let alpha = 10f64.powi(exponent);
+                let n = hertz(alpha, 0.0, k, 0.5, inertia);
+                let end = alpha - n / inertia;
+                assert!(n > 0.0 && end >= 0.0);
+                // Where next to nothing is left of the penetration, its digits are lost.
+                if k * alpha.sqrt() / inertia < 60.0 {
+                    let law = k * end.powf(1.5);
+                    assert!((law / n - 1.0).abs() < 1e-5, "alpha {alpha} k {k}: {law} {n}");
+                    solved += 1;
                 }
-                assert!(n * compliance <= alpha * (1.0 + 1e-12));
             }
         }
+        assert!(solved > 30);
     }
 
     #[test]
     fn nothing_pulls() {
-        assert_eq!(hertz(-1e-3, 1.0, 1e11, 0.5, 1e-9), 0.0);
-        assert_eq!(hertz(1e-6, -10.0, 1e11, 0.5, 1e-9), 0.0);
+        assert_eq!(hertz(-1e-3, 1.0, 1e11, 0.5, 1e9), 0.0);
+        assert_eq!(hertz(1e-6, -10.0, 1e11, 0.5, 1e9), 0.0);
         assert_eq!(linear(-1e-6, 1.0, 1e7, 1e4, 1e-9, 1e-6), 0.0);
         assert_eq!(linear(1e-6, -10.0, 1e7, 1e4, 1e-9, 1e-6), 0.0);
     }

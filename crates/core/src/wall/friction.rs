@@ -21,26 +21,24 @@ pub fn coefficient<N: Number>(kinetic: N, rise: N, speed2: N) -> N {
 /// of these velocities (the string feels the opposite).
 ///
 /// `limit` is `μ N`; `g_axial` and `g_around` are the speeds that one newton takes away in the step.
-/// The exact law is `f_i (g_i + λ) = u_i` with `λ ≥ 0` the ratio of the remaining speed to the limit:
-/// `λ` follows from `|f| = limit`, here to second order in `g/λ`, then `|f|` is cut to the limit. A
-/// contact that can stick (`|u_i/g_i| ≤ limit`) always gets `λ = 0`, the exact stop.
+/// The exact law is `f_i (g_i + λ) = u_i` with `λ ≥ 0` the ratio of the remaining speed to the limit.
+/// `|f| = limit` gives `λ = |u|/limit − Σ g u²/Σ u²`, to second order in `g/λ`, and so the direction
+/// of `f`; its length is the limit, or what stops the motion if that is less. A contact that can stick
+/// (`|u_i/g_i| ≤ limit`) always has `λ = 0` by this formula, the exact stop.
 #[inline(always)]
 pub fn vector<N: Number>(limit: N, axial: N, around: N, g_axial: N, g_around: N) -> (N, N) {
-    let tiny = N::splat(1e-60);
-    let one = N::splat(1.0);
     let (a2, t2) = (axial * axial, around * around);
-    let u2 = a2 + t2 + tiny;
+    let u2 = a2 + t2;
+    // Everything times limit · |u|², which spares the divisions.
+    let scale = limit * u2;
     let weighted = g_axial.mul_add(a2, g_around * t2);
-    let reach = u2 * u2.sqrt();
-    let cap = limit + N::splat(1e-30);
-    let lambda = ((reach - weighted * cap) / (cap * u2)).max(N::zero());
-    let (ga, gt) = (g_axial + lambda, g_around + lambda);
-    let inverse = one / (ga * gt);
-    let fa = axial * (gt * inverse);
-    let ft = around * (ga * inverse);
-    let f2 = fa.mul_add(fa, ft * ft) + tiny;
-    let scale = (limit / f2.sqrt()).min(one);
-    (fa * scale, ft * scale)
+    let slide = limit.neg_mul_add(weighted, u2 * u2.sqrt()).max(N::zero());
+    let wa = axial * g_around.mul_add(scale, slide);
+    let wt = around * g_axial.mul_add(scale, slide);
+    let length = wa.mul_add(wa, wt * wt).sqrt();
+    let stop = limit * scale * (g_axial * g_around);
+    let ratio = limit / (length.max(stop) + N::splat(1e-300));
+    (wa * ratio, wt * ratio)
 }
 
 /// The article's (9) and (11): the full limit along the hole and the full limit around it, each

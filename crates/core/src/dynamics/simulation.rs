@@ -1,0 +1,474 @@
+//! A run: the string in time, from its start to its outcome.
+
+use nalgebra::Vector3;
+
+use super::{
+    assembly::{self, Anchor, Surroundings, mud_pressure_Pa},
+    bit::{Bit, BitStep},
+    chain::{Chain, element, node},
+    hoist::Hoist,
+    outcome::DynamicOutcome,
+    record::Record,
+    settings::{ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, Start},
+    start,
+    step::{StepInput, Stepper},
+    summary,
+};
+use crate::{
+    model::Model,
+    operation::Operation,
+    rod::{
+        mesh::{Mesh, MeshNode},
+        stability::{self, StepPlan},
+    },
+    statics::soft::SoftError,
+};
+
+/// Extra damping of the first seconds of a prepared start, relative to the rigid motion, 1/s.
+const FADING_DAMPING_PER_S: f64 = 4.0;
+
+/// Time over which it fades, s.
+const FADING_S: f64 = 5.0;
+
+/// Time in which a centred start brings the top to its speed, s.
+const RAMP_S: f64 = 1.0;
+
+/// Speed beyond which a run has diverged, m/s: no drill string moves at that of a bullet.
+const DIVERGED_M_PER_S: f64 = 1e3;
+
+/// Why a run cannot begin.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SetupError {
+    /// The soft string, which the start is laid by, has no solution.
+    #[error("the string cannot be laid in the hole: {0}")]
+    Start(#[from] SoftError),
+    /// A setting that no run can use.
+    #[error("{name} is {value}, expected {expected}")]
+    Setting {
+        /// Which.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it should be.
+        expected: &'static str,
+    },
+}
+
+/// A run that left the range of numbers that mean anything.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error(
+    "the run diverged {time_s:.3} s after its start, at {md_m:.1} m measured depth: {quantity} is {value:e}"
+)]
+pub struct Diverged {
+    /// When, s.
+    pub time_s: f64,
+    /// Where: measured depth of the worst node, m.
+    pub md_m: f64,
+    /// Which quantity.
+    pub quantity: &'static str,
+    /// Its value.
+    pub value: f64,
+}
+
+/// Work and losses since the window began, J.
+#[derive(Debug, Clone, Copy, Default)]
+struct Ledger {
+    energy_at_start: f64,
+    work: f64,
+    losses: f64,
+}
+
+/// A drill string in time.
+#[derive(Debug, Clone)]
+pub struct Simulation {
+    model: Model,
+    operation: Operation,
+    settings: DynamicsSettings,
+    mesh: Mesh,
+    plan: StepPlan,
+    chain: Chain,
+    anchors: Vec<Anchor>,
+    surroundings: Surroundings,
+    stepper: Stepper,
+    hoist: Hoist,
+    bit: Bit,
+    bit_step: BitStep,
+    rigid_velocity_m_per_s: f64,
+    steps: u64,
+    steps_per_sample: u64,
+    since_sample: SinceSample,
+    record: Record,
+    /// High side at each node, as plain numbers for the sampling loop.
+    high: Vec<[f64; 3]>,
+    ledger: Ledger,
+    window_open: bool,
+}
+
+/// Scalars summed since the last sample.
+#[derive(Debug, Clone, Copy, Default)]
+struct SinceSample {
+    steps: u64,
+    hook_load: f64,
+    surface_torque: f64,
+    weight_on_bit: f64,
+    bit_torque: f64,
+}
+
+fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
+    let positive = [
+        ("element_length_m", settings.element_length_m),
+        ("duration_s", settings.duration_s),
+        ("sample_interval_s", settings.sample_interval_s),
+        ("hoist_line.stiffness_N_per_m", settings.hoist_line.stiffness_N_per_m),
+        ("bit.rock_stiffness_N_per_m", settings.bit.rock_stiffness_N_per_m),
+    ];
+    let not_negative = [
+        ("settle_s", settings.settle_s),
+        ("damping.mass_per_s", settings.damping.mass_per_s),
+        ("damping.stiffness_s", settings.damping.stiffness_s),
+        ("hoist_line.damping_N_s_per_m", settings.hoist_line.damping_N_s_per_m),
+        ("bit.lateral_stiffness_N_per_m", settings.bit.lateral_stiffness_N_per_m),
+    ];
+    for (name, value) in positive {
+        if !(value.is_finite() && value > 0.0) {
+            return Err(SetupError::Setting { name, value, expected: "a positive number" });
+        }
+    }
+    for (name, value) in not_negative {
+        if !(value.is_finite() && value >= 0.0) {
+            return Err(SetupError::Setting { name, value, expected: "zero or a positive number" });
+        }
+    }
+    Ok(())
+}
+
+impl Simulation {
+    /// Lays the string in its hole, ready to run.
+    ///
+    /// The bit is placed so that it passes the operation's depth in the middle of the window: a string
+    /// that trips at 0.3 m/s for a minute is then, on average, where a static calculation has it.
+    ///
+    /// # Errors
+    /// A setting out of range, or a soft string without solution.
+    pub fn new(
+        model: &Model,
+        operation: &Operation,
+        settings: &DynamicsSettings,
+    ) -> Result<Self, SetupError> {
+        check(settings)?;
+        let mesh = Mesh::new(&model.string, settings.element_length_m);
+        let velocity = operation.axial_velocity_m_per_s();
+        let bit_md_m =
+            operation.bit_depth_m - velocity * (settings.settle_s + 0.5 * settings.duration_s);
+        let lateral = assembly::lateral_mass_kg_per_m(model, &mesh, bit_md_m);
+        let plan = stability::plan(&mesh, &lateral, settings.damping.stiffness_s);
+        let chain = assembly::chain(model, &mesh, &plan);
+        let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
+        let stepper = Stepper::new(
+            matches!(settings.contact_law, ContactLaw::Hertz { .. }),
+            settings.friction_law == FrictionLaw::Vector,
+        );
+        let input = StepInput {
+            dt: plan.dt_s,
+            stiffness_damping: settings.damping.stiffness_s,
+            mass_damping: settings.damping.mass_per_s,
+            rigid_velocity: velocity,
+            rigid_spin: operation.rotation_rad_per_s(),
+            dissipation: match settings.contact_law {
+                ContactLaw::Hertz { dissipation_s_per_m } => dissipation_s_per_m,
+                ContactLaw::Linear { .. } => 0.0,
+            },
+        };
+        let initial = start::lay(
+            model,
+            operation,
+            settings,
+            &mesh,
+            chain,
+            &surroundings,
+            &stepper,
+            &input,
+            bit_md_m,
+        )?;
+        let control = settings.hoist_control.unwrap_or(if operation.kind.on_bottom() {
+            HoistControl::AUTODRILLER
+        } else {
+            HoistControl::BlockVelocity(velocity)
+        });
+        let prepared = settings.start == Start::Prepared;
+        let (chain, anchors) = (initial.chain, initial.anchors);
+        let last = anchors.len() - 1;
+        let top = anchors[0].md_m + chain.displacement(0).dot(chain.tangent(0));
+        let bottom = anchors[last].md_m + chain.displacement(last).dot(chain.tangent(last));
+        let hoist = Hoist::new(
+            settings.hoist_line,
+            control,
+            operation.weight_on_bit_now_N(),
+            if prepared { velocity } else { 0.0 },
+            top,
+            initial.hook_load_N,
+        );
+        let record = Record::new(&chain);
+        let high = anchors.iter().map(|a| a.high_side.into()).collect();
+        let steps_per_sample = (settings.sample_interval_s / plan.dt_s).round().max(1.0) as u64;
+        Ok(Self {
+            model: model.clone(),
+            operation: *operation,
+            settings: *settings,
+            mesh,
+            plan,
+            chain,
+            anchors,
+            surroundings,
+            stepper,
+            hoist,
+            bit: Bit::new(settings.bit, operation, bottom),
+            bit_step: BitStep {
+                weight_on_bit_N: operation.weight_on_bit_now_N(),
+                ..BitStep::default()
+            },
+            rigid_velocity_m_per_s: velocity,
+            steps: 0,
+            steps_per_sample,
+            since_sample: SinceSample::default(),
+            record,
+            high,
+            ledger: Ledger::default(),
+            window_open: false,
+        })
+    }
+
+    /// Time since the start, s.
+    pub fn time_s(&self) -> f64 {
+        self.steps as f64 * self.plan.dt_s
+    }
+
+    /// Time at which the window ends, s.
+    pub fn end_time_s(&self) -> f64 {
+        self.settings.settle_s + self.settings.duration_s
+    }
+
+    /// Step, s.
+    pub fn time_step_s(&self) -> f64 {
+        self.plan.dt_s
+    }
+
+    /// Number of elements.
+    pub fn elements(&self) -> usize {
+        self.mesh.elements.len()
+    }
+
+    /// The nodes and elements of the string.
+    pub fn mesh(&self) -> &Mesh {
+        &self.mesh
+    }
+
+    /// Changes the hoist from now on: a connection, a stop, a lift.
+    pub fn set_hoist(&mut self, control: HoistControl) {
+        if let HoistControl::BlockVelocity(velocity) = control {
+            self.rigid_velocity_m_per_s = velocity;
+        }
+        self.hoist.set_control(control);
+    }
+
+    /// Gives every node an additional velocity, m/s, and an additional spin, rad/s: a blow. `blow` is
+    /// asked for each node but the top, which is clamped.
+    pub fn strike(&mut self, blow: impl Fn(&MeshNode) -> (Vector3<f64>, f64)) {
+        for (index, node) in self.mesh.nodes.iter().enumerate().skip(1) {
+            let (velocity, spin) = blow(node);
+            let before = self.chain.velocity(index);
+            self.chain.set_velocity(index, before + velocity.into());
+            node!(self.chain, index, spin) += spin;
+        }
+    }
+
+    /// Goes on for `seconds`, to the nearest sample.
+    ///
+    /// # Errors
+    /// A run that diverged; what it had sampled before stays available.
+    pub fn advance(&mut self, seconds: f64) -> Result<(), Diverged> {
+        let interval = self.steps_per_sample as f64 * self.plan.dt_s;
+        let samples = (seconds / interval).round().max(1.0) as u64;
+        for _ in 0..samples {
+            for _ in 0..self.steps_per_sample {
+                self.step();
+            }
+            self.check_numbers()?;
+            self.sample();
+        }
+        Ok(())
+    }
+
+    fn step(&mut self) {
+        let time = self.time_s();
+        let dt = self.plan.dt_s;
+        let input = self.step_input(time);
+        let rotation = self.operation.rotation_rad_per_s();
+        node!(self.chain, 0, spin) = match self.settings.start {
+            Start::Prepared => rotation,
+            Start::Centred => rotation * (time / RAMP_S).min(1.0),
+        };
+        let last = self.chain.nodes() - 1;
+        let top_before = self.chain.velocity(0).dot(self.chain.tangent(0));
+        let bit_before = self.chain.velocity(last);
+        let bit_spin_before = node!(self.chain, last, spin);
+
+        let losses = self.stepper.step(&mut self.chain, &input);
+
+        let bit =
+            self.bit.act(&mut self.chain, self.anchors[last].md_m, bit_before, bit_spin_before, dt);
+        let weight = bit.weight_on_bit_N;
+        let hoist =
+            self.hoist.act(&mut self.chain, self.anchors[0].md_m, top_before, weight, dt);
+        self.bit_step = bit;
+        let surface_torque = -element!(self.chain, 0, torque);
+        let drive = surface_torque * node!(self.chain, 0, spin) * dt;
+        self.ledger.work += bit.work_J + hoist.work_J + drive;
+        self.ledger.losses += losses.outside + losses.damping;
+
+        let sum = &mut self.since_sample;
+        sum.steps += 1;
+        sum.hook_load += hoist.hook_load_N;
+        sum.surface_torque += surface_torque;
+        sum.weight_on_bit += bit.weight_on_bit_N;
+        sum.bit_torque += bit.torque_N_m;
+        self.steps += 1;
+    }
+
+    fn step_input(&self, time: f64) -> StepInput {
+        let fading = match self.settings.start {
+            Start::Prepared if time < FADING_S => {
+                FADING_DAMPING_PER_S * (1.0 - time / FADING_S).powi(2)
+            }
+            _ => 0.0,
+        };
+        StepInput {
+            dt: self.plan.dt_s,
+            stiffness_damping: self.settings.damping.stiffness_s,
+            mass_damping: self.settings.damping.mass_per_s + fading,
+            rigid_velocity: self.rigid_velocity_m_per_s,
+            rigid_spin: node!(self.chain, 0, spin),
+            dissipation: match self.settings.contact_law {
+                ContactLaw::Hertz { dissipation_s_per_m } => dissipation_s_per_m,
+                ContactLaw::Linear { .. } => 0.0,
+            },
+        }
+    }
+
+    fn check_numbers(&self) -> Result<(), Diverged> {
+        let fast = |x: f64| !(x.abs() < DIVERGED_M_PER_S);
+        let state = &self.chain.state;
+        let any = state.v.iter().any(|axis| axis.0.iter().any(|v| fast(*v)))
+            || state.spin.0.iter().any(|s| !s.is_finite());
+        if !any {
+            return Ok(());
+        }
+        let speed = |i: usize| {
+            let v = self.chain.velocity(i);
+            v.dot(v).sqrt()
+        };
+        let worst = (0..self.chain.nodes())
+            .find(|i| !speed(*i).is_finite() || !node!(self.chain, *i, spin).is_finite())
+            .unwrap_or_else(|| {
+                (0..self.chain.nodes()).max_by(|a, b| speed(*a).total_cmp(&speed(*b))).unwrap_or(0)
+            });
+        Err(Diverged {
+            time_s: self.time_s(),
+            md_m: self.anchors[worst].md_m,
+            quantity: "velocity (m/s)",
+            value: speed(worst),
+        })
+    }
+
+    fn sample(&mut self) {
+        let time = self.time_s();
+        if !self.window_open && time >= self.settings.settle_s {
+            self.window_open = true;
+            self.record.open_window();
+            self.ledger = Ledger { energy_at_start: self.energy_J(), ..Ledger::default() };
+        }
+        let sums = std::mem::take(&mut self.since_sample);
+        let totals =
+            self.record.sample(&mut self.chain, &self.high, sums.steps, self.window_open);
+        let n = sums.steps as f64;
+        let last = self.chain.nodes() - 1;
+        let elongation = self.elongation_m();
+        let twist = -(0..self.chain.elements())
+            .map(|i| element!(self.chain, i, twist))
+            .sum::<f64>();
+        let series = &mut self.record.series;
+        series.time_s.push(time);
+        series.bit_depth_m.push(
+            self.anchors[last].md_m
+                + self.chain.displacement(last).dot(self.chain.tangent(last)),
+        );
+        series.hook_load_N.push(sums.hook_load / n);
+        series.surface_torque_N_m.push(sums.surface_torque / n);
+        series.friction_torque_N_m.push(totals.torque_N_m);
+        series.axial_friction_N.push(-totals.axial_N);
+        series.side_force_total_N.push(totals.normal_N);
+        series.weight_on_bit_N.push(sums.weight_on_bit / n);
+        series.bit_torque_N_m.push(sums.bit_torque / n);
+        series.twist_rad.push(twist);
+        series.stretch_m.push(elongation);
+        series.block_velocity_m_per_s.push(self.hoist.velocity_m_per_s());
+        series.bit_rotary_speed_rad_per_s.push(node!(self.chain, last, spin));
+
+        self.surroundings.follow(&mut self.chain, &mut self.anchors);
+        self.chain.square_up();
+        for (high, anchor) in self.high.iter_mut().zip(&self.anchors) {
+            *high = anchor.high_side.into();
+        }
+    }
+
+    /// Elongation against the unloaded string, m: by effective tension, less what the mud's pressure
+    /// takes, `(1 − 2ν)p/E`.
+    fn elongation_m(&self) -> f64 {
+        let mut sum = 0.0;
+        for (i, e) in self.mesh.elements.iter().enumerate() {
+            let tvd = 0.5 * (self.anchors[i].position_m.z + self.anchors[i + 1].position_m.z);
+            let section = &e.section;
+            let squeeze = section.pressure_strain_per_Pa * mud_pressure_Pa(&self.model, tvd);
+            sum += e.length_m
+                * (element!(self.chain, i, tension) / section.axial_stiffness_N - squeeze);
+        }
+        sum
+    }
+
+    /// Kinetic, elastic and potential energy of the string, J: second-order accurate in the step.
+    pub fn energy_J(&self) -> f64 {
+        assembly::energy_J(&self.chain, &self.anchors, self.plan.dt_s)
+    }
+
+    /// Kinetic energy of the string, J.
+    pub fn kinetic_energy_J(&self) -> f64 {
+        assembly::kinetic_energy_J(&self.chain)
+    }
+
+    /// What the integration itself gained or lost since the window began, over the largest of the
+    /// work put in, the losses and the change of energy.
+    fn energy_residual(&self) -> f64 {
+        if !self.window_open {
+            return 0.0;
+        }
+        let Ledger { energy_at_start, work, losses } = self.ledger;
+        let change = self.energy_J() - energy_at_start;
+        let largest = change.abs().max(work.abs()).max(losses.abs());
+        if largest > 0.0 { (work - losses - change) / largest } else { 0.0 }
+    }
+
+    /// The answer so far: over the window if it has begun, over everything sampled otherwise.
+    pub fn outcome(&self) -> DynamicOutcome {
+        summary::outcome(&summary::Sources {
+            model: &self.model,
+            operation: &self.operation,
+            mesh: &self.mesh,
+            plan: &self.plan,
+            anchors: &self.anchors,
+            record: &self.record,
+            steps: self.steps,
+            energy_residual: self.energy_residual(),
+            instructions: self.stepper.instructions,
+        })
+    }
+}
