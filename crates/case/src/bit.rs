@@ -19,14 +19,13 @@ table! {
             Range::from_to(0.0, 1e6),
             "3.1 kN.m",
         ));
-        /// Stiffness of the contact between bit and rock front. Default 1e8 N/m. Only the dynamic
-        /// model uses it.
+        /// Stiffness of the contact between bit and rock front. Only the dynamic model uses it.
         rock_stiffness: f64 = default(
             Quantity::si(Dimension::Stiffness, Range::from_to(1e4, 1e12), "1e8 N/m"),
             DynamicsSettings::default().bit.rock_stiffness_N_per_m,
         );
         /// Lateral stiffness that holds the bit to the hole's axis, instead of contact and friction
-        /// with the wall: the bit fills its hole. Default 1e7 N/m. Only the dynamic model uses it.
+        /// with the wall: the bit fills its hole. Only the dynamic model uses it.
         lateral_stiffness: f64 = default(
             Quantity::si(Dimension::Stiffness, Range::from_to(0.0, 1e12), "1e7 N/m"),
             DynamicsSettings::default().bit.lateral_stiffness_N_per_m,

@@ -90,13 +90,13 @@ table! {
     CaseTable in "the case" {
         /// What the case is called in results. Default: the name of the file.
         name: String = optional(Text);
-        /// "soft" (default; statics without bending stiffness), "dynamic" (the whole string in time), or
-        /// a list that is solved one by one.
+        /// "soft" (statics without bending stiffness), "dynamic" (the whole string in time), or a
+        /// list that is solved one by one.
         model: Vec<At<ModelKind>> = default(
             List { item: ModelRule, or_one: true, noun: "models", most: ModelKind::WORDS.len() },
             vec![At { value: ModelKind::Soft, place: Place::default() }],
         );
-        /// Units that people are shown: "si" (default; m, kN, kN.m, mm, kg/m3), "metric" (m, t, kN.m, mm,
+        /// Units that people are shown: "si" (m, kN, kN.m, mm, kg/m3), "metric" (m, t, kN.m, mm,
         /// sg) or "field" (ft, klbf, ft-lbf, in, ppg). Files for machines are SI always.
         units: UnitSet = default(
             Choice {

@@ -21,8 +21,8 @@ const MOST_SAMPLES: f64 = 2e6;
 table! {
     /// How finely the string is cut.
     MeshTable in "[mesh]" {
-        /// Longest element. Default 3.2 m. A node always stands on tool joints and stabilisers. Halving
-        /// it makes a dynamic run four times slower.
+        /// Length of the elements, at most a fifth longer where joints ask for it: a node stands on
+        /// tool joints and stabilisers. Halving it makes a dynamic run four times slower.
         element_length: f64 = default(
             Quantity::si(Dimension::Length, Range::from_to(0.2, 30.0), "3.2 m"),
             DynamicsSettings::default().element_length_m,
@@ -40,12 +40,12 @@ pub(crate) enum Contact {
 table! {
     /// Rayleigh damping of the rod.
     DampingTable in "[dynamics.damping]" {
-        /// Proportional to mass, 1/s, on velocities relative to the string's rigid motion. Default 0.1.
+        /// Proportional to mass, 1/s, on velocities relative to the string's rigid motion.
         mass: f64 = default(
             Quantity::si(Dimension::Frequency, Range::from_to(0.0, 100.0), "0.1 1/s"),
             DynamicsSettings::default().damping.mass_per_s,
         );
-        /// Proportional to stiffness, s, on strain rates. Default 1e-4 s.
+        /// Proportional to stiffness, s, on strain rates.
         stiffness: f64 = default(
             Quantity::si(Dimension::Time, Range::from_to(0.0, 0.01), "1e-4 s"),
             DynamicsSettings::default().damping.stiffness_s,
@@ -56,18 +56,18 @@ table! {
 table! {
     /// Settings of the dynamic model; the others ignore them.
     DynamicsTable in "[dynamics]" {
-        /// Length of the window that the statistics cover. Default 60 s.
+        /// Length of the window that the statistics cover.
         duration: f64 = default(
             Quantity::si(Dimension::Time, Range::positive_to(86_400.0), "60 s"),
             DynamicsSettings::default().duration_s,
         );
-        /// Simulated time before that window. Default 20 s.
+        /// Simulated time before that window.
         settle: f64 = default(
             Quantity::si(Dimension::Time, Range::from_to(0.0, 86_400.0), "20 s"),
             DynamicsSettings::default().settle_s,
         );
-        /// How the string lies at time zero: "prepared" (default; on its contact side with the soft
-        /// string's tension and torque) or "centred" (on the hole's axis, untwisted, at rest).
+        /// How the string lies at time zero: "prepared" (on its contact side with the soft string's
+        /// tension and torque) or "centred" (on the hole's axis, untwisted, at rest).
         start: Start = default(
             Choice {
                 noun: "a start",
@@ -75,7 +75,7 @@ table! {
             },
             DynamicsSettings::default().start,
         );
-        /// "vector" (default; friction opposes the resultant sliding velocity) or "independent" (full
+        /// "vector" (friction opposes the resultant sliding velocity) or "independent" (full
         /// friction axially and full friction around, up to 1.41 times too strong in sum).
         friction_law: FrictionLaw = default(
             Choice {
@@ -87,8 +87,8 @@ table! {
             },
             DynamicsSettings::default().friction_law,
         );
-        /// "hertz" (default; stiffness from the elastic constants and radii of pipe and hole) or
-        /// "linear" (a spring and a dashpot).
+        /// "hertz" (stiffness from the elastic constants and radii of pipe and hole) or "linear" (a
+        /// spring and a dashpot).
         contact_law: Contact = default(
             Choice {
                 noun: "a contact law",
@@ -96,33 +96,33 @@ table! {
             },
             Contact::Hertz,
         );
-        /// Linear contact: stiffness of the contact of one node. Default 1e8 N/m. Means do not move with
-        /// it from 2e7 to 2e11 N/m.
+        /// Linear contact: stiffness of the contact of one node. Means do not move with it from 2e7
+        /// to 2e11 N/m.
         contact_stiffness: f64 = default(
             Quantity::si(Dimension::Stiffness, Range::from_to(1e3, 1e13), "1e8 N/m"),
             1e8,
         );
-        /// Linear contact: damping as a fraction of the critical damping of the node on its contact.
-        /// Default 0.05. Raising it makes impacts rebound less.
+        /// Linear contact: damping as a fraction of the critical damping of the node on its
+        /// contact. Raising it makes impacts rebound less.
         contact_damping_ratio: f64 = default(
             Number { unit: "", range: Range::from_to(0.0, 2.0) },
             0.05,
         );
-        /// Hertz contact: dissipation of Hunt and Crossley, s/m. Default 0.5. Raising it makes impacts
-        /// rebound less.
+        /// Hertz contact: dissipation of Hunt and Crossley, s/m. Raising it makes impacts rebound
+        /// less.
         hertz_dissipation: f64 = default(
             Quantity::si(Dimension::DissipationTime, Range::from_to(0.0, 100.0), "0.5 s/m"),
             hertz_dissipation_default(),
         );
         /// Rayleigh damping of the rod.
         damping: DampingTable = optional(Section::<DampingTable>::RULE);
-        /// Time between samples of the statistics and rows of the time table. Default 0.01 s. Contact
-        /// forces are averaged over it.
+        /// Time between samples of the statistics and rows of the time table. Contact forces are
+        /// averaged over it.
         sample_interval: f64 = default(
             Quantity::si(Dimension::Time, Range::from_to(1e-4, 10.0), "10 ms"),
             DynamicsSettings::default().sample_interval_s,
         );
-        /// Seed of the microscopic lateral disturbance that breaks the symmetry of the start. Default 1.
+        /// Seed of the microscopic lateral disturbance that breaks the symmetry of the start.
         seed: u64 = default(Whole, DynamicsSettings::default().seed);
     }
 }

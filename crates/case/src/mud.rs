@@ -19,16 +19,16 @@ table! {
             Range::from_to(0.0, 3000.0),
             "1.2 sg",
         ));
-        /// Linear lateral drag: force per length of pipe per lateral speed, Pa.s. Default 0: the
-        /// mass-proportional part of the Rayleigh damping stands for it. Raising it calms lateral
-        /// vibration. Only the dynamic model uses it.
+        /// Linear lateral drag: force per length of pipe per lateral speed, Pa.s. Zero leaves it to
+        /// the mass-proportional part of the Rayleigh damping. Raising it calms lateral vibration.
+        /// Only the dynamic model uses it.
         linear_drag: f64 = default(
             Quantity::si(Dimension::Viscosity, Range::from_to(0.0, 1e4), "5 Pa.s"),
             0.0,
         );
-        /// Quadratic lateral drag coefficient of the pipe as a cylinder on its outside diameter.
-        /// Default 1, a smooth cylinder across a stream at Reynolds numbers from 1e3 to 1e5. Only
-        /// the dynamic model uses it.
+        /// Quadratic lateral drag coefficient of the pipe as a cylinder on its outside diameter. A
+        /// smooth cylinder across a stream has 1 at Reynolds numbers from 1e3 to 1e5. Only the
+        /// dynamic model uses it.
         drag_coefficient: f64 = default(
             Number { unit: "", range: Range::from_to(0.0, 100.0) },
             1.0,

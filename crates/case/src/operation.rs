@@ -80,7 +80,7 @@ table! {
             Range::positive_to(0.3),
             "10 m/h",
         ));
-        /// Axial speed of tripping and reaming. Default 0.3 m/s.
+        /// Axial speed of tripping and reaming.
         trip_speed: f64 = default(
             Quantity::si(Dimension::TripSpeed, Range::positive_to(10.0), "0.3 m/s"),
             TRIP_SPEED_M_PER_S,

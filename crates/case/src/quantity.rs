@@ -7,7 +7,7 @@ use crate::{
     diagnostic::Diagnostic,
     names::short,
     node::{Node, Value},
-    range::{Range, check_range},
+    range::{Range, check_range, number_text},
     reader::Reader,
     rule::Rule,
     source::Place,
@@ -101,6 +101,15 @@ impl Rule for Quantity {
 
     fn example(&self) -> Option<String> {
         Some(format!("\"{}\"", self.example))
+    }
+
+    fn written(&self, default: &Json) -> String {
+        let number = match default.as_f64() {
+            Some(large) if large >= 1e5 => format!("{large:e}"),
+            Some(number) => number_text(number),
+            None => String::new(),
+        };
+        format!("{number} {}", self.bare.0)
     }
 
     fn json(&self, value: &f64) -> Json {

@@ -57,6 +57,17 @@ impl RigTable {
     }
 }
 
+/// Gain and filter of the autodriller where the case does not say, m/s/N and s.
+fn autodriller() -> (f64, f64) {
+    match HoistControl::AUTODRILLER {
+        HoistControl::Autodriller {
+            gain_m_per_s_per_N,
+            filter_s,
+        } => (gain_m_per_s_per_N, filter_s),
+        HoistControl::BlockVelocity(_) | HoistControl::HookLoad(_) => (0.0, 0.0),
+    }
+}
+
 /// The ways of moving the top of the string.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Control {
@@ -83,16 +94,16 @@ table! {
             noun: "a hoist control",
             words: Control::WORDS,
         });
-        /// Autodriller: block speed per missing weight on bit. Default 1e-7 m/s/N. Raising it follows
-        /// the weight on bit faster, until it hunts.
+        /// Autodriller: block speed per missing weight on bit. Raising it follows the weight on bit
+        /// faster, until it hunts.
         gain: f64 = default(
             Quantity::si(Dimension::HoistGain, Range::positive_to(1e-3), "1e-4 m/s/kN"),
-            1e-7,
+            autodriller().0,
         );
-        /// Autodriller: time constant of the filter on the measured weight on bit. Default 1 s.
+        /// Autodriller: time constant of the filter on the measured weight on bit.
         filter: f64 = default(
             Quantity::si(Dimension::Time, Range::positive_to(1e3), "1 s"),
-            1.0,
+            autodriller().1,
         );
         /// Block velocity: speed of the block, positive downwards.
         block_velocity: f64 = optional(Quantity::si(
@@ -106,12 +117,12 @@ table! {
             Range::from_to(0.0, 1e8),
             "900 kN",
         ));
-        /// Axial stiffness of lines and derrick. Default 1e7 N/m.
+        /// Axial stiffness of lines and derrick.
         stiffness: f64 = default(
             Quantity::si(Dimension::Stiffness, Range::from_to(1e3, 1e12), "1e7 N/m"),
             DynamicsSettings::default().hoist_line.stiffness_N_per_m,
         );
-        /// Damping of lines and derrick. Default 1e5 N.s/m. Without it a short string rings.
+        /// Damping of lines and derrick. Without it a short string rings.
         damping: f64 = default(
             Quantity::si(Dimension::Damping, Range::from_to(0.0, 1e9), "1e5 N.s/m"),
             DynamicsSettings::default().hoist_line.damping_N_s_per_m,

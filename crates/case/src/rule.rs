@@ -30,6 +30,10 @@ pub(crate) trait Rule {
     fn example(&self) -> Option<String> {
         None
     }
+    /// A default as people write it.
+    fn written(&self, default: &Json) -> String {
+        default.to_string()
+    }
     /// The value as the schema shows defaults.
     fn json(&self, _value: &Self::Value) -> Json {
         Json::Null

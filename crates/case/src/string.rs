@@ -37,11 +37,11 @@ fn diameter(example: &'static str) -> Quantity {
 table! {
     /// The metal of the string, wherever a component does not say otherwise.
     SteelTable in "[steel]" {
-        /// Density. Default 7860 kg/m3.
+        /// Density.
         density: f64 = default(density(), 7860.0);
-        /// Young's modulus. Default 210 GPa.
+        /// Young's modulus.
         youngs_modulus: f64 = default(modulus("210 GPa"), 210e9);
-        /// Shear modulus, independent of Young's modulus. Default 76.923 GPa.
+        /// Shear modulus, independent of Young's modulus.
         shear_modulus: f64 = default(modulus("76.923 GPa"), 76.923e9);
     }
 }

@@ -149,12 +149,17 @@ impl<R: Rule> Key<R> {
     /// Adds the key to the schema of its table.
     pub(crate) fn describe(self, name: &str, doc: &str, table: &mut TableSchema) {
         let mut schema = self.rule.schema();
-        schema["description"] = json!(doc.trim());
+        let mut doc = doc.trim().to_owned();
         match &self.need {
             Need::Required => table.required.push(name.to_owned()),
-            Need::Default(value) => schema["default"] = self.rule.json(value),
+            Need::Default(value) => {
+                let default = self.rule.json(value);
+                doc.push_str(&format!(" Default: {}.", self.rule.written(&default)));
+                schema["default"] = default;
+            }
             Need::Optional => {}
         }
+        schema["description"] = json!(doc);
         table.properties.insert(name.to_owned(), schema);
     }
 }

@@ -22,9 +22,9 @@ const PROJECTION_M: f64 = 50.0;
 table! {
     /// Position of the first survey station.
     TieInTable in "[well.tie_in]" {
-        /// North of the first station, m unless a unit is given. Default 0.
+        /// North of the first station, m unless a unit is given.
         north: f64 = crate::table::default(coordinate(), 0.0);
-        /// East of the first station, m unless a unit is given. Default 0.
+        /// East of the first station, m unless a unit is given.
         east: f64 = crate::table::default(coordinate(), 0.0);
         /// True vertical depth of the first station, m unless a unit is given. Default: its measured
         /// depth, as if the hole were vertical down to it.
@@ -48,7 +48,7 @@ table! {
             noun: "stations",
             most: 100_000,
         });
-        /// Curve through the survey: "spline" (default, continuous curvature) or "minimum-curvature"
+        /// Curve through the survey: "spline" (continuous curvature) or "minimum-curvature"
         /// (circular arcs).
         path: Interpolation = crate::table::default(
             Choice {

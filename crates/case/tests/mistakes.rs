@@ -365,6 +365,15 @@ fn several_at_once() {
     refused("several_at_once", read(&text));
 }
 
+/// What is no case file at all is not answered line by line.
+#[test]
+fn a_hundred_at_most() {
+    let keys: String = (0..20_000).map(|i| format!("key_{i} = {i}\n")).collect();
+    let report = read(&keys).expect_err("no case");
+    assert_eq!(report.diagnostics.len(), 100);
+    assert!(report.render(false).ends_with("and 80 more\n"));
+}
+
 /// Only a bit below other components is taken to be solid.
 #[test]
 fn of_a_pipe_alone() {
