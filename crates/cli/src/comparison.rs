@@ -279,13 +279,25 @@ fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
                 .iter()
                 .enumerate()
                 .map(|(row, quantity)| match statistics.get(quantity.key) {
-                    Some(statistic) => cell(row, Some(statistic.std)),
+                    Some(statistic) => deviation(quantity.unit.shown(statistic.std, units)),
                     None => String::new(),
                 });
             push("± std", deviations.collect(), 0);
         }
     }
     columns
+}
+
+/// A deviation with the two digits that it deserves; `0` where it is less than anybody measures.
+fn deviation(shown: f64) -> String {
+    if !shown.is_finite() {
+        return "–".to_owned();
+    }
+    if shown < 1e-4 {
+        return "0".to_owned();
+    }
+    let decimals = (1.0 - shown.log10().floor()).max(0.0) as usize;
+    format!("{shown:.decimals$}")
 }
 
 fn heading_width(heading: &str) -> usize {
