@@ -187,6 +187,12 @@ impl Simulation {
         let stepper = Stepper::new(
             matches!(settings.contact_law, ContactLaw::Hertz { .. }),
             settings.friction_law == FrictionLaw::Vector,
+            model
+                .well
+                .hole
+                .sections()
+                .iter()
+                .any(|s| s.friction.at_rest > s.friction.kinetic),
         );
         let input = StepInput {
             dt: plan.dt_s,

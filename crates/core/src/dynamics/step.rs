@@ -65,11 +65,11 @@ impl std::fmt::Debug for Stepper {
 macro_rules! compiled_for {
     ($name:ident, $number:ty $(, $features:literal)?) => {
         $(#[target_feature(enable = $features)])?
-        fn $name<const HERTZ: bool, const VECTOR: bool>(
+        fn $name<const HERTZ: bool, const VECTOR: bool, const REST: bool>(
             chain: &mut Chain,
             input: &StepInput,
         ) -> StepLosses {
-            sweep::<$number, HERTZ, VECTOR>(chain, input)
+            sweep::<$number, HERTZ, VECTOR, REST>(chain, input)
         }
     };
 }
@@ -84,16 +84,21 @@ compiled_for!(baseline, Fused);
 compiled_for!(baseline, f64);
 
 impl Stepper {
-    /// The fastest code for this processor and these laws.
-    pub fn new(hertz: bool, vector: bool) -> Self {
+    /// The fastest code for this processor and these laws: `hertz` or linear contact, `vector` or
+    /// independent friction, and `rest` if friction at rest is stronger than sliding anywhere.
+    pub fn new(hertz: bool, vector: bool, rest: bool) -> Self {
         macro_rules! choose {
             ($function:ident, $name:literal) => {
                 Self {
-                    step: match (hertz, vector) {
-                        (true, true) => $function::<true, true>,
-                        (true, false) => $function::<true, false>,
-                        (false, true) => $function::<false, true>,
-                        (false, false) => $function::<false, false>,
+                    step: match (hertz, vector, rest) {
+                        (true, true, false) => $function::<true, true, false>,
+                        (true, false, false) => $function::<true, false, false>,
+                        (false, true, false) => $function::<false, true, false>,
+                        (false, false, false) => $function::<false, false, false>,
+                        (true, true, true) => $function::<true, true, true>,
+                        (true, false, true) => $function::<true, false, true>,
+                        (false, true, true) => $function::<false, true, true>,
+                        (false, false, true) => $function::<false, false, true>,
                     },
                     instructions: $name,
                 }
@@ -162,7 +167,7 @@ struct Losses {
 }
 
 #[inline(always)]
-fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool>(
+fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const REST: bool>(
     chain: &mut Chain,
     input: &StepInput,
 ) -> StepLosses {
@@ -187,12 +192,31 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool>(
         }
         let nodes = &mut chain.node_blocks[first..first + tile];
         for (k, (nodes, flight)) in nodes.iter().zip(&mut flights).enumerate() {
-            fly::<N>(nodes, &chain.state, first + k, input, &pull, k, flight, &mut touch);
+            fly::<N>(
+                nodes,
+                &chain.state,
+                first + k,
+                input,
+                &pull,
+                k,
+                flight,
+                &mut touch,
+            );
         }
         touch.push::<N, HERTZ>(input);
         for (k, (nodes, flight)) in nodes.iter_mut().zip(&flights).enumerate() {
-            let push = touch.push[k * LANES..].first_chunk().expect("a tile holds its blocks");
-            land::<N, VECTOR>(nodes, &mut chain.state, first + k, flight, push, input, &mut losses);
+            let push = touch.push[k * LANES..]
+                .first_chunk()
+                .expect("a tile holds its blocks");
+            land::<N, VECTOR, REST>(
+                nodes,
+                &mut chain.state,
+                first + k,
+                flight,
+                push,
+                input,
+                &mut losses,
+            );
         }
         for (k, nodes) in nodes.iter().enumerate() {
             turn::<N>(nodes, &mut chain.state, first + k, input, &pull, k);
@@ -413,7 +437,9 @@ fn fly<N: Number>(
         // Mud drag and mass-proportional damping.
         let speed = across0.dot(across0).sqrt();
         let drag = at::<N>(&n.drag_quadratic, lane).mul_add(speed, at(&n.drag_linear, lane));
-        let slowed = one / per_ml.mul_add(drag, alpha).mul_add(dt, one);
+        // 1/(1 + x) to 1e-8 for the x = 1e-2 that no mud exceeds; still a brake at any speed.
+        let x = (per_ml.mul_add(drag, alpha) * dt).min(half);
+        let slowed = x.mul_add(x.mul_add(one - x, -one), one);
         let axial2 = (axial1 - rigid_v).mul_add(calm, rigid_v);
         let across2 = across1.scaled(slowed);
         let calm_spin = per_j.if_positive(calm, one);
@@ -490,7 +516,13 @@ impl Touch {
             let mass = splat(self.mass[i]);
             let force = if HERTZ {
                 let inertia = mass * per_dt2;
-                contact::hertz(penetration, inward, stiffness, splat(input.dissipation), inertia)
+                contact::hertz(
+                    penetration,
+                    inward,
+                    stiffness,
+                    splat(input.dissipation),
+                    inertia,
+                )
             } else {
                 let damping = splat(self.damping[i]);
                 let dt = splat(input.dt);
@@ -503,7 +535,7 @@ impl Touch {
 
 /// Lets the wall push and rub, and moves eight nodes to where the step ends.
 #[inline(always)]
-fn land<N: Number, const VECTOR: bool>(
+fn land<N: Number, const VECTOR: bool, const REST: bool>(
     n: &mut NodeBlock,
     state: &mut State,
     block: usize,
@@ -533,9 +565,13 @@ fn land<N: Number, const VECTOR: bool>(
         let around = th.cross(normal);
         let radius = at::<N>(&n.radius, lane);
         let slip = radius.mul_add(s2, across2.dot(around));
-        let speed2 = slip.mul_add(slip, axial2 * axial2);
-        let limit = force
-            * friction::coefficient(at(&n.friction, lane), at(&n.friction_rise, lane), speed2);
+        let mu = if REST {
+            let speed2 = slip.mul_add(slip, axial2 * axial2);
+            friction::coefficient(at(&n.friction, lane), at(&n.friction_rise, lane), speed2)
+        } else {
+            at::<N>(&n.friction, lane)
+        };
+        let limit = force * mu;
         // One newton always takes some speed away: a node that is held everywhere keeps its friction.
         let least = splat(1e-30);
         let g_axial = (dt * per_ma).max(least);
@@ -547,7 +583,9 @@ fn land<N: Number, const VECTOR: bool>(
         };
         let torque = across * radius;
         let axial3 = (dt * per_ma).neg_mul_add(along, axial2);
-        let across3 = across2.minus(normal, mobility * force).minus(around, mobility * across);
+        let across3 = across2
+            .minus(normal, mobility * force)
+            .minus(around, mobility * across);
         let v3 = across3.plus(th, axial3);
         let s3 = (dt * per_j).neg_mul_add(torque, s2);
 
@@ -557,8 +595,10 @@ fn land<N: Number, const VECTOR: bool>(
         let (across0, axial0) = (held::<N>(&flight.across0, lane), splat(flight.axial0[lane]));
         let (s0, s1) = (splat(flight.spin0[lane]), splat(flight.spin1[lane]));
         let work = (at::<N>(&n.mass_lateral, lane) * (across1 - across3).dot(across0 + across3))
-            + (at::<N>(&n.mass_axial, lane) * (axial1 - axial3))
-                .mul_add(axial0 + axial3, at::<N>(&n.polar, lane) * (s1 - s3) * (s0 + s3));
+            + (at::<N>(&n.mass_axial, lane) * (axial1 - axial3)).mul_add(
+                axial0 + axial3,
+                at::<N>(&n.polar, lane) * (s1 - s3) * (s0 + s3),
+            );
 
         put(&mut u, lane, from::<N, 9>(&old, lane).plus(v3, dt));
         put(&mut v, lane, v3);
@@ -612,7 +652,9 @@ fn turn<N: Number>(
         // 1/(1 + q) to rounding: q is the square of half the turn in a step.
         let q2 = q * q;
         let shrink = (one - q).mul_add(one + q2, q2 * q2);
-        let turned = d0.scaled((one - q) * shrink).plus(turning.cross(d0), dt * shrink);
+        let turned = d0
+            .scaled((one - q) * shrink)
+            .plus(turning.cross(d0), dt * shrink);
         put(&mut d, lane, turned);
         put(&mut w, lane, turning);
     }
@@ -624,7 +666,11 @@ fn turn<N: Number>(
 
 #[inline(always)]
 fn held<N: Number>(arrays: &[[f64; LANES]; 3], lane: usize) -> Vector<N> {
-    Vector(N::splat(arrays[0][lane]), N::splat(arrays[1][lane]), N::splat(arrays[2][lane]))
+    Vector(
+        N::splat(arrays[0][lane]),
+        N::splat(arrays[1][lane]),
+        N::splat(arrays[2][lane]),
+    )
 }
 
 #[inline(always)]

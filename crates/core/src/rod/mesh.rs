@@ -50,8 +50,9 @@ const CROWDED: f64 = 0.5;
 /// Longest distance over which marks are merged, m.
 const CROWDED_M: f64 = 2.0;
 
-/// How much longer than asked an element may be rather than be halved: short elements bound the step.
-const TOLERANCE: f64 = 0.2;
+/// Part of an element that a stretch may lack and still be cut once more. Between marks the elements
+/// are rather longer than asked than shorter: short ones bound the step.
+const SLACK: f64 = 0.2;
 
 /// How far a blade stands out over its neighbours, m.
 const BLADE_HEIGHT_M: f64 = 1e-3;
@@ -65,7 +66,7 @@ impl Mesh {
         for pair in marks.windows(2) {
             let (low, high) = (&pair[0], &pair[1]);
             let span = high.from_bit_m - low.from_bit_m;
-            let parts = (span / element_length_m - TOLERANCE).ceil().max(1.0) as usize;
+            let parts = (span / element_length_m + SLACK).floor().max(1.0) as usize;
             nodes.push(MeshNode {
                 from_bit_m: low.from_bit_m,
                 contact_radius_m: low.contact_radius_m,

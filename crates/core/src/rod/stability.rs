@@ -4,7 +4,7 @@ use super::{element::Stiffness, mesh::Mesh};
 
 /// Part of the stability limit that is used: the rest is for what the elements' own frequencies do
 /// not know (tension, large rotation).
-const SAFETY: f64 = 0.95;
+const SAFETY: f64 = 0.98;
 
 /// Largest part of the string's axial mass that short elements may be lent in sum.
 const MOST_ADDED_MASS: f64 = 0.003;
