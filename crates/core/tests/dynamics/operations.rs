@@ -1,0 +1,3 @@
+//! Every operation in the dynamics, against the soft string.
+#[test]
+fn x() {}
