@@ -1,0 +1,8 @@
+//! Pictures of what a run leaves, as SVG.
+#![warn(missing_docs)]
+
+mod axis;
+mod colours;
+mod profile;
+
+pub use profile::{Curve, Interval, IntervalKind, Panel, Profile, Stroke, profile_svg};

@@ -1,0 +1,677 @@
+//! Quantities against measured depth, side by side, depth down the page.
+
+use plotters::{
+    coord::Shift,
+    prelude::*,
+    style::{
+        FontTransform, RGBColor,
+        text_anchor::{HPos, Pos, VPos},
+    },
+};
+
+use crate::{axis::Axis, colours};
+
+/// A picture of profiles: panels side by side over one depth axis that points down.
+///
+/// Everything is in the reader's units already; labels name them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Profile {
+    /// Title, such as the case's name.
+    pub title: String,
+    /// What stands under it, such as friction and mud; may be empty.
+    pub subtitle: String,
+    /// Label of the depth axis, unit included.
+    pub depth_label: String,
+    /// The panels, from left to right.
+    pub panels: Vec<Panel>,
+    /// The hole beside them, from the surface down.
+    pub hole: Vec<Interval>,
+}
+
+/// One quantity against depth.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panel {
+    /// Label of the axis, unit included.
+    pub label: String,
+    /// What lies on either side of zero, left and right, where the sign means a side.
+    pub sides: Option<[String; 2]>,
+    /// The curves.
+    pub curves: Vec<Curve>,
+}
+
+/// One curve of a panel. Curves of the same name in several panels share one entry of the legend and
+/// must look alike.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// Name in the legend.
+    pub name: String,
+    /// Index of its colour; seven can be told apart.
+    pub colour: usize,
+    /// How it is drawn.
+    pub stroke: Stroke,
+    /// Depth and value; the curve breaks where one is not finite.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// How a curve is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stroke {
+    /// A full line.
+    Solid,
+    /// A dashed line, drawn over the full ones.
+    Dashed,
+}
+
+/// A stretch of hole.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Interval {
+    /// Depth where it begins.
+    pub from: f64,
+    /// Depth where it ends.
+    pub to: f64,
+    /// Casing or rock.
+    pub kind: IntervalKind,
+    /// What it is: `casing 9-5/8 in`.
+    pub label: String,
+}
+
+/// What the wall of a stretch of hole is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum IntervalKind {
+    /// Casing, with a shoe at its lower end.
+    Casing,
+    /// Rock.
+    Open,
+}
+
+/// The backend draws on whole pixels: a canvas ten times as large keeps curves smooth.
+const FINE: f64 = 10.0;
+
+const WIDTH: f64 = 960.0;
+const PANELS: f64 = 760.0;
+const LEFT: f64 = 76.0;
+const RIGHT: f64 = 62.0;
+const GAP: f64 = 22.0;
+const BOTTOM: f64 = 28.0;
+const LEGEND_ROW: f64 = 20.0;
+const LEGEND_ENTRY: f64 = 36.0;
+/// The backend takes a font's size as the height of its line and divides by this to get the em.
+const EM: f64 = 1.24;
+/// Mean width of a letter over its size; generous, so that entries never touch.
+const LETTER: f64 = 0.6;
+
+/// The picture as the text of an SVG file.
+pub fn profile_svg(profile: &Profile) -> String {
+    let legend = Legend::of(profile);
+    let top = 120.0 + LEGEND_ROW * legend.rows() as f64;
+    let height = top + PANELS + BOTTOM;
+    let mut svg = String::new();
+    {
+        let size = ((WIDTH * FINE) as u32, (height * FINE) as u32);
+        let root = SVGBackend::with_string(&mut svg, size).into_drawing_area();
+        let canvas = Canvas { area: &root };
+        // Drawing into memory does not fail.
+        let drawn = draw(&canvas, profile, &legend, top);
+        debug_assert!(drawn.is_ok(), "{drawn:?}");
+    }
+    natural_size(&svg, height)
+}
+
+/// The canvas is [`FINE`] times too large: the file says how large it should be shown.
+fn natural_size(svg: &str, height: f64) -> String {
+    let large = format!(
+        "width=\"{}\" height=\"{}\"",
+        (WIDTH * FINE) as u32,
+        (height * FINE) as u32
+    );
+    svg.replacen(&large, &format!("width=\"{WIDTH}\" height=\"{height}\""), 1)
+}
+
+type Drawn = Result<(), Box<dyn std::error::Error>>;
+
+fn draw(canvas: &Canvas, profile: &Profile, legend: &Legend, top: f64) -> Drawn {
+    canvas.area.fill(&WHITE)?;
+    let room = WIDTH - LEFT - RIGHT;
+    let title = fitting(&profile.title, 19.0, room);
+    canvas.text(&title, LEFT, 34.0, 19.0, colours::TEXT, HPos::Left)?;
+    let subtitle = fitting(&profile.subtitle, 12.5, room);
+    canvas.text(&subtitle, LEFT, 56.0, 12.5, colours::NOTE, HPos::Left)?;
+    legend.draw(canvas, 80.0)?;
+
+    let hole = profile
+        .hole
+        .iter()
+        .flat_map(|interval| [interval.from, interval.to]);
+    let curves = profile.panels.iter().flat_map(|panel| &panel.curves);
+    let points = curves.flat_map(|curve| curve.points.iter().map(|point| point.0));
+    let depth = Axis::depth(hole.chain(points), 10);
+
+    let count = profile.panels.len().max(1) as f64;
+    let width = (WIDTH - LEFT - RIGHT - GAP * (count - 1.0)) / count;
+    let frame = |index: usize| Frame {
+        left: LEFT + index as f64 * (width + GAP),
+        top,
+        width,
+        height: PANELS,
+    };
+    for (index, panel) in profile.panels.iter().enumerate() {
+        draw_panel(canvas, panel, &depth, frame(index), &profile.hole)?;
+    }
+    draw_depth_axis(canvas, &profile.depth_label, &depth, top)?;
+    draw_hole(canvas, &profile.hole, &depth, top)
+}
+
+/// The place of a panel on the page.
+#[derive(Debug, Clone, Copy)]
+struct Frame {
+    left: f64,
+    top: f64,
+    width: f64,
+    height: f64,
+}
+
+fn draw_panel(
+    canvas: &Canvas,
+    panel: &Panel,
+    depth: &Axis,
+    frame: Frame,
+    hole: &[Interval],
+) -> Drawn {
+    let Frame {
+        left,
+        top,
+        width,
+        height,
+    } = frame;
+    let (right, bottom) = (left + width, top + height);
+    let values = panel
+        .curves
+        .iter()
+        .flat_map(|curve| curve.points.iter().map(|point| point.1));
+    let axis = Axis::around(values, 5);
+    let x = |value: f64| left + width * axis.place(value);
+    let y = |value: f64| top + height * depth.place(value);
+
+    for tick in axis.ticks() {
+        let at_zero = tick.abs() < 1e-12;
+        let colour = if at_zero {
+            colours::CASING
+        } else {
+            colours::GRID
+        };
+        canvas.line(&[(x(tick), top), (x(tick), bottom)], colour, 0.8)?;
+        canvas.text(
+            &axis.label(tick),
+            x(tick),
+            top - 11.0,
+            11.5,
+            colours::TEXT,
+            HPos::Center,
+        )?;
+    }
+    for tick in depth.ticks() {
+        canvas.line(&[(left, y(tick)), (right, y(tick))], colours::GRID, 0.8)?;
+    }
+    for shoe in hole
+        .iter()
+        .filter(|interval| interval.kind == IntervalKind::Casing)
+    {
+        let y = y(shoe.to);
+        canvas.dashed(&[(left, y), (right, y)], colours::NOTE, 0.9, 2.0)?;
+    }
+    let middle = left + width / 2.0;
+    canvas.text(
+        &panel.label,
+        middle,
+        top - 32.0,
+        13.0,
+        colours::TEXT,
+        HPos::Center,
+    )?;
+    if let Some([low, high]) = &panel.sides {
+        let y = bottom + 12.0;
+        canvas.text(low, left, y, 11.0, colours::NOTE, HPos::Left)?;
+        canvas.text(high, right, y, 11.0, colours::NOTE, HPos::Right)?;
+    }
+    for stroke in [Stroke::Solid, Stroke::Dashed] {
+        for curve in panel.curves.iter().filter(|curve| curve.stroke == stroke) {
+            for piece in curve
+                .points
+                .split(|(depth, value)| !(depth + value).is_finite())
+            {
+                let piece: Vec<_> = piece.iter().map(|point| (x(point.1), y(point.0))).collect();
+                canvas.curve(&thinned(&piece), curve.colour, stroke)?;
+            }
+        }
+    }
+    let corners = [
+        (left, top),
+        (right, top),
+        (right, bottom),
+        (left, bottom),
+        (left, top),
+    ];
+    canvas.line(&corners, colours::FRAME, 1.0)
+}
+
+fn draw_depth_axis(canvas: &Canvas, label: &str, depth: &Axis, top: f64) -> Drawn {
+    for tick in depth.ticks() {
+        let y = top + PANELS * depth.place(tick);
+        canvas.text(
+            &depth.label(tick),
+            LEFT - 7.0,
+            y,
+            11.5,
+            colours::TEXT,
+            HPos::Right,
+        )?;
+    }
+    canvas.upright(label, LEFT - 52.0, top + PANELS / 2.0, 13.0, colours::TEXT)
+}
+
+/// A strip beside the panels with casing and rock, and a triangle at each casing shoe.
+fn draw_hole(canvas: &Canvas, hole: &[Interval], depth: &Axis, top: f64) -> Drawn {
+    let left = WIDTH - RIGHT + 12.0;
+    let right = left + 9.0;
+    for interval in hole {
+        let [from, to] = [interval.from, interval.to].map(|md| top + PANELS * depth.place(md));
+        let colour = match interval.kind {
+            IntervalKind::Casing => colours::CASING,
+            IntervalKind::Open => colours::ROCK,
+        };
+        canvas.fill(
+            &[(left, from), (right, from), (right, to), (left, to)],
+            colour,
+        )?;
+        if interval.kind == IntervalKind::Casing {
+            canvas.fill(
+                &[(left, to - 9.0), (left, to), (left - 7.0, to)],
+                colours::FRAME,
+            )?;
+        }
+        if to - from > LETTER * 11.0 * interval.label.chars().count() as f64 {
+            let middle = (from + to) / 2.0;
+            canvas.upright(&interval.label, right + 12.0, middle, 11.0, colours::NOTE)?;
+        }
+    }
+    Ok(())
+}
+
+/// The legend: one entry per name, in aligned columns under the title.
+struct Legend<'a> {
+    entries: Vec<&'a Curve>,
+    columns: usize,
+}
+
+const LEGEND_SIZE: f64 = 12.5;
+
+impl<'a> Legend<'a> {
+    fn of(profile: &'a Profile) -> Self {
+        let mut entries: Vec<&Curve> = Vec::new();
+        for curve in profile.panels.iter().flat_map(|panel| &panel.curves) {
+            if entries.iter().all(|other| other.name != curve.name) {
+                entries.push(curve);
+            }
+        }
+        let width = Self::column_width(&entries);
+        let columns = ((WIDTH - LEFT) / width).floor().max(1.0) as usize;
+        Self { entries, columns }
+    }
+
+    fn rows(&self) -> usize {
+        self.entries.len().div_ceil(self.columns)
+    }
+
+    fn column_width(entries: &[&Curve]) -> f64 {
+        let letters = entries.iter().map(|curve| curve.name.chars().count()).max();
+        LEGEND_ENTRY + LETTER * LEGEND_SIZE * letters.unwrap_or(0) as f64 + 14.0
+    }
+
+    fn draw(&self, canvas: &Canvas, top: f64) -> Drawn {
+        let width = Self::column_width(&self.entries);
+        for (index, curve) in self.entries.iter().enumerate() {
+            let x = LEFT + width * (index % self.columns) as f64;
+            let y = top + LEGEND_ROW * (index / self.columns) as f64;
+            canvas.curve(
+                &[(x, y), (x + LEGEND_ENTRY - 8.0, y)],
+                curve.colour,
+                curve.stroke,
+            )?;
+            let x = x + LEGEND_ENTRY;
+            canvas.text(&curve.name, x, y, LEGEND_SIZE, colours::TEXT, HPos::Left)?;
+        }
+        Ok(())
+    }
+}
+
+/// The page in points of the finished picture.
+struct Canvas<'a, 'b> {
+    area: &'a DrawingArea<SVGBackend<'b>, Shift>,
+}
+
+impl Canvas<'_, '_> {
+    fn fine(points: &[(f64, f64)]) -> Vec<(i32, i32)> {
+        let fine = |value: f64| (value * FINE).round() as i32;
+        points.iter().map(|(x, y)| (fine(*x), fine(*y))).collect()
+    }
+
+    fn line(&self, points: &[(f64, f64)], colour: RGBColor, width: f64) -> Drawn {
+        let style = colour.stroke_width((width * FINE) as u32);
+        self.area
+            .draw(&PathElement::new(Self::fine(points), style))?;
+        Ok(())
+    }
+
+    fn dashed(&self, points: &[(f64, f64)], colour: RGBColor, width: f64, dash: f64) -> Drawn {
+        for piece in dashes(points, dash, dash) {
+            self.line(&piece, colour, width)?;
+        }
+        Ok(())
+    }
+
+    fn curve(&self, points: &[(f64, f64)], colour: usize, stroke: Stroke) -> Drawn {
+        let colour = colours::LINES[colour % colours::LINES.len()];
+        match stroke {
+            Stroke::Solid => self.line(points, colour, 1.6),
+            Stroke::Dashed => {
+                for piece in dashes(points, 6.0, 4.0) {
+                    self.line(&piece, colour, 1.6)?;
+                }
+                Ok(())
+            }
+        }
+    }
+
+    fn fill(&self, corners: &[(f64, f64)], colour: RGBColor) -> Drawn {
+        self.area
+            .draw(&Polygon::new(Self::fine(corners), colour.filled()))?;
+        Ok(())
+    }
+
+    fn text(&self, text: &str, x: f64, y: f64, size: f64, colour: RGBColor, at: HPos) -> Drawn {
+        self.styled_text(text, x, y, size, colour, at, FontTransform::None)
+    }
+
+    /// Text that reads from the bottom up, centred on the point.
+    fn upright(&self, text: &str, x: f64, y: f64, size: f64, colour: RGBColor) -> Drawn {
+        self.styled_text(
+            text,
+            x,
+            y,
+            size,
+            colour,
+            HPos::Center,
+            FontTransform::Rotate270,
+        )
+    }
+
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "the two above are its short forms"
+    )]
+    fn styled_text(
+        &self,
+        text: &str,
+        x: f64,
+        y: f64,
+        size: f64,
+        colour: RGBColor,
+        at: HPos,
+        turned: FontTransform,
+    ) -> Drawn {
+        let style = ("sans-serif", size * FINE * EM)
+            .into_font()
+            .transform(turned)
+            .color(&colour)
+            .pos(Pos::new(at, VPos::Center));
+        let place = Self::fine(&[(x, y)])[0];
+        self.area.draw(&Text::new(text, place, style))?;
+        Ok(())
+    }
+}
+
+/// The text, cut off where it is too long for the width.
+fn fitting(text: &str, size: f64, width: f64) -> String {
+    let letters = (width / (LETTER * size)) as usize;
+    if text.chars().count() <= letters {
+        return text.to_owned();
+    }
+    text.chars().take(letters - 1).chain(['\u{2026}']).collect()
+}
+
+/// The curve without the points that lie on the line between those kept, within a twentieth of a
+/// point (Ramer, Douglas and Peucker): a fine mesh makes no finer picture.
+fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    const WITHIN: f64 = 0.05;
+    let mut keep = vec![false; points.len()];
+    let mut spans = Vec::new();
+    if let Some(last) = points.len().checked_sub(1) {
+        keep[0] = true;
+        keep[last] = true;
+        spans.push((0, last));
+    }
+    while let Some((first, last)) = spans.pop() {
+        let ((x0, y0), (x1, y1)) = (points[first], points[last]);
+        let length = (x1 - x0).hypot(y1 - y0);
+        let off = |&(x, y): &(f64, f64)| {
+            if length > 0.0 {
+                ((x - x0) * (y1 - y0) - (y - y0) * (x1 - x0)).abs() / length
+            } else {
+                (x - x0).hypot(y - y0)
+            }
+        };
+        let between = (first + 1..last).map(|index| (index, off(&points[index])));
+        if let Some((farthest, distance)) = between.max_by(|a, b| a.1.total_cmp(&b.1))
+            && distance > WITHIN
+        {
+            keep[farthest] = true;
+            spans.extend([(first, farthest), (farthest, last)]);
+        }
+    }
+    let kept = points.iter().zip(keep);
+    kept.filter_map(|(point, keep)| keep.then_some(*point))
+        .collect()
+}
+
+/// The pieces of a dashed line.
+fn dashes(points: &[(f64, f64)], dash: f64, gap: f64) -> Vec<Vec<(f64, f64)>> {
+    let mut pieces = Vec::new();
+    let mut piece = Vec::new();
+    // What is left of the dash or gap that the pen is in.
+    let (mut drawing, mut left) = (true, dash);
+    for pair in points.windows(2) {
+        let ((x0, y0), (x1, y1)) = (pair[0], pair[1]);
+        let length = (x1 - x0).hypot(y1 - y0);
+        let at = |along: f64| {
+            (
+                x0 + (x1 - x0) * along / length,
+                y0 + (y1 - y0) * along / length,
+            )
+        };
+        if drawing && piece.is_empty() {
+            piece.push((x0, y0));
+        }
+        let mut along = 0.0;
+        while length - along > left {
+            along += left;
+            if drawing {
+                piece.push(at(along));
+                pieces.push(std::mem::take(&mut piece));
+            } else {
+                piece.push(at(along));
+            }
+            drawing = !drawing;
+            left = if drawing { dash } else { gap };
+        }
+        left -= length - along;
+        if drawing && length > 0.0 {
+            piece.push((x1, y1));
+        }
+    }
+    if piece.len() > 1 {
+        pieces.push(piece);
+    }
+    pieces
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn profile() -> Profile {
+        let curve = |name: &str, stroke| Curve {
+            name: name.into(),
+            colour: 0,
+            stroke,
+            points: (0..100)
+                .map(|i| (f64::from(i) * 40.0, f64::from(i) - 20.0))
+                .collect(),
+        };
+        let panel = |label: &str| Panel {
+            label: label.into(),
+            sides: Some(["low side".into(), "high side".into()]),
+            curves: ["trip out", "rotate off bottom", "drill"]
+                .iter()
+                .flat_map(|name| {
+                    [
+                        curve(&format!("{name}, soft string"), Stroke::Dashed),
+                        curve(&format!("{name}, dynamics"), Stroke::Solid),
+                    ]
+                })
+                .collect(),
+        };
+        Profile {
+            title: "A <well> & its \"string\"".into(),
+            subtitle: "friction 0.3 ".repeat(40),
+            depth_label: "Measured depth, ft".into(),
+            panels: [
+                "Effective tension, klbf",
+                "Torque, ft-lbf",
+                "Side force, lbf/ft",
+            ]
+            .map(panel)
+            .to_vec(),
+            hole: vec![
+                Interval {
+                    from: 0.0,
+                    to: 3000.0,
+                    kind: IntervalKind::Casing,
+                    label: "casing".into(),
+                },
+                Interval {
+                    from: 3000.0,
+                    to: 3900.0,
+                    kind: IntervalKind::Open,
+                    label: "open hole".into(),
+                },
+            ],
+        }
+    }
+
+    /// Left, top, right, bottom of every text that is not turned, with its own.
+    fn boxes(svg: &str) -> Vec<([f64; 4], String)> {
+        let mut boxes = Vec::new();
+        for element in svg.split("<text ").skip(1) {
+            let (tag, rest) = element.split_once('>').unwrap();
+            let value = |key: &str| {
+                let (_, after) = tag.split_once(&format!("{key}=\""))?;
+                Some(after.split_once('"')?.0)
+            };
+            if value("transform").is_some() {
+                continue;
+            }
+            let number = |key| value(key).unwrap().parse::<f64>().unwrap();
+            let text = rest.split_once("</text>").unwrap().0.trim().to_owned();
+            let size = number(" font-size");
+            let width = 0.6 * size * text.chars().count() as f64;
+            let left = match value("text-anchor") {
+                Some("middle") => number("x") - width / 2.0,
+                Some("end") => number("x") - width,
+                _ => number("x"),
+            };
+            let y = number(" y");
+            boxes.push(([left, y - size / 2.0, left + width, y + size / 2.0], text));
+        }
+        boxes
+    }
+
+    #[test]
+    fn no_text_overlaps_another_or_leaves_the_page() {
+        let svg = profile_svg(&profile());
+        let boxes = boxes(&svg);
+        assert!(boxes.len() > 30, "{}", boxes.len());
+        for (index, (a, text)) in boxes.iter().enumerate() {
+            assert!(
+                a[0] >= 0.0 && a[2] <= WIDTH * FINE,
+                "{text} leaves the page"
+            );
+            for (b, other) in &boxes[..index] {
+                let apart = a[0] >= b[2] || b[0] >= a[2] || a[1] >= b[3] || b[1] >= a[3];
+                assert!(apart, "`{text}` overlaps `{other}`");
+            }
+        }
+    }
+
+    #[test]
+    fn names_are_escaped() {
+        let svg = profile_svg(&profile());
+        assert!(svg.contains("A &lt;well&gt; &amp; its"), "{svg:.600}");
+    }
+
+    #[test]
+    fn empty_and_broken_curves_are_drawn() {
+        let mut broken = profile();
+        broken.panels[0].curves.truncate(2);
+        broken.panels[0].curves[0].points.clear();
+        broken.panels[0].curves[1].points[50].1 = f64::NAN;
+        let before = profile_svg(&broken).matches("<polyline").count();
+        broken.panels[0].curves[1].points[50].1 = 3.0;
+        // Without the gap the two pieces are one.
+        assert_eq!(
+            profile_svg(&broken).matches("<polyline").count() + 1,
+            before
+        );
+        broken.panels.clear();
+        broken.hole.clear();
+        assert!(profile_svg(&broken).ends_with("</svg>\n"));
+    }
+
+    #[test]
+    fn thinning_moves_no_point_of_the_curve_visibly() {
+        let point = |i: i32| {
+            let y = f64::from(i) * 0.1;
+            (
+                100.0 + 50.0 * (y / 30.0).sin() + if i == 3000 { 20.0 } else { 0.0 },
+                y,
+            )
+        };
+        let curve: Vec<_> = (0..7600).map(point).collect();
+        let thin = thinned(&curve);
+        assert!(thin.len() < 300, "{}", thin.len());
+        assert!(thin.contains(&point(3000)));
+        assert_eq!((thin[0], thin[thin.len() - 1]), (point(0), point(7599)));
+        for pair in thin.windows(2) {
+            let ((x0, y0), (x1, y1)) = (pair[0], pair[1]);
+            for (x, y) in curve.iter().filter(|point| point.1 > y0 && point.1 < y1) {
+                let line = x0 + (x1 - x0) * (y - y0) / (y1 - y0);
+                // Across the curve it is within 0.05; along x a slope of 5/3 doubles that.
+                assert!((line - x).abs() < 0.1, "{y}: {}", line - x);
+            }
+        }
+        assert_eq!(thinned(&[]), []);
+        assert_eq!(thinned(&[(1.0, 2.0)]), [(1.0, 2.0)]);
+    }
+
+    #[test]
+    fn dashes_keep_their_rhythm_over_corners() {
+        let pieces = dashes(&[(0.0, 0.0), (4.0, 0.0), (4.0, 20.0)], 6.0, 4.0);
+        assert_eq!(
+            pieces,
+            [
+                vec![(0.0, 0.0), (4.0, 0.0), (4.0, 2.0)],
+                vec![(4.0, 6.0), (4.0, 12.0)],
+                vec![(4.0, 16.0), (4.0, 20.0)],
+            ]
+        );
+    }
+}
