@@ -1,5 +1,8 @@
 //! Ranges and ticks that fall on round numbers.
 
+/// A force or torque below this, in any unit that people read, is rounding.
+const NOTHING: f64 = 1e-6;
+
 /// A range with round ticks.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Axis {
@@ -9,21 +12,31 @@ pub(crate) struct Axis {
 }
 
 impl Axis {
-    /// The range of the values, widened so that no curve touches the frame, with about `ticks` ticks.
-    /// Values that are not finite are left out; without any, the range is 0 to 1.
-    pub(crate) fn around(values: impl IntoIterator<Item = f64>, ticks: usize) -> Self {
-        let (low, high) = bounds(values).unwrap_or((0.0, 1.0));
-        // Forces and torques are read against zero.
+    /// The range of the values and zero, against which forces and torques are read, widened so that
+    /// no curve touches the frame, with about `ticks` ticks. With `two_sided` there is room on either
+    /// side of zero. Values that are not finite are left out; nothing but zeros gets a range of 1.
+    pub(crate) fn around(
+        values: impl IntoIterator<Item = f64>,
+        two_sided: bool,
+        ticks: usize,
+    ) -> Self {
+        let (low, high) = bounds(values).unwrap_or((0.0, 0.0));
         let (low, high) = (low.min(0.0), high.max(0.0));
-        let span = if high > low { high - low } else { 1.0 };
+        let span = if high - low > NOTHING {
+            high - low
+        } else {
+            1.0
+        };
         let margin = 0.05 * span;
+        let side = if two_sided { 0.15 * span } else { 0.0 };
         Self {
-            from: if low < 0.0 { low - margin } else { 0.0 },
-            to: if high > 0.0 || low == 0.0 {
-                low + span + margin
-            } else {
+            from: (if low < -NOTHING { low - margin } else { 0.0 }).min(-side),
+            to: (if low < -NOTHING && high <= NOTHING {
                 0.0
-            },
+            } else {
+                low + span + margin
+            })
+            .max(side),
             step: round_step(span / ticks as f64),
         }
     }
@@ -99,11 +112,11 @@ mod tests {
                 .map(|tick| axis.label(*tick))
                 .collect::<Vec<_>>()
         };
-        let axis = Axis::around([-250.0, 1480.0], 5);
+        let axis = Axis::around([-250.0, 1480.0], false, 5);
         assert_eq!(labels(&axis), ["0", "500", "1000", "1500"]);
-        let axis = Axis::around([0.02, 0.13], 5);
+        let axis = Axis::around([0.02, 0.13], false, 5);
         assert_eq!(labels(&axis), ["0.00", "0.05", "0.10"]);
-        let axis = Axis::around([-3.0, -1.0], 4);
+        let axis = Axis::around([-3.0, -1.0], false, 4);
         assert_eq!(labels(&axis), ["\u{2212}3", "\u{2212}2", "\u{2212}1", "0"]);
         let axis = Axis::depth([0.0, 4305.0], 10);
         assert_eq!(labels(&axis).len(), 9);
@@ -115,11 +128,14 @@ mod tests {
         for values in [
             vec![],
             vec![f64::NAN],
-            vec![0.0, 0.0],
+            vec![0.0, 1e-12],
             vec![7.0],
             vec![-7.0],
         ] {
-            for axis in [Axis::around(values.clone(), 5), Axis::depth(values, 5)] {
+            let two_sided = Axis::around(values.clone(), true, 5);
+            assert!(two_sided.from < -0.1 && two_sided.to > 0.1, "{two_sided:?}");
+            let one_sided = Axis::around(values.clone(), false, 5);
+            for axis in [one_sided, two_sided, Axis::depth(values, 5)] {
                 assert!(axis.to > axis.from, "{axis:?}");
                 assert!((2..20).contains(&axis.ticks().len()), "{axis:?}");
             }

@@ -4,7 +4,7 @@ use plotters::style::RGBColor;
 
 /// The palette of Okabe and Ito (*Color Universal Design*, 2008) without its yellow, which is too
 /// faint for a line on white; the strongest first.
-pub(crate) const LINES: [RGBColor; 7] = [
+const LINES: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),
@@ -13,6 +13,11 @@ pub(crate) const LINES: [RGBColor; 7] = [
     RGBColor(86, 180, 233),
     RGBColor(0, 0, 0),
 ];
+
+/// The colour of that index; after the last comes the first.
+pub(crate) fn line(index: usize) -> RGBColor {
+    LINES[index % LINES.len()]
+}
 
 pub(crate) const TEXT: RGBColor = RGBColor(30, 30, 30);
 pub(crate) const NOTE: RGBColor = RGBColor(95, 95, 95);

@@ -5,4 +5,4 @@ mod axis;
 mod colours;
 mod profile;
 
-pub use profile::{Curve, Interval, IntervalKind, Panel, Profile, Stroke, profile_svg};
+pub use profile::{Curve, Entry, Interval, IntervalKind, Panel, Profile, Stroke, profile_svg};

@@ -22,6 +22,8 @@ pub struct Profile {
     pub subtitle: String,
     /// Label of the depth axis, unit included.
     pub depth_label: String,
+    /// What the colours and strokes of the curves mean.
+    pub legend: Vec<Entry>,
     /// The panels, from left to right.
     pub panels: Vec<Panel>,
     /// The hole beside them, from the surface down.
@@ -39,12 +41,20 @@ pub struct Panel {
     pub curves: Vec<Curve>,
 }
 
-/// One curve of a panel. Curves of the same name in several panels share one entry of the legend and
-/// must look alike.
+/// An entry of the legend.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Entry {
+    /// What it says.
+    pub name: String,
+    /// Colour that it is about; `None` where it is about the stroke alone.
+    pub colour: Option<usize>,
+    /// Stroke that it is about.
+    pub stroke: Stroke,
+}
+
+/// One curve of a panel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
-    /// Name in the legend.
-    pub name: String,
     /// Index of its colour; seven can be told apart.
     pub colour: usize,
     /// How it is drawn.
@@ -102,7 +112,7 @@ const LETTER: f64 = 0.6;
 
 /// The picture as the text of an SVG file.
 pub fn profile_svg(profile: &Profile) -> String {
-    let legend = Legend::of(profile);
+    let legend = Legend::of(&profile.legend);
     let top = 120.0 + LEGEND_ROW * legend.rows() as f64;
     let height = top + PANELS + BOTTOM;
     let mut svg = String::new();
@@ -188,7 +198,7 @@ fn draw_panel(
         .curves
         .iter()
         .flat_map(|curve| curve.points.iter().map(|point| point.1));
-    let axis = Axis::around(values, 5);
+    let axis = Axis::around(values, panel.sides.is_some(), 5);
     let x = |value: f64| left + width * axis.place(value);
     let y = |value: f64| top + height * depth.place(value);
 
@@ -240,7 +250,7 @@ fn draw_panel(
                 .split(|(depth, value)| !(depth + value).is_finite())
             {
                 let piece: Vec<_> = piece.iter().map(|point| (x(point.1), y(point.0))).collect();
-                canvas.curve(&thinned(&piece), curve.colour, stroke)?;
+                canvas.curve(&thinned(&piece), colours::line(curve.colour), stroke)?;
             }
         }
     }
@@ -297,48 +307,38 @@ fn draw_hole(canvas: &Canvas, hole: &[Interval], depth: &Axis, top: f64) -> Draw
     Ok(())
 }
 
-/// The legend: one entry per name, in aligned columns under the title.
+/// The legend in aligned columns under the title.
 struct Legend<'a> {
-    entries: Vec<&'a Curve>,
+    entries: &'a [Entry],
+    width: f64,
     columns: usize,
 }
 
 const LEGEND_SIZE: f64 = 12.5;
 
 impl<'a> Legend<'a> {
-    fn of(profile: &'a Profile) -> Self {
-        let mut entries: Vec<&Curve> = Vec::new();
-        for curve in profile.panels.iter().flat_map(|panel| &panel.curves) {
-            if entries.iter().all(|other| other.name != curve.name) {
-                entries.push(curve);
-            }
+    fn of(entries: &'a [Entry]) -> Self {
+        let letters = entries.iter().map(|entry| entry.name.chars().count()).max();
+        let width = LEGEND_ENTRY + LETTER * LEGEND_SIZE * letters.unwrap_or(0) as f64 + 14.0;
+        Self {
+            entries,
+            width,
+            columns: ((WIDTH - LEFT) / width).floor().max(1.0) as usize,
         }
-        let width = Self::column_width(&entries);
-        let columns = ((WIDTH - LEFT) / width).floor().max(1.0) as usize;
-        Self { entries, columns }
     }
 
     fn rows(&self) -> usize {
         self.entries.len().div_ceil(self.columns)
     }
 
-    fn column_width(entries: &[&Curve]) -> f64 {
-        let letters = entries.iter().map(|curve| curve.name.chars().count()).max();
-        LEGEND_ENTRY + LETTER * LEGEND_SIZE * letters.unwrap_or(0) as f64 + 14.0
-    }
-
     fn draw(&self, canvas: &Canvas, top: f64) -> Drawn {
-        let width = Self::column_width(&self.entries);
-        for (index, curve) in self.entries.iter().enumerate() {
-            let x = LEFT + width * (index % self.columns) as f64;
+        for (index, entry) in self.entries.iter().enumerate() {
+            let x = LEFT + self.width * (index % self.columns) as f64;
             let y = top + LEGEND_ROW * (index / self.columns) as f64;
-            canvas.curve(
-                &[(x, y), (x + LEGEND_ENTRY - 8.0, y)],
-                curve.colour,
-                curve.stroke,
-            )?;
+            let colour = entry.colour.map_or(colours::NOTE, colours::line);
+            canvas.curve(&[(x, y), (x + LEGEND_ENTRY - 8.0, y)], colour, entry.stroke)?;
             let x = x + LEGEND_ENTRY;
-            canvas.text(&curve.name, x, y, LEGEND_SIZE, colours::TEXT, HPos::Left)?;
+            canvas.text(&entry.name, x, y, LEGEND_SIZE, colours::TEXT, HPos::Left)?;
         }
         Ok(())
     }
@@ -369,8 +369,7 @@ impl Canvas<'_, '_> {
         Ok(())
     }
 
-    fn curve(&self, points: &[(f64, f64)], colour: usize, stroke: Stroke) -> Drawn {
-        let colour = colours::LINES[colour % colours::LINES.len()];
+    fn curve(&self, points: &[(f64, f64)], colour: RGBColor, stroke: Stroke) -> Drawn {
         match stroke {
             Stroke::Solid => self.line(points, colour, 1.6),
             Stroke::Dashed => {
@@ -519,9 +518,8 @@ mod tests {
     use super::*;
 
     fn profile() -> Profile {
-        let curve = |name: &str, stroke| Curve {
-            name: name.into(),
-            colour: 0,
+        let curve = |colour, stroke| Curve {
+            colour,
             stroke,
             points: (0..100)
                 .map(|i| (f64::from(i) * 40.0, f64::from(i) - 20.0))
@@ -530,20 +528,28 @@ mod tests {
         let panel = |label: &str| Panel {
             label: label.into(),
             sides: Some(["low side".into(), "high side".into()]),
-            curves: ["trip out", "rotate off bottom", "drill"]
-                .iter()
-                .flat_map(|name| {
-                    [
-                        curve(&format!("{name}, soft string"), Stroke::Dashed),
-                        curve(&format!("{name}, dynamics"), Stroke::Solid),
-                    ]
-                })
-                .collect(),
+            curves: vec![curve(0, Stroke::Dashed), curve(1, Stroke::Solid)],
         };
         Profile {
             title: "A <well> & its \"string\"".into(),
             subtitle: "friction 0.3 ".repeat(40),
             depth_label: "Measured depth, ft".into(),
+            legend: [
+                "trip out",
+                "trip in",
+                "rotate off bottom",
+                "drill",
+                "slide",
+                "back-ream",
+            ]
+            .iter()
+            .enumerate()
+            .map(|(index, name)| Entry {
+                name: (*name).into(),
+                colour: (index > 0).then_some(index),
+                stroke: Stroke::Solid,
+            })
+            .collect(),
             panels: [
                 "Effective tension, klbf",
                 "Torque, ft-lbf",
@@ -621,7 +627,6 @@ mod tests {
     #[test]
     fn empty_and_broken_curves_are_drawn() {
         let mut broken = profile();
-        broken.panels[0].curves.truncate(2);
         broken.panels[0].curves[0].points.clear();
         broken.panels[0].curves[1].points[50].1 = f64::NAN;
         let before = profile_svg(&broken).matches("<polyline").count();

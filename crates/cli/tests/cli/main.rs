@@ -2,5 +2,6 @@
 
 mod check;
 mod desk;
+mod documentation;
 mod run;
 mod survey;
