@@ -186,6 +186,11 @@ pub const NP13_BUILD_M: [f64; 2] = [322.9, 1075.0];
 
 /// The well and string of `cases/np13-x1042.toml`, drilled at 70 rev/min with 60 kN on the bit.
 pub fn np13(mu: f64) -> Case {
+    np13_at(mu, NP13_M)
+}
+
+/// The same with the bit at another depth.
+pub fn np13_at(mu: f64, bit_depth_m: f64) -> Case {
     use ComponentLength::{Metres, ToSurface};
     let components = vec![
         tool("bit", Metres(0.34), 0.2159, 0.060),
@@ -203,16 +208,16 @@ pub fn np13(mu: f64) -> Case {
     ];
     let hole = vec![
         section(HoleKind::Casing, 0.0, 2986.53, 0.22296, mu),
-        section(HoleKind::Open, 2986.53, NP13_M, 0.2159, mu),
+        section(HoleKind::Open, 2986.53, NP13_M + 20.0, 0.2159, mu),
     ];
     let path = path(&np13_survey(), Interpolation::Spline);
     let drill = Operation {
         weight_on_bit_N: 58_839.9,
         bit_torque_N_m: 3100.0,
         rate_of_penetration_m_per_s: 10.0 / 3600.0,
-        ..operation(OperationKind::Drill, NP13_M)
+        ..operation(OperationKind::Drill, bit_depth_m)
     };
-    Case::new(model(path, hole, components, NP13_M), drill)
+    Case::new(model(path, hole, components, bit_depth_m), drill)
 }
 
 /// The survey that the case file reads: MD in m, inclination and azimuth in degrees under a header.
