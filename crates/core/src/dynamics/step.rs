@@ -10,11 +10,13 @@
 //! to their angular velocity to rounding.
 
 use super::chain::{Chain, ElementBlock, Field, NodeBlock, Row, Rows, State};
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+use crate::rod::number::Fused;
 use crate::{
     rod::{
         element::{Pose, Stiffness, react},
         lanes::LANES,
-        number::{Fused, Number},
+        number::Number,
         vector::Vector,
     },
     wall::{contact, friction},
