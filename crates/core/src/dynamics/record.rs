@@ -204,7 +204,10 @@ impl Record {
     /// Angle of a node's mean contact force from the low side, rad, positive to the right of it looking
     /// down the hole; none if it never touched.
     pub fn climb_rad(&self, index: usize) -> Option<f64> {
-        let (up, right) = (self.mean_of(index, |s| &s.up), self.mean_of(index, |s| &s.right));
+        let (up, right) = (
+            self.mean_of(index, |s| &s.up),
+            self.mean_of(index, |s| &s.right),
+        );
         (up != 0.0 || right != 0.0).then(|| right.atan2(-up))
     }
     /// Mean axial friction of a node on the wall, N, along the hole.
@@ -289,7 +292,11 @@ fn add(
         sums.normal[1][lane] += normal * normal;
         sums.normal_max[lane] = sums.normal_max[lane].max(normal);
         sums.touched[lane] += f64::from(u8::from(normal > 0.0));
-        sums.signed[lane] += if place.up[lane] < 0.0 { -normal } else { normal };
+        sums.signed[lane] += if place.up[lane] < 0.0 {
+            -normal
+        } else {
+            normal
+        };
         sums.up[lane] += normal * place.up[lane];
         sums.right[lane] += normal * place.right[lane];
         sums.axial[lane] += nodes.sum_axial.0[lane] * per_step;

@@ -89,6 +89,11 @@ impl Stepper {
     /// The fastest code for this processor and these laws: `hertz` or linear contact, `vector` or
     /// independent friction, and `rest` if friction at rest is stronger than sliding anywhere.
     pub fn new(hertz: bool, vector: bool, rest: bool) -> Self {
+        Self::all(hertz, vector, rest)[0]
+    }
+
+    /// Every code that this processor can run, the fastest first; the baseline always is the last.
+    pub fn all(hertz: bool, vector: bool, rest: bool) -> Vec<Self> {
         macro_rules! choose {
             ($function:ident, $name:literal) => {
                 Self {
@@ -106,6 +111,7 @@ impl Stepper {
                 }
             };
         }
+        let mut all = Vec::new();
         #[cfg(target_arch = "x86_64")]
         {
             let fma = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
@@ -114,18 +120,19 @@ impl Stepper {
                 && is_x86_feature_detected!("avx512dq")
                 && is_x86_feature_detected!("avx512vl")
             {
-                return choose!(avx512, "AVX-512");
+                all.push(choose!(avx512, "AVX-512"));
             }
             if fma {
-                return choose!(avx2, "AVX2");
+                all.push(choose!(avx2, "AVX2"));
             }
         }
-        choose!(baseline, "baseline")
+        all.push(choose!(baseline, "baseline"));
+        all
     }
 
     /// Advances the chain by one step.
     pub fn step(&self, chain: &mut Chain, input: &StepInput) -> StepLosses {
-        // SAFETY: `new` picks only code whose instructions the processor was found to have.
+        // SAFETY: `all` lists only code whose instructions the processor was found to have.
         unsafe { (self.step)(chain, input) }
     }
 }
@@ -642,9 +649,7 @@ fn turn<N: Number>(
     for lane in 0..LANES {
         let (d0, w0) = (from::<N, 9>(&old_d, lane), from::<N, 9>(&old_w, lane));
         let moment = from::<N, 8>(&moment_above, lane) + from(&moment_below, lane);
-        let kicked = w0
-            .scaled(calm)
-            .plus(moment, dt * at(&n.inv_rotary, lane));
+        let kicked = w0.scaled(calm).plus(moment, dt * at(&n.inv_rotary, lane));
         let p = half * dt * at(&n.gyroscopic, lane) * splat(spin[lane]);
         // Cayley's rotation by the precession: (1 − p²)/(1 + p²) and 2p/(1 + p²), to rounding, for p,
         // half the precession in a step, is below 1e-2.
