@@ -263,7 +263,7 @@ fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
             ModelKind::Dynamic => "dynamic*",
         };
         let values = QUANTITIES.iter().enumerate();
-        let cells = values.map(|(_, quantity)| cell(row, (quantity.value)(&solved.scalars)));
+        let cells = values.map(|(row, quantity)| cell(row, (quantity.value)(&solved.scalars)));
         // The name of an operation needs the room of its one column where it has only one.
         let alone = operations
             .iter()
