@@ -275,12 +275,12 @@ fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
         };
         push(heading, cells.collect(), across);
         if let Some(statistics) = &solved.statistics {
-            let deviations = QUANTITIES.iter().enumerate().map(|(_, quantity)| {
-                match statistics.get(quantity.key) {
+            let deviations = QUANTITIES
+                .iter()
+                .map(|quantity| match statistics.get(quantity.key) {
                     Some(statistic) => deviation(quantity.unit.shown(statistic.std, units)),
                     None => String::new(),
-                }
-            });
+                });
             push("± std", deviations.collect(), 0);
         }
     }
