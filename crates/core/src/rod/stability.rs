@@ -39,7 +39,8 @@ pub struct StepPlan {
     pub added_axial_mass_fraction: f64,
 }
 
-/// Chooses the longest step at which the string, lent no more than 0.3 % of its mass, is stable.
+/// Chooses the longest step at which the string is stable with no more than 0.3 % of its mass lent, and that
+/// to less than half of it: ordinary pipe keeps its mass and its wave speed.
 ///
 /// The highest frequency of a chain with lumped masses lies below the highest of its elements taken
 /// alone (Irons and Treharne 1971), so each element is asked for its own: axial `ω² = 4 EA/(L m)`,
@@ -74,12 +75,16 @@ pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> 
     };
     let fits = |dt: f64| lend_all(dt).is_some_and(|i| added(&i) <= MOST_ADDED_MASS);
 
-    // Twice the step of the slowest element bounds the step from above.
-    let slowest = bare
-        .iter()
-        .map(|(k, i)| 2.0 / (4.0 * k.axial * k.inverse_length / i.axial_kg).sqrt())
-        .fold(0.0, f64::max);
-    let (mut low, mut high) = (0.0, 2.0 * slowest);
+    // Only the few are lent to: no longer a step than half of the string's mass carries by itself.
+    let mut own: Vec<(f64, f64)> =
+        bare.iter().map(|(k, i)| (own_step(k, i, stiffness_damping_s), i.axial_kg)).collect();
+    own.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut carried = 0.0;
+    let most = own.iter().find(|(_, kg)| {
+        carried += kg;
+        carried >= 0.5 * total
+    });
+    let (mut low, mut high) = (0.0, most.map_or(0.0, |(dt, _)| *dt));
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
         if fits(middle) {
@@ -91,6 +96,13 @@ pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> 
     let inertia = lend_all(low).unwrap_or_else(|| bare.iter().map(|(_, i)| *i).collect());
     let added_axial_mass_fraction = added(&inertia).max(0.0);
     StepPlan { dt_s: low, inertia, added_axial_mass_fraction }
+}
+
+/// Longest step of an element that is lent nothing, by its axial frequency, s.
+fn own_step(k: &Stiffness<f64>, bare: &ElementInertia, beta: f64) -> f64 {
+    let omega = (4.0 * k.axial * k.inverse_length / bare.axial_kg).sqrt();
+    let xi = 0.5 * beta * omega;
+    2.0 * SAFETY / omega * ((1.0 + xi * xi).sqrt() - xi)
 }
 
 /// Highest angular frequency that a step carries, rad/s.
