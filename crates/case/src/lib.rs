@@ -1,3 +1,50 @@
-//! Case files, and the surveys that they name.
+//! Case files: a well, a string, a mud and an operation as a TOML text, read into the engine's model.
+//!
+//! [`load`] and [`parse`] give a [`Case`] in which everything has been checked, or a [`Report`] that
+//! names every mistake at once, each with its place underlined and what was expected. [`schema`]
+//! describes the file for editors.
+//!
+//! A key is declared once, in the table that it belongs to; the declaration makes the reader, the
+//! list of names that misspellings are compared with, and the schema.
+//!
+//! ```
+//! use wholestring_case::{InMemory, parse};
+//!
+//! let mistaken = "[mud]\ndensty = \"1.2 sg\"\n";
+//! let report = parse("well.toml", mistaken.as_bytes(), &InMemory::default(), &[]).unwrap_err();
+//! assert!(report.render(false).contains("did you mean `density`?"));
+//! ```
+#![warn(missing_docs)]
 
+mod assembly;
+mod bit;
+mod case;
+mod diagnostic;
+mod dynamics;
+mod effort;
+mod fit;
+mod hole;
+mod mud;
+mod names;
+mod node;
+mod operation;
+mod overrides;
+mod quantity;
+mod range;
+mod reader;
+mod rig;
+mod rule;
+mod schema;
+mod settings;
+mod source;
+mod stations;
+mod string;
 pub mod survey;
+mod table;
+mod well;
+
+pub use case::{Case, ModelKind, load, parse};
+pub use diagnostic::{Diagnostic, Label, Report, Severity};
+pub use overrides::{Override, OverrideError};
+pub use schema::schema;
+pub use source::{Disk, Files, InMemory, Place, Source};

@@ -1,2 +1,75 @@
-//! The `wholestring` command.
-fn main() {}
+//! The `wholestring` command: case files in, torque and drag out.
+
+mod args;
+mod check;
+mod comparison;
+mod failure;
+mod interrupt;
+mod picture;
+mod progress;
+mod record;
+mod run;
+mod survey;
+
+use std::{
+    env,
+    io::{self, IsTerminal, Write},
+    process::ExitCode,
+};
+
+use clap::Parser;
+
+use args::{CaseArgs, Cli, Command};
+use failure::Failure;
+
+fn main() -> ExitCode {
+    let done = match Cli::parse().command {
+        Command::Check(args) => check::check(&args),
+        Command::Run(args) => run::run(&args),
+        Command::Survey(args) => survey::survey(&args),
+        Command::Schema => schema(),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            tell(&format!("{failure}\n"));
+            ExitCode::from(failure.status())
+        }
+    }
+}
+
+fn schema() -> Result<(), Failure> {
+    let schema = wholestring_case::schema();
+    say(&format!("{schema:#}\n"))
+}
+
+/// Reads the case with its overrides, and tells its warnings.
+fn load(args: &CaseArgs, quiet: bool) -> Result<wholestring_case::Case, Failure> {
+    let case = wholestring_case::load(&args.case, &args.overrides)
+        .map_err(|report| Failure::BadInput(report.render(color())))?;
+    if !quiet && !case.warnings.is_empty() {
+        tell(&case.warnings.render(color()));
+    }
+    Ok(case)
+}
+
+/// Prints to standard error. Where nobody reads it there is nobody left to tell.
+fn tell(text: &str) {
+    let _ = io::stderr().lock().write_all(text.as_bytes());
+}
+
+/// Whether diagnostics are coloured: on a terminal whose user has not said no.
+fn color() -> bool {
+    io::stderr().is_terminal() && env::var_os("NO_COLOR").is_none_or(|no| no.is_empty())
+}
+
+/// Prints to standard output. A reader that has seen enough (`| head`) is no failure.
+fn say(text: &str) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Failed(format!(
+            "error: cannot write to standard output: {error}"
+        ))),
+        _ => Ok(()),
+    }
+}

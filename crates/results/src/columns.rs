@@ -76,15 +76,16 @@ pub const NODES: &[ColumnSpec] = &[
         "N·m",
         "Standard deviation of `torque_N_m`",
     ),
+    ColumnSpec::number("contact_force_N", "N", "Contact force of the node itself"),
     ColumnSpec::number(
-        "side_force_std_N_per_m",
-        "N/m",
-        "Standard deviation of `side_force_N_per_m`",
+        "contact_force_std_N",
+        "N",
+        "Standard deviation of `contact_force_N`",
     ),
     ColumnSpec::number(
-        "side_force_max_N_per_m",
-        "N/m",
-        "Largest magnitude of the side force per length",
+        "contact_force_max_N",
+        "N",
+        "Largest contact force of any sample",
     ),
     ColumnSpec::number(
         "lateral_offset_m",
@@ -100,11 +101,6 @@ pub const NODES: &[ColumnSpec] = &[
         "friction_torque_N_m_per_m",
         "N·m/m",
         "Torque of wall friction per length",
-    ),
-    ColumnSpec::number(
-        "bending_moment_N_m",
-        "N·m",
-        "Magnitude of the bending moment",
     ),
     ColumnSpec::number(
         "twist_rad",
@@ -164,12 +160,12 @@ pub const TIME: &[ColumnSpec] = &[
     ColumnSpec::number(
         "neutral_point_m",
         "m",
-        "Measured depth of the shallowest zero of effective tension",
+        "Measured depth of the shallowest zero of effective tension; not sampled in time, `null`",
     ),
     ColumnSpec::number(
         "cutoff_depth_m",
         "m",
-        "Deepest change of the side force from high to low side, at and above the end of the build",
+        "Deepest change of the side force from high to low side; not sampled in time, `null`",
     ),
     ColumnSpec::number(
         "block_velocity_m_per_s",

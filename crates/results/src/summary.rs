@@ -125,7 +125,7 @@ pub struct Statistic {
 }
 
 /// What a dynamic solution cost and how sound it is.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Numerics {
     /// Elements of the mesh.
     pub elements: usize,
@@ -143,6 +143,8 @@ pub struct Numerics {
     /// Energy that the balance does not account for, as a fraction of the work done.
     #[serde(with = "finite")]
     pub energy_residual: f64,
+    /// Instruction set that the time loop was compiled for.
+    pub instructions: String,
     /// Time that the solution took, s.
     #[serde(with = "finite")]
     pub wall_time_s: f64,

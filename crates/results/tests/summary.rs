@@ -56,6 +56,7 @@ fn dynamic() -> OperationSummary {
             added_axial_mass_fraction: 0.003,
             max_penetration_m: 1e-5,
             energy_residual: 1e-4,
+            instructions: "avx2".into(),
             wall_time_s: 2.5,
             real_time_factor: 32.0,
         }),
@@ -108,7 +109,7 @@ fn the_keys_are_the_contract() {
                 "numerics": {
                     "elements": 1350, "time_step_s": 2e-4, "steps": 400_000,
                     "added_axial_mass_fraction": 0.003, "max_penetration_m": 1e-5,
-                    "energy_residual": 1e-4, "wall_time_s": 2.5, "real_time_factor": 32.0
+                    "energy_residual": 1e-4, "instructions": "avx2", "wall_time_s": 2.5, "real_time_factor": 32.0
                 }
             }
         ]

@@ -103,7 +103,7 @@ fn appended_rows_leave_the_other_columns_null() {
     );
     table.append(
         &[("model", "dynamic"), ("operation", "drill")],
-        &[("md_m", &[0.0]), ("side_force_std_N_per_m", &[3.0])],
+        &[("md_m", &[0.0]), ("contact_force_std_N", &[3.0])],
     );
     assert_eq!(table.rows(), 3);
     let number = |name| match &table.column(name).unwrap().data {
@@ -111,7 +111,7 @@ fn appended_rows_leave_the_other_columns_null() {
         Data::Text(_) => panic!("{name} is a number"),
     };
     assert_eq!(number("tension_N"), [Some(1e6), None, None]);
-    assert_eq!(number("side_force_std_N_per_m"), [None, None, Some(3.0)]);
+    assert_eq!(number("contact_force_std_N"), [None, None, Some(3.0)]);
     assert_eq!(number("twist_rad"), [None; 3]);
 }
 

@@ -76,7 +76,10 @@ impl Surroundings {
             .iter()
             .map(|n| {
                 let (_, component) = model.string.component_at(n.from_bit_m);
-                (component.material.youngs_modulus_Pa, component.material.poisson_ratio())
+                (
+                    component.material.youngs_modulus_Pa,
+                    component.material.poisson_ratio(),
+                )
             })
             .collect();
         // The top is clamped in the rotary, the bit is held by its own hole.
@@ -91,11 +94,6 @@ impl Surroundings {
             touches,
             reach_m: REACH_M,
         }
-    }
-
-    /// The path.
-    pub fn path(&self) -> &Path {
-        &self.path
     }
 
     /// Clearance of a node at a measured depth, m.
@@ -147,7 +145,10 @@ impl Surroundings {
                 );
                 node!(chain, index, stiffness) = contact::hertz_stiffness(modulus, hole, radius);
             }
-            ContactLaw::Linear { stiffness_N_per_m, damping_ratio } => {
+            ContactLaw::Linear {
+                stiffness_N_per_m,
+                damping_ratio,
+            } => {
                 let mass = node!(chain, index, mass_lateral);
                 node!(chain, index, stiffness) = stiffness_N_per_m;
                 node!(chain, index, damping) =
@@ -259,7 +260,11 @@ pub fn kinetic_energy_J(chain: &Chain) -> f64 {
         let spin = node!(chain, i, spin);
         let w = chain.turning(i);
         let inverse = node!(chain, i, inv_rotary);
-        let rotary = if inverse > 0.0 { w.dot(w) / inverse } else { 0.0 };
+        let rotary = if inverse > 0.0 {
+            w.dot(w) / inverse
+        } else {
+            0.0
+        };
         sum += ml * v.dot(v)
             + (ma - ml) * along * along
             + node!(chain, i, polar) * spin * spin

@@ -92,8 +92,7 @@ impl Bit {
             let mobility = dt * node!(chain, index, inv_mass_axial);
             let depth = md_m + displacement.dot(tangent);
             let k = self.settings.rock_stiffness_N_per_m;
-            let weight =
-                (k * (depth - self.front_m) / (1.0 + k * dt * (mobility + rate))).max(0.0);
+            let weight = (k * (depth - self.front_m) / (1.0 + k * dt * (mobility + rate))).max(0.0);
             velocity = velocity.minus(tangent, mobility * weight);
             displacement = displacement.minus(tangent, dt * mobility * weight);
             self.front_m += dt * rate * weight;
@@ -102,11 +101,19 @@ impl Bit {
             let wanted = self.torque_per_weight_m * weight;
             let mobility = dt * node!(chain, index, inv_polar);
             // Rock stops a bit but never turns it back; a motor's reaction does turn the string.
-            let torque = if self.motor { wanted } else { wanted.min(spin.max(0.0) / mobility) };
+            let torque = if self.motor {
+                wanted
+            } else {
+                wanted.min(spin.max(0.0) / mobility)
+            };
             node!(chain, index, spin) = spin - mobility * torque;
             work -= weight * tangent.dot((velocity_before + velocity).scaled(0.5))
                 + torque * 0.5 * (spin_before + node!(chain, index, spin));
-            step = BitStep { weight_on_bit_N: weight, torque_N_m: torque, work_J: 0.0 };
+            step = BitStep {
+                weight_on_bit_N: weight,
+                torque_N_m: torque,
+                work_J: 0.0,
+            };
         }
         chain.set_velocity(index, velocity);
         chain.set_displacement(index, displacement);

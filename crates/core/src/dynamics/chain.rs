@@ -36,13 +36,17 @@ impl Field {
     /// The eight numbers of a block and the first of the next.
     #[inline(always)]
     pub fn nine(&self, block: usize) -> &[f64; LANES + 1] {
-        self.0[block * LANES..].first_chunk().expect("every field is padded by a block")
+        self.0[block * LANES..]
+            .first_chunk()
+            .expect("every field is padded by a block")
     }
 
     /// The eight numbers of a block.
     #[inline(always)]
     pub fn eight(&mut self, block: usize) -> &mut [f64; LANES] {
-        self.0[block * LANES..].first_chunk_mut().expect("every field is padded by a block")
+        self.0[block * LANES..]
+            .first_chunk_mut()
+            .expect("every field is padded by a block")
     }
 }
 
@@ -226,14 +230,16 @@ macro_rules! node {
         $chain.state.spin.0[$index]
     };
     ($chain:expr, $index:expr, $field:ident) => {
-        $chain.node_blocks[$index / $crate::rod::lanes::LANES].$field.0
-            [$index % $crate::rod::lanes::LANES]
+        $chain.node_blocks[$index / $crate::rod::lanes::LANES]
+            .$field
+            .0[$index % $crate::rod::lanes::LANES]
     };
 }
 macro_rules! element {
     ($chain:expr, $index:expr, $field:ident) => {
-        $chain.element_blocks[$index / $crate::rod::lanes::LANES].$field.0
-            [$index % $crate::rod::lanes::LANES]
+        $chain.element_blocks[$index / $crate::rod::lanes::LANES]
+            .$field
+            .0[$index % $crate::rod::lanes::LANES]
     };
 }
 pub(crate) use {element, node};
@@ -302,9 +308,15 @@ impl Chain {
 
     vector_access! {
         tangent, set_tangent, node_blocks, tangent, "Tangent of the hole at a node's anchor.";
-        curvature, set_curvature, node_blocks, curvature, "Curvature of the hole at a node's anchor, 1/m.";
         weight, set_weight, node_blocks, weight, "Buoyed weight of a node, N.";
         chord, set_chord, element_blocks, chord, "Chord between the anchors of an element, m.";
+    }
+
+    /// Sets the curvature of the hole at a node's anchor, 1/m.
+    pub fn set_curvature(&mut self, index: usize, value: Vector<f64>) {
+        let rows = &mut self.node_blocks[index / LANES].curvature;
+        let lane = index % LANES;
+        (rows[0].0[lane], rows[1].0[lane], rows[2].0[lane]) = (value.0, value.1, value.2);
     }
 
     /// Gives an element its stiffness.

@@ -78,12 +78,17 @@ impl Hoist {
         weight_on_bit_N: f64,
         dt: f64,
     ) -> HoistStep {
-        if let HoistControl::Autodriller { gain_m_per_s_per_N, filter_s } = self.control {
+        if let HoistControl::Autodriller {
+            gain_m_per_s_per_N,
+            filter_s,
+        } = self.control
+        {
             let part = dt / (filter_s + dt);
             self.filtered_N += part * (weight_on_bit_N - self.filtered_N);
             let missing = self.target_N - self.filtered_N;
-            self.velocity_m_per_s =
-                gain_m_per_s_per_N.mul_add(missing, self.nominal_m_per_s).max(0.0);
+            self.velocity_m_per_s = gain_m_per_s_per_N
+                .mul_add(missing, self.nominal_m_per_s)
+                .max(0.0);
         }
         let tangent = chain.tangent(0);
         let free = chain.velocity(0).dot(tangent);
@@ -93,7 +98,10 @@ impl Hoist {
             HoistControl::HookLoad(force) => force,
             _ => {
                 self.block_m += dt * self.velocity_m_per_s;
-                let HoistLine { stiffness_N_per_m: k, damping_N_s_per_m: c } = self.line;
+                let HoistLine {
+                    stiffness_N_per_m: k,
+                    damping_N_s_per_m: c,
+                } = self.line;
                 let stretch = k * (end - self.block_m) + c * (free - self.velocity_m_per_s);
                 // A line does not push.
                 (stretch / (1.0 + mobility * (k * dt + c))).max(0.0)
@@ -107,6 +115,9 @@ impl Hoist {
             self.block_m = end - dt * change - force / self.line.stiffness_N_per_m;
         }
         let mean = 0.5 * (before_m_per_s + free - change);
-        HoistStep { hook_load_N: force, work_J: -force * mean * dt }
+        HoistStep {
+            hook_load_N: force,
+            work_J: -force * mean * dt,
+        }
     }
 }

@@ -112,20 +112,36 @@ impl Record {
         let first = self.samples == 0;
         for (block, nodes) in chain.node_blocks.iter_mut().enumerate() {
             let elements = &chain.element_blocks[block];
-            let mut place = Placement::of(nodes, &chain.state.u, block, &high[(block * LANES).min(high.len())..]);
+            let mut place = Placement::of(
+                nodes,
+                &chain.state.u,
+                block,
+                &high[(block * LANES).min(high.len())..],
+            );
             for lane in 0..LANES {
                 let normal = nodes.sum_normal.0[lane] * per_step;
                 totals.normal_N += normal;
                 totals.axial_N += nodes.sum_axial.0[lane] * per_step;
                 totals.torque_N_m += nodes.sum_torque.0[lane] * per_step;
-                let deep = if nodes.stiffness.0[lane] > 0.0 { place.penetration[lane] } else { 0.0 };
+                let deep = if nodes.stiffness.0[lane] > 0.0 {
+                    place.penetration[lane]
+                } else {
+                    0.0
+                };
                 totals.penetration_m = totals.penetration_m.max(deep);
                 if normal <= 0.0 {
                     place.side[lane] = 0.0;
                 }
             }
             if in_window {
-                add(&mut self.sums[block], nodes, elements, &place, per_step, first);
+                add(
+                    &mut self.sums[block],
+                    nodes,
+                    elements,
+                    &place,
+                    per_step,
+                    first,
+                );
             }
             nodes.sum_normal.0.fill(0.0);
             nodes.sum_axial.0.fill(0.0);
@@ -151,7 +167,10 @@ impl Record {
         let [first, second] = pick(&self.sums[index / LANES]);
         let n = self.samples.max(1) as f64;
         let (m1, m2) = (first[index % LANES] / n, second[index % LANES] / n);
-        Spread { mean: about + m1, std: (m2 - m1 * m1).max(0.0).sqrt() }
+        Spread {
+            mean: about + m1,
+            std: (m2 - m1 * m1).max(0.0).sqrt(),
+        }
     }
 
     /// Tension of an element, N.
@@ -204,9 +223,12 @@ struct Placement {
 
 impl Placement {
     fn of(nodes: &NodeBlock, u: &[Field; 3], block: usize, high: &[[f64; 3]]) -> Self {
-        let mut place =
-            Self { offset: [0.0; LANES], penetration: [0.0; LANES], side: [0.0; LANES] };
-        for lane in 0..LANES.min(high.len()) {
+        let mut place = Self {
+            offset: [0.0; LANES],
+            penetration: [0.0; LANES],
+            side: [0.0; LANES],
+        };
+        for (lane, high) in high.iter().enumerate().take(LANES) {
             let get = |rows: &[super::chain::Row; 3]| [0, 1, 2].map(|axis| rows[axis].0[lane]);
             let u = u.each_ref().map(|field| field.nine(block)[lane]);
             let (t, k) = (get(&nodes.tangent), get(&nodes.curvature));
@@ -216,7 +238,7 @@ impl Placement {
             let square: f64 = across.iter().map(|x| x * x).sum();
             place.offset[lane] = square.sqrt();
             place.penetration[lane] = place.offset[lane] - nodes.clearance.0[lane];
-            let up: f64 = across.iter().zip(&high[lane]).map(|(x, h)| x * h).sum();
+            let up: f64 = across.iter().zip(high).map(|(x, h)| x * h).sum();
             place.side[lane] = if up < 0.0 { -1.0 } else { 1.0 };
         }
         place

@@ -54,9 +54,12 @@ pub enum HoistControl {
 }
 
 impl HoistControl {
-    /// The autodriller with its default gain and filter, 1e-7 m/s/N and 1 s: 10 kN too little add 1 mm/s.
-    pub const AUTODRILLER: Self =
-        Self::Autodriller { gain_m_per_s_per_N: 1e-7, filter_s: 1.0 };
+    /// The autodriller with its default gain and filter, 1e-7 m/s/N and 1 s: 10 kN too little add
+    /// 1 mm/s.
+    pub const AUTODRILLER: Self = Self::Autodriller {
+        gain_m_per_s_per_N: 1e-7,
+        filter_s: 1.0,
+    };
 }
 
 /// The hoisting system between the block and the top of the string.
@@ -90,7 +93,8 @@ pub struct BitSettings {
 /// Everything that a dynamic run needs beside the model and the operation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DynamicsSettings {
-    /// Length of the elements, m, at most a fifth longer; a node stands on tool joints and stabilisers.
+    /// Length of the elements, m. A node stands on tool joints and stabilisers; between them the
+    /// elements are as near to this as whole numbers allow, rather longer than shorter.
     pub element_length_m: f64,
     /// Length of the window that the statistics cover, s.
     pub duration_s: f64,

@@ -119,24 +119,44 @@ fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
         ("element_length_m", settings.element_length_m),
         ("duration_s", settings.duration_s),
         ("sample_interval_s", settings.sample_interval_s),
-        ("hoist_line.stiffness_N_per_m", settings.hoist_line.stiffness_N_per_m),
-        ("bit.rock_stiffness_N_per_m", settings.bit.rock_stiffness_N_per_m),
+        (
+            "hoist_line.stiffness_N_per_m",
+            settings.hoist_line.stiffness_N_per_m,
+        ),
+        (
+            "bit.rock_stiffness_N_per_m",
+            settings.bit.rock_stiffness_N_per_m,
+        ),
     ];
     let not_negative = [
         ("settle_s", settings.settle_s),
         ("damping.mass_per_s", settings.damping.mass_per_s),
         ("damping.stiffness_s", settings.damping.stiffness_s),
-        ("hoist_line.damping_N_s_per_m", settings.hoist_line.damping_N_s_per_m),
-        ("bit.lateral_stiffness_N_per_m", settings.bit.lateral_stiffness_N_per_m),
+        (
+            "hoist_line.damping_N_s_per_m",
+            settings.hoist_line.damping_N_s_per_m,
+        ),
+        (
+            "bit.lateral_stiffness_N_per_m",
+            settings.bit.lateral_stiffness_N_per_m,
+        ),
     ];
     for (name, value) in positive {
         if !(value.is_finite() && value > 0.0) {
-            return Err(SetupError::Setting { name, value, expected: "a positive number" });
+            return Err(SetupError::Setting {
+                name,
+                value,
+                expected: "a positive number",
+            });
         }
     }
     for (name, value) in not_negative {
         if !(value.is_finite() && value >= 0.0) {
-            return Err(SetupError::Setting { name, value, expected: "zero or a positive number" });
+            return Err(SetupError::Setting {
+                name,
+                value,
+                expected: "zero or a positive number",
+            });
         }
     }
     Ok(())
@@ -167,6 +187,12 @@ impl Simulation {
         let stepper = Stepper::new(
             matches!(settings.contact_law, ContactLaw::Hertz { .. }),
             settings.friction_law == FrictionLaw::Vector,
+            model
+                .well
+                .hole
+                .sections()
+                .iter()
+                .any(|s| s.friction.at_rest > s.friction.kinetic),
         );
         let input = StepInput {
             dt: plan.dt_s,
@@ -175,7 +201,9 @@ impl Simulation {
             rigid_velocity: velocity,
             rigid_spin: operation.rotation_rad_per_s(),
             dissipation: match settings.contact_law {
-                ContactLaw::Hertz { dissipation_s_per_m } => dissipation_s_per_m,
+                ContactLaw::Hertz {
+                    dissipation_s_per_m,
+                } => dissipation_s_per_m,
                 ContactLaw::Linear { .. } => 0.0,
             },
         };
@@ -190,11 +218,13 @@ impl Simulation {
             &input,
             bit_md_m,
         )?;
-        let control = settings.hoist_control.unwrap_or(if operation.kind.on_bottom() {
-            HoistControl::AUTODRILLER
-        } else {
-            HoistControl::BlockVelocity(velocity)
-        });
+        let control = settings
+            .hoist_control
+            .unwrap_or(if operation.kind.on_bottom() {
+                HoistControl::AUTODRILLER
+            } else {
+                HoistControl::BlockVelocity(velocity)
+            });
         let prepared = settings.start == Start::Prepared;
         let (chain, anchors) = (initial.chain, initial.anchors);
         let last = anchors.len() - 1;
@@ -315,11 +345,21 @@ impl Simulation {
 
         let losses = self.stepper.step(&mut self.chain, &input);
 
-        let bit =
-            self.bit.act(&mut self.chain, self.anchors[last].md_m, bit_before, bit_spin_before, dt);
+        let bit = self.bit.act(
+            &mut self.chain,
+            self.anchors[last].md_m,
+            bit_before,
+            bit_spin_before,
+            dt,
+        );
         let weight = bit.weight_on_bit_N;
-        let hoist =
-            self.hoist.act(&mut self.chain, self.anchors[0].md_m, top_before, weight, dt);
+        let hoist = self.hoist.act(
+            &mut self.chain,
+            self.anchors[0].md_m,
+            top_before,
+            weight,
+            dt,
+        );
         self.bit_step = bit;
         let surface_torque = -element!(self.chain, 0, torque);
         let drive = surface_torque * node!(self.chain, 0, spin) * dt;
@@ -349,14 +389,17 @@ impl Simulation {
             rigid_velocity: self.rigid_velocity_m_per_s,
             rigid_spin: node!(self.chain, 0, spin),
             dissipation: match self.settings.contact_law {
-                ContactLaw::Hertz { dissipation_s_per_m } => dissipation_s_per_m,
+                ContactLaw::Hertz {
+                    dissipation_s_per_m,
+                } => dissipation_s_per_m,
                 ContactLaw::Linear { .. } => 0.0,
             },
         }
     }
 
     fn check_numbers(&self) -> Result<(), Diverged> {
-        let fast = |x: f64| !(x.abs() < DIVERGED_M_PER_S);
+        // Not a number is too fast, too.
+        let fast = |x: f64| x.is_nan() || x.abs() >= DIVERGED_M_PER_S;
         let state = &self.chain.state;
         let any = state.v.iter().any(|axis| axis.0.iter().any(|v| fast(*v)))
             || state.spin.0.iter().any(|s| !s.is_finite());
@@ -370,7 +413,9 @@ impl Simulation {
         let worst = (0..self.chain.nodes())
             .find(|i| !speed(*i).is_finite() || !node!(self.chain, *i, spin).is_finite())
             .unwrap_or_else(|| {
-                (0..self.chain.nodes()).max_by(|a, b| speed(*a).total_cmp(&speed(*b))).unwrap_or(0)
+                (0..self.chain.nodes())
+                    .max_by(|a, b| speed(*a).total_cmp(&speed(*b)))
+                    .unwrap_or(0)
             });
         Err(Diverged {
             time_s: self.time_s(),
@@ -385,11 +430,15 @@ impl Simulation {
         if !self.window_open && time >= self.settings.settle_s {
             self.window_open = true;
             self.record.open_window();
-            self.ledger = Ledger { energy_at_start: self.energy_J(), ..Ledger::default() };
+            self.ledger = Ledger {
+                energy_at_start: self.energy_J(),
+                ..Ledger::default()
+            };
         }
         let sums = std::mem::take(&mut self.since_sample);
-        let totals =
-            self.record.sample(&mut self.chain, &self.high, sums.steps, self.window_open);
+        let totals = self
+            .record
+            .sample(&mut self.chain, &self.high, sums.steps, self.window_open);
         let n = sums.steps as f64;
         let last = self.chain.nodes() - 1;
         let elongation = self.elongation_m();
@@ -399,8 +448,7 @@ impl Simulation {
         let series = &mut self.record.series;
         series.time_s.push(time);
         series.bit_depth_m.push(
-            self.anchors[last].md_m
-                + self.chain.displacement(last).dot(self.chain.tangent(last)),
+            self.anchors[last].md_m + self.chain.displacement(last).dot(self.chain.tangent(last)),
         );
         series.hook_load_N.push(sums.hook_load / n);
         series.surface_torque_N_m.push(sums.surface_torque / n);
@@ -411,8 +459,12 @@ impl Simulation {
         series.bit_torque_N_m.push(sums.bit_torque / n);
         series.twist_rad.push(twist);
         series.stretch_m.push(elongation);
-        series.block_velocity_m_per_s.push(self.hoist.velocity_m_per_s());
-        series.bit_rotary_speed_rad_per_s.push(node!(self.chain, last, spin));
+        series
+            .block_velocity_m_per_s
+            .push(self.hoist.velocity_m_per_s());
+        series
+            .bit_rotary_speed_rad_per_s
+            .push(node!(self.chain, last, spin));
 
         self.surroundings.follow(&mut self.chain, &mut self.anchors);
         self.chain.square_up();
@@ -451,10 +503,18 @@ impl Simulation {
         if !self.window_open {
             return 0.0;
         }
-        let Ledger { energy_at_start, work, losses } = self.ledger;
+        let Ledger {
+            energy_at_start,
+            work,
+            losses,
+        } = self.ledger;
         let change = self.energy_J() - energy_at_start;
         let largest = change.abs().max(work.abs()).max(losses.abs());
-        if largest > 0.0 { (work - losses - change) / largest } else { 0.0 }
+        if largest > 0.0 {
+            (work - losses - change) / largest
+        } else {
+            0.0
+        }
     }
 
     /// The answer so far: over the window if it has begun, over everything sampled otherwise.

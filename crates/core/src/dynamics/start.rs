@@ -88,7 +88,11 @@ pub fn lay(
         }
     }
     let hook_load_N = guide.tension_N[0] + assembly::top_weight_N(&string.chain);
-    Ok(Initial { chain: string.chain, anchors: string.anchors, hook_load_N })
+    Ok(Initial {
+        chain: string.chain,
+        anchors: string.anchors,
+        hook_load_N,
+    })
 }
 
 /// What the soft string says about every element and node.
@@ -111,10 +115,10 @@ impl Guide {
         let (model, operation) = as_soft_string(model, operation, settings);
         let profile = soft::solve(&model, &operation, &SoftSettings::default())?;
         let depth = |from_bit_m: f64| operation.bit_depth_m - from_bit_m;
-        let middle = |i: usize| {
-            depth(mesh.nodes[i].from_bit_m - 0.5 * mesh.elements[i].length_m)
-        };
-        let tension_N = (0..mesh.elements.len()).map(|i| profile.tension_at_N(middle(i))).collect();
+        let middle = |i: usize| depth(mesh.nodes[i].from_bit_m - 0.5 * mesh.elements[i].length_m);
+        let tension_N = (0..mesh.elements.len())
+            .map(|i| profile.tension_at_N(middle(i)))
+            .collect();
         let turning = settings.start == Start::Prepared && operation_turns(&operation, settings);
         // Torque from the bit up: what each node rubs off.
         let mut torque_N_m = vec![0.0; mesh.elements.len()];
@@ -126,7 +130,11 @@ impl Guide {
             let side = profile.contact_direction_at(md);
             let friction = model.well.hole.at(md).friction.kinetic;
             // Wherever the nodes stand, the component touches with its joints.
-            let radius = model.string.component_at(mesh.nodes[i].from_bit_m).1.contact_radius_m();
+            let radius = model
+                .string
+                .component_at(mesh.nodes[i].from_bit_m)
+                .1
+                .contact_radius_m();
             let mu = if turning {
                 around(friction, radius, &operation, settings.friction_law)
             } else {
@@ -143,7 +151,11 @@ impl Guide {
                 torque_N_m[i - 1] = torque;
             }
         }
-        Ok(Self { tension_N, torque_N_m, lean })
+        Ok(Self {
+            tension_N,
+            torque_N_m,
+            lean,
+        })
     }
 }
 
@@ -210,7 +222,8 @@ impl Laying<'_> {
         }
         for _ in 0..PASSES {
             for (i, depth) in md.iter().enumerate() {
-                self.surroundings.place(&mut self.chain, &mut self.anchors, i, *depth);
+                self.surroundings
+                    .place(&mut self.chain, &mut self.anchors, i, *depth);
                 let clearance = node!(self.chain, i, clearance);
                 let off = if lean && clearance < NO_WALL_M {
                     self.guide.lean[i] * clearance
@@ -265,7 +278,11 @@ impl Laying<'_> {
         let mut state = seed;
         for i in 1..self.mesh.nodes.len() - 1 {
             let tangent = self.chain.tangent(i);
-            let kick = Vector(uniform(&mut state), uniform(&mut state), uniform(&mut state));
+            let kick = Vector(
+                uniform(&mut state),
+                uniform(&mut state),
+                uniform(&mut state),
+            );
             let across = kick.minus(tangent, kick.dot(tangent));
             let moved = self.chain.displacement(i).plus(across, DISTURBANCE_M);
             self.chain.set_displacement(i, moved);
@@ -305,7 +322,8 @@ impl Laying<'_> {
         assembly::release(&mut self.chain);
         for i in 0..self.mesh.nodes.len() {
             let md = self.anchors[i].md_m;
-            self.surroundings.anchor(&mut self.chain, &mut self.anchors, i, md);
+            self.surroundings
+                .anchor(&mut self.chain, &mut self.anchors, i, md);
         }
     }
 
@@ -315,8 +333,10 @@ impl Laying<'_> {
             // The node below has moved already: each shortfall knows of it.
             for i in (0..self.mesh.elements.len()).rev() {
                 let shift = self.shortfall_m(i);
-                let moved =
-                    self.chain.displacement(i).minus(self.chain.tangent(i), shift);
+                let moved = self
+                    .chain
+                    .displacement(i)
+                    .minus(self.chain.tangent(i), shift);
                 self.chain.set_displacement(i, moved);
             }
         }
@@ -332,4 +352,3 @@ fn uniform(state: &mut u64) -> f64 {
     z ^= z >> 31;
     (z >> 11) as f64 / (1u64 << 52) as f64 - 1.0
 }
-

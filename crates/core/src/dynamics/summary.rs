@@ -31,13 +31,20 @@ const LONGEST_REACH_M: f64 = 10.0;
 /// The answer.
 pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
     let series = &s.record.series;
-    let from = if s.record.samples() > 0 { s.record.window_row } else { 0 };
+    let from = if s.record.samples() > 0 {
+        s.record.window_row
+    } else {
+        0
+    };
     let statistics: Vec<(&'static str, Statistic)> = varying(series)
         .into_iter()
         .filter_map(|(name, values)| Some((name, Statistic::of(&values[from..])?)))
         .collect();
     let mean = |name: &str| {
-        statistics.iter().find(|(n, _)| *n == name).map_or(0.0, |(_, s)| s.mean)
+        statistics
+            .iter()
+            .find(|(n, _)| *n == name)
+            .map_or(0.0, |(_, s)| s.mean)
     };
     let nodes = profile(s);
     let path = &s.model.well.path;
@@ -52,14 +59,17 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
         twist_rad: mean("twist_rad"),
         stretch_m: mean("stretch_m"),
         neutral_point_m: crate::outcome::neutral_point_m(&nodes.md_m, &nodes.tension_N),
-        cutoff_depth_m: path.kick_off_md_m().zip(path.build_end_md_m()).and_then(|(top, end)| {
-            crate::outcome::cutoff_depth_m(
-                &nodes.md_m,
-                &nodes.side_force_N_per_m,
-                top,
-                end + 30.0,
-            )
-        }),
+        cutoff_depth_m: path
+            .kick_off_md_m()
+            .zip(path.build_end_md_m())
+            .and_then(|(top, end)| {
+                crate::outcome::cutoff_depth_m(
+                    &nodes.md_m,
+                    &nodes.side_force_N_per_m,
+                    top,
+                    end + 30.0,
+                )
+            }),
     };
     let _ = s.operation;
     DynamicOutcome {
@@ -90,7 +100,10 @@ fn varying(series: &TimeSeries) -> [(&'static str, &Vec<f64>); 10] {
         ("bit_torque_N_m", &series.bit_torque_N_m),
         ("twist_rad", &series.twist_rad),
         ("stretch_m", &series.stretch_m),
-        ("bit_rotary_speed_rad_per_s", &series.bit_rotary_speed_rad_per_s),
+        (
+            "bit_rotary_speed_rad_per_s",
+            &series.bit_rotary_speed_rad_per_s,
+        ),
     ]
 }
 
@@ -101,7 +114,10 @@ fn profile(s: &Sources<'_>) -> NodeProfile {
     let at_node = |i: usize, of: &dyn Fn(usize) -> super::record::Spread| {
         let below = of(i.min(n - 2));
         let above = of(i.saturating_sub(1));
-        (0.5 * (above.mean + below.mean), 0.5 * (above.std + below.std))
+        (
+            0.5 * (above.mean + below.mean),
+            0.5 * (above.std + below.std),
+        )
     };
     let mut p = NodeProfile::default();
     for i in 0..n {
@@ -138,8 +154,9 @@ struct Carries {
 /// either side, at most [`LONGEST_REACH_M`].
 fn carried_lengths(s: &Sources<'_>) -> Vec<Carries> {
     let at = |i: usize| -s.mesh.nodes[i].from_bit_m;
-    let touching: Vec<usize> =
-        (0..s.mesh.nodes.len()).filter(|i| s.record.normal(*i).mean > 0.0).collect();
+    let touching: Vec<usize> = (0..s.mesh.nodes.len())
+        .filter(|i| s.record.normal(*i).mean > 0.0)
+        .collect();
     touching
         .iter()
         .enumerate()
@@ -161,7 +178,12 @@ fn carried_lengths(s: &Sources<'_>) -> Vec<Carries> {
             while last + 1 < s.mesh.nodes.len() && at(last + 1) <= high {
                 last += 1;
             }
-            Carries { contact, first, last, length_m: above + below }
+            Carries {
+                contact,
+                first,
+                last,
+                length_m: above + below,
+            }
         })
         .collect()
 }
@@ -177,5 +199,8 @@ fn spread(carries: &[Carries], nodes: usize, force: impl Fn(usize) -> f64) -> Ve
             count[i] += 1;
         }
     }
-    sum.iter().zip(&count).map(|(s, c)| if *c > 1 { s / f64::from(*c) } else { *s }).collect()
+    sum.iter()
+        .zip(&count)
+        .map(|(s, c)| if *c > 1 { s / f64::from(*c) } else { *s })
+        .collect()
 }

@@ -136,7 +136,8 @@ pub fn react<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Reacti
     let sum = l + k.length;
     let inverse = one / (l * sum);
     let inverse_l = inverse * sum;
-    let excess = (p.anchor_chord.scaled(two) + p.displacement).dot(p.displacement) + p.anchor_excess;
+    let excess =
+        (p.anchor_chord.scaled(two) + p.displacement).dot(p.displacement) + p.anchor_excess;
     let stretch = excess * (inverse * l) * k.inverse_length;
 
     let t = r.scaled(inverse_l);
@@ -186,7 +187,15 @@ pub fn react<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Reacti
         strain_rate * k.length,
         damping_torque.mul_add(twist_rate, bending_damping * turning.dot(turning)),
     );
-    Reaction { force, moment1: m1, moment2: m2, torque, tension, twist, damping_power }
+    Reaction {
+        force,
+        moment1: m1,
+        moment2: m2,
+        torque,
+        tension,
+        twist,
+        damping_power,
+    }
 }
 
 /// Elastic energy of an element that stands as `pose`, J.
@@ -197,7 +206,8 @@ pub fn energy(k: &Stiffness<f64>, p: &Pose<f64>) -> f64 {
     let (c1, c2, c12) = (t.dot(p.d1), t.dot(p.d2), p.d1.dot(p.d2));
     let near = 2.0 - c1 * c1 - c2 * c2;
     let far = c12 - c1 * c2;
-    let excess = (p.anchor_chord.scaled(2.0) + p.displacement).dot(p.displacement) + p.anchor_excess;
+    let excess =
+        (p.anchor_chord.scaled(2.0) + p.displacement).dot(p.displacement) + p.anchor_excess;
     let strain =
         (excess / (l + k.length) + 0.5 * k.bow_near * near - k.bow_far * far) * k.inverse_length;
     0.5 * k.axial * k.length * strain * strain

@@ -50,8 +50,9 @@ const CROWDED: f64 = 0.5;
 /// Longest distance over which joints give way, m.
 const CROWDED_M: f64 = 2.0;
 
-/// How much longer than asked an element may be rather than be halved: short elements bound the step.
-const TOLERANCE: f64 = 0.2;
+/// Part of an element that a stretch may lack and still be cut once more. Between marks the elements
+/// are rather longer than asked than shorter: short ones bound the step.
+const SLACK: f64 = 0.2;
 
 /// How far a blade stands out over its neighbours, m.
 const BLADE_HEIGHT_M: f64 = 1e-3;
@@ -65,18 +66,24 @@ impl Mesh {
         for pair in marks.windows(2) {
             let (low, high) = (&pair[0], &pair[1]);
             let span = high.from_bit_m - low.from_bit_m;
-            let parts = (span / element_length_m - TOLERANCE).ceil().max(1.0) as usize;
+            let parts = (span / element_length_m + SLACK).floor().max(1.0) as usize;
             nodes.push(MeshNode {
                 from_bit_m: low.from_bit_m,
                 contact_radius_m: low.contact_radius_m,
             });
             for part in 1..parts {
                 let from_bit_m = low.from_bit_m + span * part as f64 / parts as f64;
-                nodes.push(MeshNode { from_bit_m, contact_radius_m: body_radius_m(string, from_bit_m) });
+                nodes.push(MeshNode {
+                    from_bit_m,
+                    contact_radius_m: body_radius_m(string, from_bit_m),
+                });
             }
         }
         let top = &marks[marks.len() - 1];
-        nodes.push(MeshNode { from_bit_m: top.from_bit_m, contact_radius_m: top.contact_radius_m });
+        nodes.push(MeshNode {
+            from_bit_m: top.from_bit_m,
+            contact_radius_m: top.contact_radius_m,
+        });
         nodes.reverse();
         let elements = nodes
             .windows(2)
@@ -95,7 +102,11 @@ impl Mesh {
 
     /// Half of each neighbouring element: the length that a node answers for, m.
     pub fn tributary_length_m(&self, node: usize) -> f64 {
-        let above = if node > 0 { self.elements[node - 1].length_m } else { 0.0 };
+        let above = if node > 0 {
+            self.elements[node - 1].length_m
+        } else {
+            0.0
+        };
         let below = self.elements.get(node).map_or(0.0, |e| e.length_m);
         0.5 * (above + below)
     }
@@ -116,7 +127,11 @@ fn marks(string: &DrillString, element_length_m: f64) -> Vec<Mark> {
     let components = string.components();
     let length = string.length_m();
     let mut marks = vec![
-        Mark { from_bit_m: 0.0, contact_radius_m: components[0].contact_radius_m(), fixed: true },
+        Mark {
+            from_bit_m: 0.0,
+            contact_radius_m: components[0].contact_radius_m(),
+            fixed: true,
+        },
         Mark {
             from_bit_m: length,
             contact_radius_m: components[components.len() - 1].contact_radius_m(),
@@ -130,12 +145,20 @@ fn marks(string: &DrillString, element_length_m: f64) -> Vec<Mark> {
         if let Some(joints) = component.joints {
             let mut from_bit_m = bottom;
             while from_bit_m < top {
-                marks.push(Mark { from_bit_m, contact_radius_m: radius, fixed: false });
+                marks.push(Mark {
+                    from_bit_m,
+                    contact_radius_m: radius,
+                    fixed: false,
+                });
                 from_bit_m += joints.spacing_m;
             }
         } else if is_blade(components, index) {
             let from_bit_m = 0.5 * (bottom + top);
-            marks.push(Mark { from_bit_m, contact_radius_m: radius, fixed: true });
+            marks.push(Mark {
+                from_bit_m,
+                contact_radius_m: radius,
+                fixed: true,
+            });
         }
         bottom = top;
     }
@@ -152,19 +175,29 @@ fn is_blade(components: &[Component], index: usize) -> bool {
     };
     index > 0
         && components[index].length_m <= LONGEST_BLADE_M
-        && over(if index == 1 { None } else { components.get(index - 1) })
+        && over(if index == 1 {
+            None
+        } else {
+            components.get(index - 1)
+        })
         && over(components.get(index + 1))
 }
 
 /// Drops joints that crowd a fixed mark or the joint below.
 fn thin(marks: Vec<Mark>, element_length_m: f64) -> Vec<Mark> {
     let near = (CROWDED * element_length_m).min(CROWDED_M);
-    let fixed: Vec<f64> = marks.iter().filter(|m| m.fixed).map(|m| m.from_bit_m).collect();
+    let fixed: Vec<f64> = marks
+        .iter()
+        .filter(|m| m.fixed)
+        .map(|m| m.from_bit_m)
+        .collect();
     let mut kept: Vec<Mark> = Vec::with_capacity(marks.len());
     for mark in marks {
         let crowds_fixed = !mark.fixed && fixed.iter().any(|f| (f - mark.from_bit_m).abs() < near);
         let crowds_last = !mark.fixed
-            && kept.last().is_some_and(|last| mark.from_bit_m - last.from_bit_m < near);
+            && kept
+                .last()
+                .is_some_and(|last| mark.from_bit_m - last.from_bit_m < near);
         if !crowds_fixed && !crowds_last {
             kept.push(mark);
         }

@@ -50,13 +50,20 @@ impl Section {
         let last = string.components().len() - 1;
         for (index, component) in string.components().iter().enumerate() {
             // The last component takes whatever rounding leaves above it.
-            let top = if index == last { f64::INFINITY } else { bottom + component.length_m };
+            let top = if index == last {
+                f64::INFINITY
+            } else {
+                bottom + component.length_m
+            };
             let part = (to_bit_m.min(top) - from_bit_m.max(bottom)) / span;
             bottom = top;
             if part <= 0.0 {
                 continue;
             }
-            let (e, g) = (component.material.youngs_modulus_Pa, component.material.shear_modulus_Pa);
+            let (e, g) = (
+                component.material.youngs_modulus_Pa,
+                component.material.shear_modulus_Pa,
+            );
             let area = component.area_m2();
             let nu = (e / (2.0 * g) - 1.0).clamp(0.0, 0.5);
             let kappa = super::element::shear_factor(nu, component.id_m / component.od_m);

@@ -4,7 +4,7 @@ use super::{element::Stiffness, mesh::Mesh};
 
 /// Part of the stability limit that is used: the rest is for what the elements' own frequencies do
 /// not know (tension, large rotation).
-const SAFETY: f64 = 0.95;
+pub(crate) const SAFETY: f64 = 0.98;
 
 /// Largest part of the string's axial mass that short elements may be lent in sum.
 const MOST_ADDED_MASS: f64 = 0.003;
@@ -70,14 +70,15 @@ pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> 
         let limit = frequency_limit(dt, stiffness_damping_s);
         bare.iter().map(|(k, i)| lend(k, i, limit)).collect()
     };
-    let added = |inertia: &[ElementInertia]| {
-        inertia.iter().map(|i| i.axial_kg).sum::<f64>() / total - 1.0
-    };
+    let added =
+        |inertia: &[ElementInertia]| inertia.iter().map(|i| i.axial_kg).sum::<f64>() / total - 1.0;
     let fits = |dt: f64| lend_all(dt).is_some_and(|i| added(&i) <= MOST_ADDED_MASS);
 
     // Only the few are lent to: no longer a step than half of the string's mass carries by itself.
-    let mut own: Vec<(f64, f64)> =
-        bare.iter().map(|(k, i)| (own_step(k, i, stiffness_damping_s), i.axial_kg)).collect();
+    let mut own: Vec<(f64, f64)> = bare
+        .iter()
+        .map(|(k, i)| (own_step(k, i, stiffness_damping_s), i.axial_kg))
+        .collect();
     own.sort_by(|a, b| b.0.total_cmp(&a.0));
     let mut carried = 0.0;
     let most = own.iter().find(|(_, kg)| {
@@ -95,7 +96,11 @@ pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> 
     }
     let inertia = lend_all(low).unwrap_or_else(|| bare.iter().map(|(_, i)| *i).collect());
     let added_axial_mass_fraction = added(&inertia).max(0.0);
-    StepPlan { dt_s: low, inertia, added_axial_mass_fraction }
+    StepPlan {
+        dt_s: low,
+        inertia,
+        added_axial_mass_fraction,
+    }
 }
 
 /// Longest step of an element that is lent nothing, by its axial frequency, s.
@@ -127,7 +132,14 @@ fn lend(k: &Stiffness<f64>, bare: &ElementInertia, limit: f64) -> Option<Element
     if budget <= 0.0 {
         return None;
     }
-    let rotary_kg_m2 =
-        bare.rotary_kg_m2.max(0.5 / budget).max((k.bending_near - k.bending_far) / square);
-    Some(ElementInertia { axial_kg, lateral_kg, polar_kg_m2: bare.polar_kg_m2, rotary_kg_m2 })
+    let rotary_kg_m2 = bare
+        .rotary_kg_m2
+        .max(0.5 / budget)
+        .max((k.bending_near - k.bending_far) / square);
+    Some(ElementInertia {
+        axial_kg,
+        lateral_kg,
+        polar_kg_m2: bare.polar_kg_m2,
+        rotary_kg_m2,
+    })
 }

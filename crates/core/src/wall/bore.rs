@@ -61,7 +61,10 @@ mod tests {
             from_md_m,
             to_md_m,
             diameter_m,
-            friction: Friction { kinetic: 0.3, at_rest: 0.3 },
+            friction: Friction {
+                kinetic: 0.3,
+                at_rest: 0.3,
+            },
             youngs_modulus_Pa: 210e9,
             poisson_ratio: 0.3,
         };

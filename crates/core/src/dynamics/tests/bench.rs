@@ -15,9 +15,7 @@ use crate::{
         vector::Vector,
     },
     string::{ComponentLength, ComponentSpec, Material, StringSpec},
-    well::{
-        Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Station, TieIn, Well,
-    },
+    well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Station, TieIn, Well},
 };
 
 /// The steel of D09 and D10.
@@ -43,10 +41,28 @@ pub struct Support {
 }
 
 impl Support {
-    pub const FREE: Self = Self { axial: true, lateral: true, tilt: true, spin: true };
-    pub const PINNED: Self = Self { axial: false, lateral: false, tilt: true, spin: false };
-    pub const ROLLER: Self = Self { axial: true, ..Self::PINNED };
-    pub const CLAMPED: Self = Self { axial: false, lateral: false, tilt: false, spin: false };
+    pub const FREE: Self = Self {
+        axial: true,
+        lateral: true,
+        tilt: true,
+        spin: true,
+    };
+    pub const PINNED: Self = Self {
+        axial: false,
+        lateral: false,
+        tilt: true,
+        spin: false,
+    };
+    pub const ROLLER: Self = Self {
+        axial: true,
+        ..Self::PINNED
+    };
+    pub const CLAMPED: Self = Self {
+        axial: false,
+        lateral: false,
+        tilt: false,
+        spin: false,
+    };
 }
 
 /// The rod.
@@ -69,13 +85,20 @@ impl Bench {
                 ComponentSpec::uniform("rod", od, id, ComponentLength::Metres(length), STEEL)
             })
             .collect();
-        let station = |md_m| Station { md_m, inclination_rad: 0.0, azimuth_rad: 0.0 };
+        let station = |md_m| Station {
+            md_m,
+            inclination_rad: 0.0,
+            azimuth_rad: 0.0,
+        };
         let hole = HoleSection {
             kind: HoleKind::Open,
             from_md_m: 0.0,
             to_md_m: length_m,
             diameter_m: 2.0,
-            friction: Friction { kinetic: 0.0, at_rest: 0.0 },
+            friction: Friction {
+                kinetic: 0.0,
+                at_rest: 0.0,
+            },
             youngs_modulus_Pa: 50e9,
             poisson_ratio: 0.3,
         };
@@ -86,8 +109,14 @@ impl Bench {
                     .expect("a sound survey"),
                 hole: Hole::new(vec![hole]).expect("a sound hole"),
             },
-            string: StringSpec { components }.assemble(length_m).expect("a sound string"),
-            mud: Mud { density_kg_per_m3: 0.0, linear_drag_Pa_s: 0.0, drag_coefficient: 0.0 },
+            string: StringSpec { components }
+                .assemble(length_m)
+                .expect("a sound string"),
+            mud: Mud {
+                density_kg_per_m3: 0.0,
+                linear_drag_Pa_s: 0.0,
+                drag_coefficient: 0.0,
+            },
             rig: Rig::default(),
         };
         let mesh = Mesh::new(&model.string, element_length_m);
@@ -108,14 +137,21 @@ impl Bench {
             rigid_spin: 0.0,
             dissipation: 0.0,
         };
-        let mut bench = Self { chain, mesh, plan, input, stepper: Stepper::new(true, true) };
+        let mut bench = Self {
+            chain,
+            mesh,
+            plan,
+            input,
+            stepper: Stepper::new(true, true, false),
+        };
         bench.support(0, Support::FREE);
         bench
     }
 
     /// Moment of inertia of a node across its director, kg·m².
     pub fn rotary_kg_m2(&self, index: usize) -> f64 {
-        let of = |element: Option<&stability::ElementInertia>| element.map_or(0.0, |e| e.rotary_kg_m2);
+        let of =
+            |element: Option<&stability::ElementInertia>| element.map_or(0.0, |e| e.rotary_kg_m2);
         let above = index.checked_sub(1).and_then(|i| self.plan.inertia.get(i));
         of(above) + of(self.plan.inertia.get(index))
     }
@@ -125,13 +161,17 @@ impl Bench {
         let rotary = self.rotary_kg_m2(index);
         let inverse = |free: bool, inertia: f64| if free { 1.0 / inertia } else { 0.0 };
         let chain = &mut self.chain;
-        node!(chain, index, inv_mass_axial) = inverse(support.axial, node!(chain, index, mass_axial));
+        node!(chain, index, inv_mass_axial) =
+            inverse(support.axial, node!(chain, index, mass_axial));
         node!(chain, index, inv_mass_lateral) =
             inverse(support.lateral, node!(chain, index, mass_lateral));
         node!(chain, index, inv_polar) = inverse(support.spin, node!(chain, index, polar));
         node!(chain, index, inv_rotary) = inverse(support.tilt, rotary);
-        node!(chain, index, gyroscopic) =
-            if support.tilt { node!(chain, index, polar) / rotary } else { 0.0 };
+        node!(chain, index, gyroscopic) = if support.tilt {
+            node!(chain, index, polar) / rotary
+        } else {
+            0.0
+        };
     }
 
     /// Distance of a node from the upper end of the unloaded rod, m.
@@ -163,4 +203,3 @@ impl Bench {
         periods as f64 / (zeros[2 * periods] - zeros[0])
     }
 }
-

@@ -11,7 +11,10 @@ use crate::{
 };
 
 const MASS_KG: f64 = 5e3;
-const LINE: HoistLine = HoistLine { stiffness_N_per_m: 1e7, damping_N_s_per_m: 1e5 };
+const LINE: HoistLine = HoistLine {
+    stiffness_N_per_m: 1e7,
+    damping_N_s_per_m: 1e5,
+};
 
 /// A mass that hangs on the hoist.
 struct Load {
@@ -26,7 +29,11 @@ impl Load {
         node!(chain, 0, mass_axial) = MASS_KG;
         node!(chain, 0, inv_mass_axial) = 1.0 / MASS_KG;
         let hoist = Hoist::new(line, control, 60e3, 0.003, 100.0, MASS_KG * gravity);
-        Self { chain, hoist, gravity }
+        Self {
+            chain,
+            hoist,
+            gravity,
+        }
     }
 
     fn down(&self) -> f64 {
@@ -41,8 +48,10 @@ impl Load {
         let before = self.velocity();
         let v = before + dt * self.gravity;
         self.chain.set_velocity(0, Vector(0.0, 0.0, v));
-        self.chain.set_displacement(0, Vector(0.0, 0.0, self.down() + dt * v));
-        self.hoist.act(&mut self.chain, 100.0, before, weight_on_bit_N, dt)
+        self.chain
+            .set_displacement(0, Vector(0.0, 0.0, self.down() + dt * v));
+        self.hoist
+            .act(&mut self.chain, 100.0, before, weight_on_bit_N, dt)
     }
 }
 
@@ -71,10 +80,16 @@ fn oscillation_error(line: HoistLine, steps_per_period: f64) -> f64 {
 #[test]
 fn a_mass_on_the_line_swings_and_settles() {
     for damping_N_s_per_m in [0.0, 3e4, 1e5, 3e5] {
-        let line = HoistLine { damping_N_s_per_m, ..LINE };
+        let line = HoistLine {
+            damping_N_s_per_m,
+            ..LINE
+        };
         let [coarse, fine] = [2e4, 4e4].map(|steps| oscillation_error(line, steps));
         println!("{damping_N_s_per_m}: {coarse:.1e} {fine:.1e}");
-        assert!(((coarse / fine).log2() - 1.0).abs() < 0.1, "{coarse:e} {fine:e}");
+        assert!(
+            ((coarse / fine).log2() - 1.0).abs() < 0.1,
+            "{coarse:e} {fine:e}"
+        );
         assert!(fine < 4.0 * std::f64::consts::TAU / 4e4 * 3.0);
     }
 }
@@ -110,7 +125,10 @@ fn a_mass_follows_the_block() {
 /// a falling mass is negative work.
 #[test]
 fn work_is_the_change_of_kinetic_energy() {
-    for control in [HoistControl::BlockVelocity(0.2), HoistControl::HookLoad(7e4)] {
+    for control in [
+        HoistControl::BlockVelocity(0.2),
+        HoistControl::HookLoad(7e4),
+    ] {
         let mut load = Load::new(LINE, control, 0.0);
         load.chain.set_velocity(0, Vector(0.0, 0.0, 0.5));
         let energy = |load: &Load| 0.5 * MASS_KG * load.velocity().powi(2);
@@ -150,17 +168,24 @@ fn a_hook_load_lifts_as_newton_says() {
     assert!((load.velocity() - expected).abs() < 1e-11);
     assert!((load.hoist.velocity_m_per_s() - load.velocity()).abs() < 1e-12);
     let velocity = load.velocity();
-    load.hoist.set_control(HoistControl::BlockVelocity(velocity));
+    load.hoist
+        .set_control(HoistControl::BlockVelocity(velocity));
     let step = load.step(0.0, 1e-3);
-    assert!((step.hook_load_N / force - 1.0).abs() < 0.05, "{}", step.hook_load_N);
+    assert!(
+        (step.hook_load_N / force - 1.0).abs() < 0.05,
+        "{}",
+        step.hook_load_N
+    );
 }
 
 /// The block's speed answers the weight that is missing through a filter of first order:
 /// `v = v₀ + K (W₀ − W)(1 − e^(−t/τ))`; it never lifts.
 #[test]
 fn an_autodriller_follows_its_filter() {
-    let control =
-        HoistControl::Autodriller { gain_m_per_s_per_N: 1e-7, filter_s: 1.0 };
+    let control = HoistControl::Autodriller {
+        gain_m_per_s_per_N: 1e-7,
+        filter_s: 1.0,
+    };
     let (target, nominal, weight) = (60e3, 0.003, 40e3);
     let mut load = Load::new(LINE, control, GRAVITY_M_PER_S2);
     let dt = 1e-4;

@@ -5,7 +5,11 @@ use nalgebra::DMatrix;
 use super::bench::{Bench, COLLAR_M, PIPE_M};
 use crate::{
     dynamics::{assembly, chain::node},
-    rod::{element::react, stability, vector::Vector},
+    rod::{
+        element::react,
+        stability::{self, SAFETY},
+        vector::Vector,
+    },
 };
 
 /// Sections of a bottom-hole assembly, m, from the bit up; short ones among them.
@@ -35,7 +39,14 @@ fn highest(rod: &Bench) -> f64 {
             pose.d1 = Vector(q[2].sin(), 0.0, q[2].cos());
             pose.d2 = Vector(q[5].sin(), 0.0, q[5].cos());
             let r = react(&stiffness, &pose, 0.0, 0.0);
-            [-r.force.0, -r.force.2, r.moment1.1, r.force.0, r.force.2, r.moment2.1]
+            [
+                -r.force.0,
+                -r.force.2,
+                r.moment1.1,
+                r.force.0,
+                r.force.2,
+                r.moment2.1,
+            ]
         };
         for j in 0..6 {
             let h = 1e-6;
@@ -49,7 +60,12 @@ fn highest(rod: &Bench) -> f64 {
                 k[(3 * e + i, 3 * e + j)] -= (plus[i] - minus[i]) / (2.0 * h);
             }
         }
-        for (i, j, sign) in [(e, e, 1.0), (e + 1, e + 1, 1.0), (e, e + 1, -1.0), (e + 1, e, -1.0)] {
+        for (i, j, sign) in [
+            (e, e, 1.0),
+            (e + 1, e + 1, 1.0),
+            (e, e + 1, -1.0),
+            (e + 1, e, -1.0),
+        ] {
             torsion[(i, j)] += sign * stiffness.twist;
         }
     }
@@ -73,11 +89,14 @@ fn growth(rod: &mut Bench, dt: f64, steps: usize) -> f64 {
     rod.input.dt = dt;
     let mut state = 7u64;
     let mut random = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         1e-6 * ((state >> 11) as f64 / (1u64 << 52) as f64 - 1.0)
     };
     for i in 0..rod.chain.nodes() {
-        rod.chain.set_velocity(i, Vector(random(), random(), random()));
+        rod.chain
+            .set_velocity(i, Vector(random(), random(), random()));
         rod.chain.set_turning(i, Vector(random(), random(), 0.0));
         node!(rod.chain, i, spin) = random();
     }
@@ -95,7 +114,7 @@ fn growth(rod: &mut Bench, dt: f64, steps: usize) -> f64 {
 }
 
 /// The elements' own bound: no frequency of the whole lies above it, whatever the string, and the plan
-/// uses 95 % of it. It is sharp for uniform pipe, whose shortest wave has both halves of every node's
+/// uses a stated part of it. It is sharp for uniform pipe, whose shortest wave has both halves of every node's
 /// mass in step.
 #[test]
 fn no_frequency_of_the_whole_exceeds_the_elements() {
@@ -114,8 +133,8 @@ fn no_frequency_of_the_whole_exceeds_the_elements() {
             "{what} {element_length} m: dt {:.3e} s, {used:.4} of the limit, added {:.2e}",
             rod.plan.dt_s, rod.plan.added_axial_mass_fraction
         );
-        assert!(used <= 0.95 * (1.0 + 1e-6), "{used}");
-        assert!(!sharp || used > 0.9499, "{used}");
+        assert!(used <= SAFETY * (1.0 + 1e-6), "{used}");
+        assert!(!sharp || used > SAFETY * (1.0 - 1e-4), "{used}");
     }
 }
 
@@ -123,9 +142,11 @@ fn no_frequency_of_the_whole_exceeds_the_elements() {
 /// assembled chain it explodes.
 #[test]
 fn the_planned_step_is_stable_and_a_tenth_beyond_the_limit_is_not() {
-    for (parts, element_length) in
-        [(&[(PIPE_M, 100.0)][..], 3.2), (&ASSEMBLY[..], 3.2), (&ASSEMBLY[..], 0.8)]
-    {
+    for (parts, element_length) in [
+        (&[(PIPE_M, 100.0)][..], 3.2),
+        (&ASSEMBLY[..], 3.2),
+        (&ASSEMBLY[..], 0.8),
+    ] {
         let rod = || Bench::new(parts, element_length, 0.0);
         let planned = rod().plan.dt_s;
         // Kinetic energy alone swings; it stays within a few times what it began with.
@@ -144,15 +165,18 @@ fn the_planned_step_is_stable_and_a_tenth_beyond_the_limit_is_not() {
 fn damping_shortens_the_step_as_its_formula_says() {
     let parts = [(PIPE_M, 100.0)];
     let undamped = Bench::new(&parts, 3.2, 0.0).plan.dt_s;
-    let omega = 2.0 * 0.95 / undamped;
+    let omega = 2.0 * SAFETY / undamped;
     for beta in [1e-5, 1e-4, 1e-3] {
         let rod = || Bench::new(&parts, 3.2, beta);
         let xi = 0.5 * beta * omega;
         let shorter = ((1.0 + xi * xi).sqrt() - xi) * undamped;
         let planned = rod().plan.dt_s;
-        assert!((planned / shorter - 1.0).abs() < 1e-9, "{planned} {shorter}");
+        assert!(
+            (planned / shorter - 1.0).abs() < 1e-9,
+            "{planned} {shorter}"
+        );
         assert!(growth(&mut rod(), planned, 20_000) < 2.0);
-        assert!(growth(&mut rod(), 1.1 / 0.95 * planned, 20_000).is_infinite());
+        assert!(growth(&mut rod(), 1.1 / SAFETY * planned, 20_000).is_infinite());
     }
 }
 
@@ -169,13 +193,21 @@ fn added_mass_is_small_and_reported() {
     assert!(mixed.plan.added_axial_mass_fraction < 1e-9);
     for element_length in [0.8, 1.6, 3.2, 4.8] {
         let rod = Bench::new(&ASSEMBLY, element_length, 1e-5);
-        let steel: f64 =
-            rod.mesh.elements.iter().map(|e| e.section.steel_kg_per_m * e.length_m).sum();
-        let nodes: f64 = (0..rod.chain.nodes()).map(|i| node!(rod.chain, i, mass_axial)).sum();
+        let steel: f64 = rod
+            .mesh
+            .elements
+            .iter()
+            .map(|e| e.section.steel_kg_per_m * e.length_m)
+            .sum();
+        let nodes: f64 = (0..rod.chain.nodes())
+            .map(|i| node!(rod.chain, i, mass_axial))
+            .sum();
         let added = nodes / steel - 1.0;
         assert!((added - rod.plan.added_axial_mass_fraction).abs() < 1e-9);
         assert!(added <= 0.003 * (1.0 + 1e-9), "{added}");
-        let lateral: f64 = (0..rod.chain.nodes()).map(|i| node!(rod.chain, i, mass_lateral)).sum();
+        let lateral: f64 = (0..rod.chain.nodes())
+            .map(|i| node!(rod.chain, i, mass_lateral))
+            .sum();
         assert!(lateral >= nodes * (1.0 - 1e-12));
     }
 }
@@ -183,9 +215,21 @@ fn added_mass_is_small_and_reported() {
 /// The plan does not need a bar of any particular shape: a needle and a stub get a step.
 #[test]
 fn odd_rods_get_a_step() {
-    for parts in [[([0.5, 0.0], 0.01), ([0.05, 0.049], 500.0)], [([0.05, 0.049], 0.001), ([0.5, 0.0], 20.0)]] {
+    for parts in [
+        [([0.5, 0.0], 0.01), ([0.05, 0.049], 500.0)],
+        [([0.05, 0.049], 0.001), ([0.5, 0.0], 20.0)],
+    ] {
         let rod = Bench::new(&parts, 3.2, 1e-5);
-        assert!(rod.plan.dt_s > 1e-9 && rod.plan.dt_s < 1e-2, "{}", rod.plan.dt_s);
-        assert!(rod.plan.inertia.iter().all(|i: &stability::ElementInertia| i.rotary_kg_m2 > 0.0));
+        assert!(
+            rod.plan.dt_s > 1e-9 && rod.plan.dt_s < 1e-2,
+            "{}",
+            rod.plan.dt_s
+        );
+        assert!(
+            rod.plan
+                .inertia
+                .iter()
+                .all(|i: &stability::ElementInertia| i.rotary_kg_m2 > 0.0)
+        );
     }
 }

@@ -1,0 +1,122 @@
+//! The components one above the other, as long as the bit is deep.
+
+use wholestring::string::{AssemblyError, ComponentLength, DrillString, Material, StringSpec};
+
+use crate::{
+    diagnostic::Diagnostic, names::short, range::number_text, reader::Reader, rule::At,
+    source::Place, string::ComponentTable,
+};
+
+/// The string as the case gives it.
+pub(crate) fn spec(
+    tables: &[At<ComponentTable>],
+    steel: &Material,
+    reader: &mut Reader,
+) -> Option<StringSpec> {
+    let mut components = Vec::with_capacity(tables.len());
+    let mut sound = true;
+    for (index, table) in tables.iter().enumerate() {
+        if let Some(length) = table.value.length.given()
+            && length.value == ComponentLength::ToSurface
+        {
+            let above = &tables[index + 1..];
+            if let Some(mistake) = not_topmost(table, length.place, above) {
+                reader.report(mistake);
+                sound = false;
+            }
+        }
+        match table
+            .value
+            .build(index == 0 && tables.len() > 1, table.place, steel, reader)
+        {
+            Some(component) => components.push(component),
+            None => sound = false,
+        }
+    }
+    sound.then_some(StringSpec { components })
+}
+
+/// What is wrong with a component that runs to the surface although others stand above it.
+fn not_topmost(
+    table: &At<ComponentTable>,
+    place: Place,
+    above: &[At<ComponentTable>],
+) -> Option<Diagnostic> {
+    if above.is_empty() {
+        return None;
+    }
+    let diagnostic = Diagnostic::error(format!(
+        "{} runs to the surface, but more components stand above it",
+        called(table)
+    ))
+    .at(place, "nothing is left for the components after it");
+    let other = above.iter().find_map(|table| {
+        let length = table.value.length.given()?;
+        (length.value == ComponentLength::ToSurface).then_some(length.place)
+    });
+    Some(
+        match other {
+            Some(other) => diagnostic.at(other, "this one runs to the surface too"),
+            None => diagnostic,
+        }
+        .help("components stand from the bit up: only the last one can run to the surface"),
+    )
+}
+
+/// How messages call a component.
+fn called(table: &At<ComponentTable>) -> String {
+    match table.value.component.get() {
+        Some(name) => format!("`{}`", short(name)),
+        None => "the component".to_owned(),
+    }
+}
+
+/// The string for a depth of the bit.
+pub(crate) fn assemble(
+    spec: &StringSpec,
+    tables: &[At<ComponentTable>],
+    bit_depth_m: f64,
+    bit_place: Option<Place>,
+    reader: &mut Reader,
+) -> Option<DrillString> {
+    let error = match spec.assemble(bit_depth_m) {
+        Ok(string) => return Some(string),
+        Err(error) => error,
+    };
+    let metres = |value: f64| number_text((value * 1e3).round() / 1e3);
+    let top = tables.last().map(|table| table.place).unwrap_or_default();
+    let bit = |diagnostic: Diagnostic| match bit_place {
+        Some(place) => diagnostic.at(place, "the bit depth"),
+        None => diagnostic
+            .help("without bit_depth under [operation] the bit is at the last survey station"),
+    };
+    let diagnostic = match &error {
+        AssemblyError::AssemblyTooLong {
+            assembly_m,
+            bit_depth_m,
+            ..
+        } => bit(Diagnostic::error(format!(
+            "the string is longer than the hole is deep: {} m stand below the top component, the bit is at {} m",
+            metres(*assembly_m),
+            metres(*bit_depth_m)
+        ))
+        .at(top, "nothing is left for this component")),
+        AssemblyError::LengthMismatch {
+            string_m,
+            bit_depth_m,
+        } => bit(Diagnostic::error(format!(
+            "the string is {} m long, the bit is at {} m",
+            metres(*string_m),
+            metres(*bit_depth_m)
+        ))
+        .at(top, format!("{} m {}", metres((bit_depth_m - string_m).abs()), if string_m > bit_depth_m { "too long" } else { "too short" }))
+        .help("length = \"to surface\" in the last component fills the rest")),
+        AssemblyError::Dimension { index, .. } => {
+            let place = tables.get(*index).map(|table| table.place).unwrap_or(top);
+            Diagnostic::error(short(&error.to_string())).at(place, "this component")
+        }
+        _ => Diagnostic::error(short(&error.to_string())).at(top, "the string"),
+    };
+    reader.report(diagnostic);
+    None
+}

@@ -1,0 +1,366 @@
+//! The whole case: its top level, and how a text becomes a [`Case`].
+
+use std::path::Path as FilePath;
+
+use wholestring::{dynamics::DynamicsSettings, model::Model, operation::Operation, well::Well};
+use wholestring_units::UnitSet;
+
+use crate::{
+    assembly,
+    bit::BitTable,
+    diagnostic::{Diagnostic, Report},
+    dynamics::{DynamicsTable, MeshTable},
+    effort, fit, hole,
+    mud::MudTable,
+    names::short,
+    node::{self, Entries, Node, Value},
+    operation::OperationTable,
+    overrides::{self, Override},
+    reader::Reader,
+    rig::{HoistTable, RigTable},
+    rule::{At, Choice, List, Rule, Section, Table, Text},
+    settings,
+    source::{Disk, Files, Place, read_bounded},
+    string::{ComponentTable, SteelTable},
+    table::{default, optional, required, table},
+    well::WellTable,
+};
+
+/// The models that can solve a case.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum ModelKind {
+    /// Soft string: statics without bending stiffness.
+    Soft,
+    /// The whole string in time.
+    Dynamic,
+}
+
+impl ModelKind {
+    const WORDS: &[(&str, Self)] = &[("soft", Self::Soft), ("dynamic", Self::Dynamic)];
+
+    /// Name in case files and results.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Soft => "soft",
+            Self::Dynamic => "dynamic",
+        }
+    }
+}
+
+/// A model by name; the stiff string is known, but not built.
+pub(crate) struct ModelRule;
+
+impl ModelRule {
+    fn choice() -> Choice<ModelKind> {
+        Choice {
+            noun: "a model",
+            words: ModelKind::WORDS,
+        }
+    }
+}
+
+impl Rule for ModelRule {
+    type Value = ModelKind;
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<ModelKind> {
+        if let Value::Text { text, .. } = &node.value
+            && text == "stiff"
+        {
+            reader.report(
+                Diagnostic::error("the stiff string is not built yet")
+                    .at(node.place, "expected \"soft\" or \"dynamic\""),
+            );
+            return None;
+        }
+        Self::choice().read(node, reader)
+    }
+
+    fn schema(&self) -> serde_json::Value {
+        Self::choice().schema()
+    }
+
+    fn json(&self, value: &ModelKind) -> serde_json::Value {
+        Self::choice().json(value)
+    }
+}
+
+table! {
+    /// A drill string in a well, and what is done with it. Quantities are text with a unit
+    /// ("5-1/2 in", "1.2 sg"); a bare number is SI, except in `stations` (m, deg, deg) and `rpm`.
+    CaseTable in "the case" {
+        /// What the case is called in results. Default: the name of the file.
+        name: String = optional(Text);
+        /// "soft" (statics without bending stiffness), "dynamic" (the whole string in time), or a
+        /// list that is solved one by one.
+        model: Vec<At<ModelKind>> = default(
+            List { item: ModelRule, or_one: true, noun: "models", most: ModelKind::WORDS.len() },
+            vec![At { value: ModelKind::Soft, place: Place::default() }],
+        );
+        /// Units that people are shown: "si" (m, kN, kN.m, mm, kg/m3), "metric" (m, t, kN.m, mm,
+        /// sg) or "field" (ft, klbf, ft-lbf, in, ppg). Files for machines are SI always.
+        units: UnitSet = default(
+            Choice {
+                noun: "a unit set",
+                words: &[
+                    ("si", UnitSet::Si),
+                    ("metric", UnitSet::Metric),
+                    ("field", UnitSet::Field),
+                ],
+            },
+            UnitSet::Si,
+        );
+        /// Where the hole runs and how wide and rough it is.
+        well: WellTable = required(Section::<WellTable>::RULE);
+        /// Drilling fluid, the same inside the string and in the annulus.
+        mud: MudTable = required(Section::<MudTable>::RULE);
+        /// The metal of the string, wherever a component does not say otherwise.
+        steel: SteelTable = optional(Section::<SteelTable>::RULE);
+        /// The string, component by component from the bit up.
+        string: Vec<At<ComponentTable>> = required(List {
+            item: Section::<ComponentTable>::RULE,
+            or_one: false,
+            noun: "components ([[string]])",
+            most: 5000,
+        });
+        /// The bit on the rock.
+        bit: BitTable = optional(Section::<BitTable>::RULE);
+        /// Limits of the rig.
+        rig: RigTable = optional(Section::<RigTable>::RULE);
+        /// How the top of the string is moved along the hole in the dynamic model.
+        hoist: HoistTable = optional(Section::<HoistTable>::RULE);
+        /// What the driller is doing.
+        operation: OperationTable = required(Section::<OperationTable>::RULE);
+        /// How finely the string is cut.
+        mesh: MeshTable = optional(Section::<MeshTable>::RULE);
+        /// Settings of the dynamic model.
+        dynamics: DynamicsTable = optional(Section::<DynamicsTable>::RULE);
+    }
+}
+
+/// A case in which everything has been checked.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// What it is called.
+    pub name: String,
+    /// Units that people are shown.
+    pub units: UnitSet,
+    /// The models to solve, in the order of the case.
+    pub models: Vec<ModelKind>,
+    /// Well, string, mud and rig.
+    pub model: Model,
+    /// The operations to solve, in the order of the case.
+    pub operations: Vec<Operation>,
+    /// What a dynamic run needs beside these.
+    pub dynamics: DynamicsSettings,
+    /// How the survey file was understood, in sentences; empty where the stations stand in the case.
+    pub survey_notes: Vec<String>,
+    /// What is probably not meant, but can be computed.
+    pub warnings: Report,
+    /// The case with all defaults filled in: SI numbers, units in the names of the keys.
+    pub settings: serde_json::Value,
+}
+
+/// Reads the case at `path`, and the survey that it names.
+///
+/// # Errors
+/// A report of every mistake that was found, if there is one.
+pub fn load(path: &FilePath, changes: &[Override]) -> Result<Case, Report> {
+    let name = path.display().to_string();
+    match read_bounded(path) {
+        Ok(bytes) => parse(&name, &bytes, &Disk::beside(path), changes),
+        Err(error) => {
+            let why = match error.kind() {
+                std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
+                _ => short(&error.to_string()),
+            };
+            let diagnostic = Diagnostic::error(format!("the case cannot be read: {why}"));
+            Err(Report::about_file(&name, diagnostic))
+        }
+    }
+}
+
+/// Reads a case from its text; `name` is what diagnostics call it.
+///
+/// # Errors
+/// A report of every mistake that was found, if there is one.
+pub fn parse(
+    name: &str,
+    text: &[u8],
+    files: &dyn Files,
+    changes: &[Override],
+) -> Result<Case, Report> {
+    let text = match as_text(text) {
+        Ok(text) => text,
+        Err(diagnostic) => return Err(Report::about_file(name, diagnostic)),
+    };
+    let mut reader = Reader::default();
+    let source = reader.add_source(name, text);
+    let mut root = match node::parse_text(text, source) {
+        Ok(root) => root,
+        Err(mistakes) => {
+            mistakes
+                .into_iter()
+                .for_each(|mistake| reader.report(mistake));
+            return Err(reader.into_report());
+        }
+    };
+    for change in changes {
+        overrides::apply(&mut root, change, &mut reader);
+    }
+    let case = build(name, &root, files, &mut reader);
+    let failed = reader.has_errors();
+    let report = reader.into_report();
+    match case {
+        Some(case) if !failed => Ok(Case {
+            warnings: report,
+            ..case
+        }),
+        _ => Err(report),
+    }
+}
+
+/// The text of a case file, or why it is none.
+fn as_text(bytes: &[u8]) -> Result<&str, Diagnostic> {
+    const MOST_BYTES: usize = 8 << 20;
+    if bytes.len() > MOST_BYTES {
+        let message = format!(
+            "this file holds {} MB: it is no case file",
+            bytes.len() >> 20
+        );
+        return Err(Diagnostic::error(message).help("a case file is a TOML text of some kilobytes"));
+    }
+    // Editors on Windows may put a byte order mark in front.
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let help = "a case file is a TOML text in UTF-8";
+    match std::str::from_utf8(bytes) {
+        Ok(text) if text.trim().is_empty() => Err(Diagnostic::error("the case file is empty")
+            .help("it needs [well], [mud], [[string]] and [operation]")),
+        Ok(text) if text.contains('\0') => {
+            Err(Diagnostic::error("this file is not a text: it holds zero bytes").help(help))
+        }
+        Ok(text) => Ok(text),
+        Err(error) => {
+            let line = bytes[..error.valid_up_to()]
+                .iter()
+                .filter(|&&byte| byte == b'\n')
+                .count();
+            let message = format!("this file is not a text: line {} is not UTF-8", line + 1);
+            Err(Diagnostic::error(message).help(help))
+        }
+    }
+}
+
+/// Everything that can be checked is checked, also where something else is wrong.
+fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> Option<Case> {
+    let case = CaseTable::read(root, Place::default(), reader);
+    let models = models(&case, reader);
+    let mud = case.mud.get().and_then(MudTable::build);
+    let steel = case.steel.get().and_then(|steel| steel.build(reader));
+    let rig = case.rig.get().and_then(|rig| rig.build(reader));
+
+    let well = case.well.at();
+    let stations = well.and_then(|at| at.value.stations(at.place, files, reader));
+    let path = well
+        .zip(stations.as_ref())
+        .and_then(|(at, stations)| at.value.path(stations, reader));
+    let sections = well.and_then(|at| at.value.hole.get());
+    let hole = sections.and_then(|sections| hole::build(sections, reader));
+
+    let last_md_m = path.as_ref().map(|path| path.last_md_m());
+    let operation = case.operation.get();
+    let bit_depth_m = operation.and_then(|operation| operation.bit_depth_m(last_md_m));
+    let bit_place = operation.and_then(OperationTable::bit_depth_place);
+    let reached = well.zip(bit_depth_m).and_then(|(at, bit_depth_m)| {
+        at.value
+            .reaches(path.as_ref(), hole.as_ref(), bit_depth_m, bit_place, reader)
+    });
+
+    let operations = match (operation, case.bit.get()) {
+        (Some(operation), Some(bit)) => {
+            operation.build(bit, models.as_deref().unwrap_or(&[]), bit_depth_m, reader)
+        }
+        _ => None,
+    };
+    let dynamics = match (
+        case.dynamics.get(),
+        case.mesh.get(),
+        case.hoist.get(),
+        case.bit.get(),
+    ) {
+        (Some(dynamics), Some(mesh), Some(hoist), Some(bit)) => {
+            dynamics.build(mesh, hoist, bit, reader)
+        }
+        _ => None,
+    };
+
+    let components = case.string.get();
+    let spec = components
+        .zip(steel.as_ref())
+        .and_then(|(components, steel)| assembly::spec(components, steel, reader));
+    let drill_string = match (&spec, components, bit_depth_m) {
+        (Some(spec), Some(components), Some(bit_depth_m)) => {
+            assembly::assemble(spec, components, bit_depth_m, bit_place, reader)
+        }
+        _ => None,
+    };
+    if let (Some(drill_string), Some(components)) = (&drill_string, components) {
+        if let (Some(hole), Some(sections)) = (&hole, sections) {
+            fit::check_clearance(drill_string, components, hole, sections, reader);
+        }
+        if let Some(mud) = &mud {
+            let wob = operation.and_then(|operation| operation.wob.given());
+            fit::check_weight_on_bit(drill_string, mud, wob, reader);
+        }
+        if let (Some(mud), Some(place)) = (&mud, case.mud.get().and_then(|mud| mud.density.at())) {
+            fit::check_weight(drill_string, components, mud, place.place, reader);
+        }
+    }
+
+    reached?;
+    let model = Model {
+        well: Well {
+            path: path?,
+            hole: hole?,
+        },
+        string: drill_string?,
+        mud: mud?,
+        rig: rig?,
+    };
+    let (models, operations, dynamics) = (models?, operations?, dynamics?);
+    effort::check_effort(&models, &model.string, &dynamics, &case, reader)?;
+    let name = match case.name.optional()? {
+        Some(given) => given.value.clone(),
+        None => FilePath::new(name).file_stem().map_or_else(
+            || "case".to_owned(),
+            |stem| stem.to_string_lossy().into_owned(),
+        ),
+    };
+    let units = *case.units.get()?;
+    let settings = settings::settings(&name, units, &models, &model, &operations, &dynamics, &case);
+    Some(Case {
+        name,
+        units,
+        models,
+        model,
+        operations,
+        dynamics,
+        survey_notes: stations.map_or_else(Vec::new, |stations| stations.notes),
+        warnings: Report::default(),
+        settings,
+    })
+}
+
+fn models(case: &CaseTable, reader: &mut Reader) -> Option<Vec<ModelKind>> {
+    let models = case.model.get()?;
+    for (i, at) in models.iter().enumerate() {
+        if let Some(first) = models[..i].iter().find(|first| first.value == at.value) {
+            reader.report(
+                Diagnostic::error(format!("`{}` is listed twice", at.value.name()))
+                    .at(at.place, "again here")
+                    .at(first.place, "first here"),
+            );
+            return None;
+        }
+    }
+    Some(models.iter().map(|at| at.value).collect())
+}

@@ -1,0 +1,258 @@
+//! `[mesh]` and `[dynamics]`.
+
+use wholestring::dynamics::{ContactLaw, DynamicsSettings, FrictionLaw, RodDamping, Start};
+use wholestring_units::Dimension;
+
+use crate::{
+    bit::BitTable,
+    diagnostic::Diagnostic,
+    quantity::Quantity,
+    range::{Number, Range, Whole, number_text},
+    reader::Reader,
+    rig::HoistTable,
+    rule::{Choice, Section},
+    source::Place,
+    table::{default, optional, table},
+};
+
+/// Rows that a run keeps in its tables; more fill memory and disk, not insight.
+const MOST_SAMPLES: f64 = 2e6;
+
+table! {
+    /// How finely the string is cut.
+    MeshTable in "[mesh]" {
+        /// Length of the elements, at most a fifth longer where joints ask for it: a node stands on
+        /// tool joints and stabilisers. Halving it makes a dynamic run four times slower.
+        element_length: f64 = default(
+            Quantity::si(Dimension::Length, Range::from_to(0.2, 30.0), "3.2 m"),
+            DynamicsSettings::default().element_length_m,
+        );
+    }
+}
+
+/// The contact laws, without their numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Contact {
+    Hertz,
+    Linear,
+}
+
+table! {
+    /// Rayleigh damping of the rod.
+    DampingTable in "[dynamics.damping]" {
+        /// Proportional to mass, 1/s, on velocities relative to the string's rigid motion.
+        mass: f64 = default(
+            Quantity::si(Dimension::Frequency, Range::from_to(0.0, 100.0), "0.1 1/s"),
+            DynamicsSettings::default().damping.mass_per_s,
+        );
+        /// Proportional to stiffness, s, on strain rates.
+        stiffness: f64 = default(
+            Quantity::si(Dimension::Time, Range::from_to(0.0, 0.01), "1e-4 s"),
+            DynamicsSettings::default().damping.stiffness_s,
+        );
+    }
+}
+
+table! {
+    /// Settings of the dynamic model; the others ignore them.
+    DynamicsTable in "[dynamics]" {
+        /// Length of the window that the statistics cover.
+        duration: f64 = default(
+            Quantity::si(Dimension::Time, Range::positive_to(86_400.0), "60 s"),
+            DynamicsSettings::default().duration_s,
+        );
+        /// Simulated time before that window.
+        settle: f64 = default(
+            Quantity::si(Dimension::Time, Range::from_to(0.0, 86_400.0), "20 s"),
+            DynamicsSettings::default().settle_s,
+        );
+        /// How the string lies at time zero: "prepared" (on its contact side with the soft string's
+        /// tension and torque) or "centred" (on the hole's axis, untwisted, at rest).
+        start: Start = default(
+            Choice {
+                noun: "a start",
+                words: &[("prepared", Start::Prepared), ("centred", Start::Centred)],
+            },
+            DynamicsSettings::default().start,
+        );
+        /// "vector" (friction opposes the resultant sliding velocity) or "independent" (full
+        /// friction axially and full friction around, up to 1.41 times too strong in sum).
+        friction_law: FrictionLaw = default(
+            Choice {
+                noun: "a friction law",
+                words: &[
+                    ("vector", FrictionLaw::Vector),
+                    ("independent", FrictionLaw::Independent),
+                ],
+            },
+            DynamicsSettings::default().friction_law,
+        );
+        /// "hertz" (stiffness from the elastic constants and radii of pipe and hole) or "linear" (a
+        /// spring and a dashpot).
+        contact_law: Contact = default(
+            Choice {
+                noun: "a contact law",
+                words: &[("hertz", Contact::Hertz), ("linear", Contact::Linear)],
+            },
+            Contact::Hertz,
+        );
+        /// Linear contact: stiffness of the contact of one node. Means do not move with it from 2e7
+        /// to 2e11 N/m.
+        contact_stiffness: f64 = default(
+            Quantity::si(Dimension::Stiffness, Range::from_to(1e3, 1e13), "1e8 N/m"),
+            1e8,
+        );
+        /// Linear contact: damping as a fraction of the critical damping of the node on its
+        /// contact. Raising it makes impacts rebound less.
+        contact_damping_ratio: f64 = default(
+            Number { unit: "", range: Range::from_to(0.0, 2.0) },
+            0.05,
+        );
+        /// Hertz contact: dissipation of Hunt and Crossley, s/m. Raising it makes impacts rebound
+        /// less.
+        hertz_dissipation: f64 = default(
+            Quantity::si(Dimension::DissipationTime, Range::from_to(0.0, 100.0), "0.5 s/m"),
+            hertz_dissipation_default(),
+        );
+        /// Rayleigh damping of the rod.
+        damping: DampingTable = optional(Section::<DampingTable>::RULE);
+        /// Time between samples of the statistics and rows of the time table. Contact forces are
+        /// averaged over it.
+        sample_interval: f64 = default(
+            Quantity::si(Dimension::Time, Range::from_to(1e-4, 10.0), "10 ms"),
+            DynamicsSettings::default().sample_interval_s,
+        );
+        /// Seed of the microscopic lateral disturbance that breaks the symmetry of the start.
+        seed: u64 = default(Whole, DynamicsSettings::default().seed);
+    }
+}
+
+fn hertz_dissipation_default() -> f64 {
+    match DynamicsSettings::default().contact_law {
+        ContactLaw::Hertz {
+            dissipation_s_per_m,
+        } => dissipation_s_per_m,
+        ContactLaw::Linear { .. } => 0.0,
+    }
+}
+
+impl DynamicsTable {
+    pub(crate) fn build(
+        &self,
+        mesh: &MeshTable,
+        hoist: &HoistTable,
+        bit: &BitTable,
+        reader: &mut Reader,
+    ) -> Option<DynamicsSettings> {
+        let contact_law = self.contact(reader);
+        let hoist_control = hoist.control(reader);
+        self.check_samples(reader)?;
+        let damping = self.damping.get()?;
+        Some(DynamicsSettings {
+            element_length_m: *mesh.element_length.get()?,
+            duration_s: *self.duration.get()?,
+            settle_s: *self.settle.get()?,
+            start: *self.start.get()?,
+            friction_law: *self.friction_law.get()?,
+            contact_law: contact_law?,
+            damping: RodDamping {
+                mass_per_s: *damping.mass.get()?,
+                stiffness_s: *damping.stiffness.get()?,
+            },
+            hoist_control: hoist_control?,
+            hoist_line: hoist.line()?,
+            bit: bit.build()?,
+            sample_interval_s: *self.sample_interval.get()?,
+            seed: *self.seed.get()?,
+        })
+    }
+
+    fn contact(&self, reader: &mut Reader) -> Option<ContactLaw> {
+        let law = self.contact_law.at()?;
+        let belongs = [
+            (
+                &self.contact_stiffness,
+                "contact_stiffness",
+                Contact::Linear,
+            ),
+            (
+                &self.contact_damping_ratio,
+                "contact_damping_ratio",
+                Contact::Linear,
+            ),
+            (&self.hertz_dissipation, "hertz_dissipation", Contact::Hertz),
+        ];
+        for (field, name, owner) in belongs {
+            let Some(given) = field.given() else { continue };
+            if owner == law.value {
+                continue;
+            }
+            let word = match owner {
+                Contact::Hertz => "hertz",
+                Contact::Linear => "linear",
+            };
+            let mut diagnostic = Diagnostic::warning(format!("`{name}` has no effect here"))
+                .at(given.place, format!("used with contact_law = \"{word}\""));
+            diagnostic = match self.contact_law.given() {
+                Some(law) => diagnostic.at(law.place, "the contact law"),
+                None => diagnostic.help("the contact law is \"hertz\" where none is given"),
+            };
+            reader.report(diagnostic);
+        }
+        Some(match law.value {
+            Contact::Hertz => ContactLaw::Hertz {
+                dissipation_s_per_m: *self.hertz_dissipation.get()?,
+            },
+            Contact::Linear => ContactLaw::Linear {
+                stiffness_N_per_m: *self.contact_stiffness.get()?,
+                damping_ratio: *self.contact_damping_ratio.get()?,
+            },
+        })
+    }
+
+    fn check_samples(&self, reader: &mut Reader) -> Option<()> {
+        let duration = self.duration.at()?;
+        let interval = self.sample_interval.at()?;
+        let settle_s = *self.settle.get()?;
+        let given = |preferred: Place, is_given: bool, other: Place| {
+            if is_given { preferred } else { other }
+        };
+        let place = given(
+            duration.place,
+            self.duration.given().is_some(),
+            interval.place,
+        );
+        if interval.value > duration.value {
+            reader.report(
+                Diagnostic::error("the window is shorter than one sample")
+                    .at(
+                        place,
+                        format!("window of {} s", number_text(duration.value)),
+                    )
+                    .help(format!(
+                        "sample_interval is {} s",
+                        number_text(interval.value)
+                    )),
+            );
+            return None;
+        }
+        let samples = (duration.value + settle_s) / interval.value;
+        if samples > MOST_SAMPLES {
+            reader.report(
+                Diagnostic::error(format!(
+                    "{} s sampled every {} s make {} rows",
+                    number_text(duration.value + settle_s),
+                    number_text(interval.value),
+                    number_text(samples.ceil())
+                ))
+                .at(
+                    place,
+                    format!("expected at most {} rows", number_text(MOST_SAMPLES)),
+                )
+                .help("shorten duration and settle, or raise sample_interval"),
+            );
+            return None;
+        }
+        Some(())
+    }
+}

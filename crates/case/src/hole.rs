@@ -1,0 +1,240 @@
+//! `[[well.hole]]`: the hole around the path.
+
+use wholestring::well::{Friction, Hole, HoleError, HoleKind, HoleSection};
+use wholestring_units::Dimension;
+
+use crate::{
+    diagnostic::Diagnostic,
+    node::{Node, Value},
+    quantity::Quantity,
+    range::{Number, Range, number_text},
+    reader::Reader,
+    rule::{At, Choice, Rule, Table},
+    source::Place,
+    table::{optional, required, table},
+};
+
+table! {
+    /// Friction between string and wall, sliding and at rest.
+    FrictionTable in "friction" {
+        /// Coefficient while sliding.
+        kinetic: f64 = required(coefficient());
+        /// Coefficient at rest, at least the kinetic one. Default: the kinetic one.
+        r#static: f64 = optional(coefficient());
+    }
+}
+
+fn coefficient() -> Number {
+    Number {
+        unit: "",
+        range: Range::from_to(0.0, 2.0),
+    }
+}
+
+/// A coefficient of friction, or a table of two.
+pub(crate) struct FrictionRule;
+
+impl Rule for FrictionRule {
+    type Value = Friction;
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<Friction> {
+        match &node.value {
+            Value::Number { .. } => {
+                let kinetic = coefficient().read(node, reader)?;
+                Some(Friction {
+                    kinetic,
+                    at_rest: kinetic,
+                })
+            }
+            Value::Table(entries) => {
+                let table = FrictionTable::read(entries, node.place, reader);
+                let kinetic = table.kinetic.get()?;
+                let Some(at_rest) = table.r#static.optional()? else {
+                    return Some(Friction {
+                        kinetic: *kinetic,
+                        at_rest: *kinetic,
+                    });
+                };
+                if at_rest.value < *kinetic {
+                    reader.report(
+                        Diagnostic::error("static friction is smaller than kinetic friction")
+                            .at(at_rest.place, format!("expected at least {kinetic}")),
+                    );
+                    return None;
+                }
+                Some(Friction {
+                    kinetic: *kinetic,
+                    at_rest: at_rest.value,
+                })
+            }
+            _ => {
+                reader.expected(node, "a coefficient such as 0.3, without quotes");
+                None
+            }
+        }
+    }
+
+    fn schema(&self) -> serde_json::Value {
+        serde_json::json!({ "anyOf": [coefficient().schema(), FrictionTable::schema()] })
+    }
+}
+
+table! {
+    /// A stretch of hole with one diameter, wall and friction; from the surface down.
+    HoleTable in "[[well.hole]]" {
+        /// "casing" (steel) or "open" (rock).
+        kind: HoleKind = required(Choice {
+            noun: "a kind of hole",
+            words: &[("casing", HoleKind::Casing), ("open", HoleKind::Open)],
+        });
+        /// Measured depth where it begins. Default: the end of the section above, or the surface; there
+        /// can be no other, so that it only serves to check.
+        from: f64 = optional(Quantity::si(
+            Dimension::Length,
+            Range::from_to(0.0, 20_000.0),
+            "0 m",
+        ));
+        /// Measured depth where it ends, m unless a unit is given.
+        to: f64 = required(Quantity::si(
+            Dimension::Length,
+            Range::positive_to(20_000.0),
+            "2986.53 m",
+        ));
+        /// Diameter of the hole, or inside diameter of the casing, m unless a unit is given.
+        diameter: f64 = required(Quantity::si(
+            Dimension::Diameter,
+            Range::from_to(0.02, 2.0),
+            "8-1/2 in",
+        ));
+        /// Coefficient of friction between string and wall, or { kinetic = 0.25, static = 0.3 }.
+        friction: Friction = required(FrictionRule);
+        /// Young's modulus of the wall. Default: 210 GPa in casing; 51.5 GPa in open hole, the rock of
+        /// the article that the dynamics follow. Used by Hertz contact.
+        youngs_modulus: f64 = optional(Quantity::si(
+            Dimension::Pressure,
+            Range::from_to(1e6, 2e12),
+            "51.5 GPa",
+        ));
+        /// Poisson's ratio of the wall. Default: 0.3 in casing, 0.33 in open hole. Used by Hertz contact.
+        poisson_ratio: f64 = optional(Number { unit: "", range: Range::from_to(0.0, 0.5) });
+    }
+}
+
+/// Elastic constants of a wall where the case does not say: steel, and the rock of Table 1 of *New
+/// Analysis Theory and Method for Drag and Torque Based on Full-Hole System Dynamics in Highly
+/// Deviated Well*.
+const fn wall_constants(kind: HoleKind) -> (f64, f64) {
+    match kind {
+        HoleKind::Casing => (210e9, 0.3),
+        HoleKind::Open => (51.5e9, 0.33),
+    }
+}
+
+/// The sections, one below the other.
+pub(crate) fn build(tables: &[At<HoleTable>], reader: &mut Reader) -> Option<Hole> {
+    let mut sections = Vec::new();
+    let mut above: Option<(f64, Place)> = None;
+    let mut sound = true;
+    for table in tables {
+        let Some(to) = table.value.to.at() else {
+            sound = false;
+            above = None;
+            continue;
+        };
+        if let Some((above_m, above_place)) = above
+            && to.value <= above_m
+        {
+            reader.report(
+                Diagnostic::error("hole sections must go down")
+                    .at(
+                        to.place,
+                        format!("expected more than {} m", number_text(above_m)),
+                    )
+                    .at(above_place, "the section above ends here"),
+            );
+            sound = false;
+        } else if let Some(from) = table.value.from.given() {
+            sound &= check_from(from, above, sections.is_empty(), reader);
+        }
+        match section(&table.value, above.map_or(0.0, |(md_m, _)| md_m)) {
+            Some(section) => sections.push(section),
+            None => sound = false,
+        }
+        above = Some((to.value, to.place));
+    }
+    if !sound {
+        return None;
+    }
+    match Hole::new(sections) {
+        Ok(hole) => Some(hole),
+        Err(error) => {
+            reader.report(hole_error(&error, tables));
+            None
+        }
+    }
+}
+
+/// Whether a section begins where the one above ends.
+fn check_from(
+    from: &At<f64>,
+    above: Option<(f64, Place)>,
+    first: bool,
+    reader: &mut Reader,
+) -> bool {
+    let expected_m = match above {
+        Some((md_m, _)) => md_m,
+        None if first => 0.0,
+        // The section above could not be read.
+        None => return true,
+    };
+    if (from.value - expected_m).abs() <= 1e-6 {
+        return true;
+    }
+    let message = if above.is_none() {
+        "the first hole section must begin at the surface"
+    } else if from.value < expected_m {
+        "hole sections overlap"
+    } else {
+        "there is a gap between hole sections"
+    };
+    let mut diagnostic = Diagnostic::error(message).at(
+        from.place,
+        format!("expected {} m", number_text(expected_m)),
+    );
+    if let Some((_, place)) = above {
+        diagnostic = diagnostic.at(place, "the section above ends here");
+    }
+    reader.report(diagnostic);
+    false
+}
+
+fn section(table: &HoleTable, from_md_m: f64) -> Option<HoleSection> {
+    let kind = *table.kind.get()?;
+    let (youngs_modulus_Pa, poisson_ratio) = wall_constants(kind);
+    let youngs_modulus = table.youngs_modulus.optional()?;
+    let poisson = table.poisson_ratio.optional()?;
+    Some(HoleSection {
+        kind,
+        from_md_m,
+        to_md_m: *table.to.get()?,
+        diameter_m: *table.diameter.get()?,
+        friction: *table.friction.get()?,
+        youngs_modulus_Pa: youngs_modulus.map_or(youngs_modulus_Pa, |at| at.value),
+        poisson_ratio: poisson.map_or(poisson_ratio, |at| at.value),
+    })
+}
+
+/// What the core says about the sections, at the one that it says it of.
+fn hole_error(error: &HoleError, tables: &[At<HoleTable>]) -> Diagnostic {
+    let index = match error {
+        HoleError::OutOfRange { index, .. }
+        | HoleError::Reversed { index, .. }
+        | HoleError::Apart { index, .. } => *index,
+        _ => 0,
+    };
+    let place = tables
+        .get(index)
+        .map(|table| table.place)
+        .unwrap_or_default();
+    Diagnostic::error(error.to_string()).at(place, "this section")
+}

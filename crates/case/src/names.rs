@@ -1,0 +1,61 @@
+//! Nearest names, for suggestions.
+
+/// The names that a slip of the pen could have meant by `name`, the nearest one.
+pub(crate) fn nearest<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let wanted = simplify(name);
+    if wanted.is_empty() || wanted.len() > 80 {
+        return None;
+    }
+    names
+        .into_iter()
+        .map(|candidate| (likeness(&wanted, &simplify(candidate)), candidate))
+        .filter(|(likeness, _)| *likeness >= 0.7)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, candidate)| candidate)
+}
+
+/// Spelling without case and separators, which nobody remembers.
+fn simplify(name: &str) -> String {
+    name.chars()
+        .filter(|c| c.is_alphanumeric())
+        .flat_map(char::to_lowercase)
+        .collect()
+}
+
+/// One for the same, zero for nothing in common. A name cut short (`diam`, `trip`) is near too.
+fn likeness(a: &str, b: &str) -> f64 {
+    let edit = strsim::normalized_damerau_levenshtein(a, b);
+    let shorter = a.len().min(b.len());
+    let cut_short = shorter >= 3 && (a.starts_with(b) || b.starts_with(a));
+    // Jaro and Winkler's measure forgives a wrong end more than a wrong beginning.
+    if cut_short || strsim::jaro_winkler(a, b) >= 0.86 {
+        edit.max(0.7)
+    } else {
+        edit
+    }
+}
+
+/// `"a", "b" or "c"`: the words that a value may be.
+pub(crate) fn any_of(words: &[&str]) -> String {
+    let quoted: Vec<String> = words.iter().map(|word| format!("\"{word}\"")).collect();
+    match quoted.as_slice() {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} or {last}", first.join(", ")),
+    }
+}
+
+/// A user's text, short enough to quote in a message.
+pub(crate) fn short(text: &str) -> String {
+    const LONGEST: usize = 60;
+    let clean: String = text
+        .chars()
+        .map(|c| if c.is_control() { '\u{fffd}' } else { c })
+        .collect();
+    if clean.chars().count() <= LONGEST {
+        clean
+    } else {
+        let head: String = clean.chars().take(LONGEST - 3).collect();
+        format!("{head}...")
+    }
+}

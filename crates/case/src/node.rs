@@ -1,0 +1,196 @@
+//! The case file as a tree in which every key and value knows its place.
+
+use toml::{
+    Spanned,
+    de::{DeTable, DeValue},
+};
+
+use crate::{diagnostic::Diagnostic, names::short, source::Place};
+
+/// A value and where it stands.
+#[derive(Debug, Clone)]
+pub(crate) struct Node {
+    pub(crate) place: Place,
+    pub(crate) value: Value,
+}
+
+/// A value as TOML has them.
+#[derive(Debug, Clone)]
+pub(crate) enum Value {
+    Text {
+        text: String,
+        /// Where its first character stands in the source, if it stands there as it is.
+        verbatim_from: Option<usize>,
+    },
+    Number {
+        value: f64,
+        /// Set where it was written without point or exponent.
+        whole: Option<i64>,
+    },
+    Boolean,
+    Date,
+    List(Vec<Node>),
+    Table(Entries),
+}
+
+impl Value {
+    /// What it is, in a user's words.
+    pub(crate) fn noun(&self) -> &'static str {
+        match self {
+            Self::Text { .. } => "text",
+            Self::Number { .. } => "a number",
+            Self::Boolean => "true or false",
+            Self::Date => "a date",
+            Self::List(_) => "a list",
+            Self::Table(_) => "a table",
+        }
+    }
+}
+
+/// The keys of a table in the order of the file.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Entries(pub(crate) Vec<(Key, Node)>);
+
+/// A key and where it stands.
+#[derive(Debug, Clone)]
+pub(crate) struct Key {
+    pub(crate) name: String,
+    pub(crate) place: Place,
+}
+
+impl Entries {
+    pub(crate) fn get(&self, name: &str) -> Option<&Node> {
+        let found = self.0.iter().find(|(key, _)| key.name == name);
+        found.map(|(_, node)| node)
+    }
+
+    pub(crate) fn get_mut(&mut self, name: &str) -> Option<&mut Node> {
+        let found = self.0.iter_mut().find(|(key, _)| key.name == name);
+        found.map(|(_, node)| node)
+    }
+}
+
+/// Reads a whole TOML text; on mistakes of syntax, what they are and where.
+pub(crate) fn parse_text(text: &str, source: usize) -> Result<Entries, Vec<Diagnostic>> {
+    let (table, errors) = DeTable::parse_recoverable(text);
+    if errors.is_empty() {
+        return Ok(entries(table.get_ref(), text, source, 0));
+    }
+    let mut diagnostics = Vec::new();
+    for error in &errors {
+        let understood = error.message() == "duplicate key" || not_quoted(error);
+        diagnostics.push(syntax_error(error, text, source, 0));
+        // What comes after a broken line may only be its consequence.
+        if !understood {
+            break;
+        }
+    }
+    Err(diagnostics)
+}
+
+fn not_quoted(error: &toml::de::Error) -> bool {
+    error.message().starts_with("string values must be quoted")
+}
+
+/// Reads one TOML value that begins `offset` bytes into its source.
+pub(crate) fn parse_value(text: &str, source: usize, offset: usize) -> Result<Node, Diagnostic> {
+    match DeValue::parse(text) {
+        Ok(value) => Ok(node(&value, text, source, offset)),
+        Err(error) => Err(syntax_error(&error, text, source, offset)),
+    }
+}
+
+/// What the parser says, in the words of somebody who has not read the TOML specification.
+fn syntax_error(error: &toml::de::Error, text: &str, source: usize, offset: usize) -> Diagnostic {
+    let span = error.span().unwrap_or(0..0);
+    let place = Place {
+        source,
+        start: span.start + offset,
+        end: span.end + offset,
+    };
+    let said = error.message();
+    let found = text.get(span.clone()).unwrap_or_default().trim();
+    if said == "duplicate key" {
+        let line_start = text[..span.start].rfind('\n').map_or(0, |end| end + 1);
+        let help = if text[line_start..].trim_start().starts_with("[[") {
+            "where there may be several, each is headed by double brackets"
+        } else {
+            "keep one of the two"
+        };
+        return Diagnostic::error(format!("`{}` is given twice", short(found)))
+            .at(place, "it stands above already")
+            .help(help);
+    }
+    let diagnostic = Diagnostic::error("this is not TOML").at(place, said);
+    if not_quoted(error) {
+        if found.is_empty() {
+            return Diagnostic::error("a value is missing after `=`").at(place, "expected a value");
+        }
+        return Diagnostic::error("text and quantities with a unit stand in quotes")
+            .at(place, "not in quotes")
+            .help(format!("write \"{}\"", short(found)));
+    }
+    diagnostic
+}
+
+fn entries(table: &DeTable<'_>, text: &str, source: usize, offset: usize) -> Entries {
+    let mut entries: Vec<(Key, Node)> = table
+        .iter()
+        .map(|(key, value)| {
+            let key = Key {
+                name: key.get_ref().to_string(),
+                place: place(key, source, offset),
+            };
+            (key, node(value, text, source, offset))
+        })
+        .collect();
+    entries.sort_by_key(|(key, _)| key.place.start);
+    Entries(entries)
+}
+
+fn node(value: &Spanned<DeValue<'_>>, text: &str, source: usize, offset: usize) -> Node {
+    let span = value.span();
+    let converted = match value.get_ref() {
+        DeValue::String(content) => Value::Text {
+            text: content.to_string(),
+            verbatim_from: text
+                .get(span.start + 1..(span.end.max(2) - 1).max(span.start + 1))
+                .filter(|inside| *inside == content.as_ref())
+                .map(|_| span.start + 1 + offset),
+        },
+        DeValue::Integer(integer) => {
+            let whole = i64::from_str_radix(integer.as_str(), integer.radix()).ok();
+            Value::Number {
+                // A whole number too large for 64 bits is out of every range: infinity says so.
+                value: whole.map_or(f64::INFINITY, |whole| whole as f64),
+                whole,
+            }
+        }
+        DeValue::Float(float) => Value::Number {
+            value: float.as_str().parse().unwrap_or(f64::NAN),
+            whole: None,
+        },
+        DeValue::Boolean(_) => Value::Boolean,
+        DeValue::Datetime(_) => Value::Date,
+        DeValue::Array(items) => Value::List(
+            items
+                .iter()
+                .map(|item| node(item, text, source, offset))
+                .collect(),
+        ),
+        DeValue::Table(table) => Value::Table(entries(table, text, source, offset)),
+    };
+    Node {
+        place: place(value, source, offset),
+        value: converted,
+    }
+}
+
+fn place<T>(spanned: &Spanned<T>, source: usize, offset: usize) -> Place {
+    let span = spanned.span();
+    Place {
+        source,
+        start: span.start + offset,
+        end: span.end + offset,
+    }
+}

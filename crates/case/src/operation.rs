@@ -1,0 +1,191 @@
+//! `[operation]`.
+
+use std::f64::consts::PI;
+
+use wholestring::operation::{Operation, OperationKind};
+use wholestring_units::Dimension;
+
+use crate::{
+    bit::BitTable,
+    case::ModelKind,
+    diagnostic::Diagnostic,
+    quantity::Quantity,
+    range::Range,
+    reader::Reader,
+    rule::{At, Choice, List},
+    source::Place,
+    table::{Field, default, optional, required, table},
+};
+
+const KINDS: &[(&str, OperationKind)] = {
+    const fn word(kind: OperationKind) -> (&'static str, OperationKind) {
+        (kind.name(), kind)
+    }
+    let all = OperationKind::ALL;
+    &[
+        word(all[0]),
+        word(all[1]),
+        word(all[2]),
+        word(all[3]),
+        word(all[4]),
+        word(all[5]),
+        word(all[6]),
+    ]
+};
+
+/// What `trip_speed` is where the case does not say, m/s: a stand of 28 m in a minute and a half.
+const TRIP_SPEED_M_PER_S: f64 = 0.3;
+
+/// What a slide's `rop` is where the case does not say, m/s; the soft string asks for its sign only.
+const SLIDE_ROP_M_PER_S: f64 = 10.0 / 3600.0;
+
+table! {
+    /// What the driller is doing.
+    OperationTable in "[operation]" {
+        /// One operation, or a list that is solved one by one: "trip_out", "trip_in",
+        /// "rotate_off_bottom", "drill", "slide" (advance without rotating), "ream" and "back_ream"
+        /// (rotate while running in and pulling out, off bottom).
+        kind: Vec<At<OperationKind>> = required(List {
+            item: Choice { noun: "an operation", words: KINDS },
+            or_one: true,
+            noun: "operations",
+            most: KINDS.len(),
+        });
+        /// Measured depth of the bit, m unless a unit is given. Default: the last survey station.
+        /// Deeper than that, the hole goes on in its last direction.
+        bit_depth: f64 = optional(Quantity::si(
+            Dimension::Length,
+            Range::positive_to(20_000.0),
+            "4305 m",
+        ));
+        /// Rotary speed at surface; a bare number is in rev/min. Needed by the operations that rotate.
+        rpm: f64 = optional(
+            Quantity::si(
+                Dimension::RotarySpeed,
+                Range::from_to(0.0, 1000.0 * PI / 30.0),
+                "70 rpm",
+            )
+            .bare("rev/min", PI / 30.0),
+        );
+        /// Weight on bit. Needed by "drill" and "slide".
+        wob: f64 = optional(Quantity::si(
+            Dimension::Force,
+            Range::from_to(0.0, 5e6),
+            "6 tf",
+        ));
+        /// Rate of penetration at this weight on bit and rotary speed. Needed by "drill", and by "slide"
+        /// in the dynamic model.
+        rop: f64 = optional(Quantity::si(
+            Dimension::RateOfPenetration,
+            Range::positive_to(0.3),
+            "10 m/h",
+        ));
+        /// Axial speed of tripping and reaming.
+        trip_speed: f64 = default(
+            Quantity::si(Dimension::TripSpeed, Range::positive_to(10.0), "0.3 m/s"),
+            TRIP_SPEED_M_PER_S,
+        );
+    }
+}
+
+impl OperationTable {
+    /// Where the depth of the bit stands, if the case says it.
+    pub(crate) fn bit_depth_place(&self) -> Option<Place> {
+        self.bit_depth.given().map(|at| at.place)
+    }
+
+    /// The depth of the bit: given, or the last station's.
+    pub(crate) fn bit_depth_m(&self, last_station_m: Option<f64>) -> Option<f64> {
+        match self.bit_depth.optional()? {
+            Some(at) => Some(at.value),
+            None => last_station_m,
+        }
+    }
+
+    /// The operations, with the set points that each needs.
+    pub(crate) fn build(
+        &self,
+        bit: &BitTable,
+        models: &[ModelKind],
+        bit_depth_m: Option<f64>,
+        reader: &mut Reader,
+    ) -> Option<Vec<Operation>> {
+        let kinds = self.kind.get()?;
+        for (i, at) in kinds.iter().enumerate() {
+            if let Some(first) = kinds[..i].iter().find(|first| first.value == at.value) {
+                reader.report(
+                    Diagnostic::error(format!("`{}` is listed twice", at.value.name()))
+                        .at(at.place, "again here")
+                        .at(first.place, "first here"),
+                );
+                return None;
+            }
+        }
+        let find = |wanted: fn(OperationKind) -> bool| kinds.iter().find(|at| wanted(at.value));
+        let rotating = find(OperationKind::rotates);
+        let on_bottom = find(OperationKind::on_bottom);
+        let advancing = kinds.iter().find(|at| match at.value {
+            OperationKind::Drill => true,
+            OperationKind::Slide => models.contains(&ModelKind::Dynamic),
+            _ => false,
+        });
+        let rpm = set_point(&self.rpm, "rpm", "rpm = 70", rotating, reader);
+        let wob = set_point(&self.wob, "wob", "wob = \"60 kN\"", on_bottom, reader);
+        let rop = set_point(&self.rop, "rop", "rop = \"10 m/h\"", advancing, reader);
+        if let (Some(kind), Some(at)) = (rotating, self.rpm.given())
+            && at.value == 0.0
+        {
+            reader.report(
+                Diagnostic::error(format!(
+                    "`{}` turns the string, but rpm is 0",
+                    kind.value.name()
+                ))
+                .at(at.place, "expected more than 0")
+                .at(kind.place, "turns the string")
+                .help("without rotation it is \"slide\", \"trip_in\" or \"trip_out\""),
+            );
+            return None;
+        }
+        let torque = bit.torque.optional()?;
+        if let (Some(kind), None) = (on_bottom, torque) {
+            reader.report(
+                Diagnostic::warning("no bit torque is given: the bit is taken to turn freely")
+                    .at(kind.place, "puts the bit on bottom")
+                    .help("give torque = \"3 kN.m\" under [bit]"),
+            );
+        }
+        let trip_speed = *self.trip_speed.get()?;
+        let (rpm, wob, rop) = (rpm?, wob?, rop?);
+        let bit_depth_m = bit_depth_m?;
+        let operation = |at: &At<OperationKind>| Operation {
+            kind: at.value,
+            bit_depth_m,
+            rotary_speed_rad_per_s: rpm.unwrap_or(0.0),
+            weight_on_bit_N: wob.unwrap_or(0.0),
+            bit_torque_N_m: torque.map_or(0.0, |torque| torque.value),
+            rate_of_penetration_m_per_s: rop.unwrap_or(SLIDE_ROP_M_PER_S),
+            trip_speed_m_per_s: trip_speed,
+        };
+        Some(kinds.iter().map(operation).collect())
+    }
+}
+
+/// A set point, reported if an operation that needs it stands in the case; `None` after a mistake.
+fn set_point(
+    field: &Field<f64>,
+    name: &str,
+    example: &str,
+    needed_by: Option<&At<OperationKind>>,
+    reader: &mut Reader,
+) -> Option<Option<f64>> {
+    let value = field.optional()?;
+    if let (None, Some(kind)) = (value, needed_by) {
+        reader.report(
+            Diagnostic::error(format!("`{}` needs `{name}`", kind.value.name()))
+                .at(kind.place, format!("`{name}` is missing in [operation]"))
+                .help(format!("such as {example}")),
+        );
+        return None;
+    }
+    Some(value.map(|at| at.value))
+}

@@ -1,0 +1,209 @@
+//! Values set from the command line in place of the file's.
+
+use crate::{
+    diagnostic::Diagnostic,
+    names::{nearest, short},
+    node::{Entries, Key, Node, Value, parse_value},
+    reader::Reader,
+    source::Place,
+};
+
+/// One `--set KEY=VALUE`.
+///
+/// The key is a dotted key of the case file, lists counted from zero (`well.hole.0.friction`), or one
+/// of the short keys `friction` (every hole section), `bit_depth`, `rpm` and `wob`. The value is a TOML
+/// value if it reads as one (`0.3`, `[1, 2]`, `"drill"`), and text otherwise (`300m`, `drill`).
+///
+/// ```
+/// use wholestring_case::Override;
+///
+/// let depth: Override = "operation.bit_depth = 300m".parse()?;
+/// assert_eq!((depth.key.as_str(), depth.value.as_str()), ("operation.bit_depth", "300m"));
+/// assert!("bit_depth".parse::<Override>().is_err());
+/// # Ok::<(), wholestring_case::OverrideError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Override {
+    /// Dotted or short key.
+    pub key: String,
+    /// Value as written.
+    pub value: String,
+}
+
+/// A text that is no `KEY=VALUE`.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("`{}` is not KEY=VALUE, such as operation.bit_depth=300m or friction=0.3", short(.0))]
+pub struct OverrideError(pub String);
+
+impl std::str::FromStr for Override {
+    type Err = OverrideError;
+
+    fn from_str(text: &str) -> Result<Self, OverrideError> {
+        match text.split_once('=') {
+            Some((key, value)) if !key.trim().is_empty() && !value.trim().is_empty() => Ok(Self {
+                key: key.trim().to_owned(),
+                value: value.trim().to_owned(),
+            }),
+            _ => Err(OverrideError(text.to_owned())),
+        }
+    }
+}
+
+/// The short keys and what they stand for.
+const SHORT: &[(&str, &str)] = &[
+    ("friction", "well.hole.*.friction"),
+    ("bit_depth", "operation.bit_depth"),
+    ("rpm", "operation.rpm"),
+    ("wob", "operation.wob"),
+];
+
+/// What a diagnostic about an argument quotes.
+const COMMAND_LINE: &str = "command line";
+
+/// Puts an override into the tree of the case.
+pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) {
+    let prefix = "--set ";
+    let quoted = format!("{prefix}{}={}", change.key, change.value);
+    let source = reader.add_source(COMMAND_LINE, &quoted);
+    let key_place = Place {
+        source,
+        start: prefix.len(),
+        end: prefix.len() + change.key.len(),
+    };
+    let offset = key_place.end + 1;
+    let node = match value_node(&change.value, source, offset) {
+        Ok(node) => node,
+        Err(diagnostic) => return reader.report(diagnostic),
+    };
+    let long = SHORT.iter().find(|(short, _)| *short == change.key);
+    let path: Vec<&str> = long
+        .map_or(change.key.as_str(), |(_, long)| long)
+        .split('.')
+        .collect();
+    let top_level = crate::schema::top_level();
+    if path.len() == 1 && !top_level.iter().any(|name| name == path[0]) {
+        let short_keys: Vec<&str> = SHORT.iter().map(|(short, _)| *short).collect();
+        let homes = crate::schema::homes_of(path[0]);
+        let mut diagnostic = Diagnostic::error(format!("there is no key `{}`", short(path[0])))
+            .at(key_place, "unknown key");
+        if let Some(home) = homes.first() {
+            let table = home.trim_matches(['[', ']']);
+            diagnostic = diagnostic.help(format!("write {table}.{}", path[0]));
+        } else if let Some(near) = nearest(
+            path[0],
+            short_keys
+                .iter()
+                .copied()
+                .chain(top_level.iter().map(String::as_str)),
+        ) {
+            diagnostic = diagnostic.help(format!("did you mean `{near}`?"));
+        }
+        return reader.report(diagnostic.help(format!(
+            "keys are dotted, such as operation.bit_depth; short keys: {}",
+            short_keys.join(", ")
+        )));
+    }
+    if let Err(problem) = set_in_table(root, &path, &node, key_place) {
+        reader.report(Diagnostic::error(problem.message).at(key_place, problem.label));
+    }
+}
+
+/// The value as TOML if it is some, as text otherwise.
+fn value_node(text: &str, source: usize, offset: usize) -> Result<Node, Diagnostic> {
+    match parse_value(text, source, offset) {
+        Ok(node) => Ok(node),
+        // What begins like TOML was meant as TOML.
+        Err(diagnostic) if text.starts_with(['[', '{', '"', '\'']) => Err(diagnostic),
+        Err(_) => Ok(Node {
+            place: Place {
+                source,
+                start: offset,
+                end: offset + text.len(),
+            },
+            value: Value::Text {
+                text: text.to_owned(),
+                verbatim_from: Some(offset),
+            },
+        }),
+    }
+}
+
+struct Problem {
+    message: String,
+    label: String,
+}
+
+fn set_in_table(
+    table: &mut Entries,
+    path: &[&str],
+    node: &Node,
+    key_place: Place,
+) -> Result<(), Problem> {
+    let Some((first, rest)) = path.split_first() else {
+        return Ok(());
+    };
+    if first.is_empty() {
+        return Err(Problem {
+            message: "a key is empty between two dots".to_owned(),
+            label: "expected a dotted key".to_owned(),
+        });
+    }
+    if table.get(first).is_none() {
+        if rest.first() == Some(&"*") {
+            // There is no list to set anything in, which is reported when the case is read.
+            return Ok(());
+        }
+        let key = Key {
+            name: (*first).to_owned(),
+            place: key_place,
+        };
+        let fresh = Node {
+            place: key_place,
+            value: Value::Table(Entries::default()),
+        };
+        table.0.push((key, fresh));
+    }
+    match table.get_mut(first) {
+        Some(entry) => set_in(entry, first, rest, node, key_place),
+        None => Ok(()),
+    }
+}
+
+fn set_in(
+    entry: &mut Node,
+    name: &str,
+    path: &[&str],
+    node: &Node,
+    key_place: Place,
+) -> Result<(), Problem> {
+    let Some((first, rest)) = path.split_first() else {
+        *entry = node.clone();
+        return Ok(());
+    };
+    let noun = entry.value.noun();
+    match &mut entry.value {
+        Value::List(items) if *first == "*" => items
+            .iter_mut()
+            .try_for_each(|item| set_in(item, name, rest, node, key_place)),
+        _ if *first == "*" => Ok(()),
+        Value::Table(table) => set_in_table(table, path, node, key_place),
+        Value::List(items) => {
+            let count = items.len();
+            let index: Option<usize> = first.parse().ok();
+            match index.and_then(|index| items.get_mut(index)) {
+                Some(item) => set_in(item, name, rest, node, key_place),
+                None => Err(Problem {
+                    message: format!("`{}` has no item `{}`", short(name), short(first)),
+                    label: match count {
+                        0 => "the list is empty".to_owned(),
+                        _ => format!("expected a number from 0 to {}", count - 1),
+                    },
+                }),
+            }
+        }
+        _ => Err(Problem {
+            message: format!("`{}` holds {noun}, not keys", short(name)),
+            label: format!("nothing is called `{}` in it", short(first)),
+        }),
+    }
+}

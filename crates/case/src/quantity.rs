@@ -1,0 +1,185 @@
+//! Quantities: numbers with a unit.
+
+use serde_json::{Value as Json, json};
+use wholestring_units::{Dimension, QuantityErrorKind};
+
+use crate::{
+    diagnostic::Diagnostic,
+    names::short,
+    node::{Node, Value},
+    range::{Range, check_range, number_text},
+    reader::Reader,
+    rule::Rule,
+    source::Place,
+};
+
+/// How a text that may be a quantity begins.
+const NUMBER_PATTERN: &str = r"^\s*[-+\u2212]?[0-9.\u00BC-\u00BE\u2153-\u215E]";
+
+/// A quantity: text with a unit, or a bare number.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Quantity {
+    dimension: Dimension,
+    range: Range,
+    /// The unit of a bare number and of ranges in messages, and what it is worth in SI.
+    bare: (&'static str, f64),
+    example: &'static str,
+}
+
+impl Quantity {
+    /// A quantity whose bare number is SI.
+    pub(crate) fn si(dimension: Dimension, range: Range, example: &'static str) -> Self {
+        Self {
+            dimension,
+            range,
+            bare: (dimension.si_symbol(), 1.0),
+            example,
+        }
+    }
+
+    /// The same, but a bare number is in `unit`, which is worth so much in SI.
+    pub(crate) fn bare(self, unit: &'static str, worth: f64) -> Self {
+        Self {
+            bare: (unit, worth),
+            ..self
+        }
+    }
+}
+
+impl Rule for Quantity {
+    type Value = f64;
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<f64> {
+        let (unit, worth) = self.bare;
+        let si = match &node.value {
+            Value::Number { value, .. } => value * worth,
+            Value::Text {
+                text,
+                verbatim_from,
+            } => match self.dimension.parse(text) {
+                Ok(si) => si,
+                Err(error) => {
+                    let mut place = node.place;
+                    if let Some(from) = verbatim_from
+                        && !error.span.is_empty()
+                    {
+                        place.start = from + error.span.start;
+                        place.end = from + error.span.end;
+                    }
+                    reader.report(self.no_quantity(&error.kind, text, place));
+                    return None;
+                }
+            },
+            _ => {
+                let noun = with_article(self.dimension.name());
+                reader.expected(node, &format!("{noun} such as \"{}\"", self.example));
+                return None;
+            }
+        };
+        check_range(si, &self.range, unit, worth, node, reader)
+    }
+
+    fn schema(&self) -> Json {
+        let (unit, worth) = self.bare;
+        let mut number =
+            json!({ "type": "number", "description": format!("A bare number is in {unit}.") });
+        self.range.describe(&mut number, worth);
+        let units: Vec<&str> = self
+            .dimension
+            .units()
+            .iter()
+            .map(|unit| unit.symbol)
+            .collect();
+        let text = json!({
+            "type": "string",
+            "description": format!("A {} with its unit: {}.", self.dimension.name(), units.join(", ")),
+            "pattern": NUMBER_PATTERN,
+            "examples": [self.example],
+        });
+        json!({ "anyOf": [number, text] })
+    }
+
+    fn example(&self) -> Option<String> {
+        Some(format!("\"{}\"", self.example))
+    }
+
+    fn written(&self, default: &Json) -> String {
+        let number = match default.as_f64() {
+            Some(large) if large >= 1e5 => format!("{large:e}"),
+            Some(number) => number_text(number),
+            None => String::new(),
+        };
+        format!("{number} {}", self.bare.0)
+    }
+
+    fn json(&self, value: &f64) -> Json {
+        json!(value / self.bare.1)
+    }
+}
+
+impl Quantity {
+    fn no_quantity(&self, kind: &QuantityErrorKind, text: &str, place: Place) -> Diagnostic {
+        let name = self.dimension.name();
+        let a_name = with_article(name);
+        let units: Vec<&str> = self
+            .dimension
+            .units()
+            .iter()
+            .map(|unit| unit.symbol)
+            .collect();
+        let units = format!("units of {name}: {}", units.join(", "));
+        let such_as = format!("expected {a_name} such as \"{}\"", self.example);
+        match kind {
+            QuantityErrorKind::Empty => {
+                Diagnostic::error(format!("there is no {name} here")).at(place, such_as)
+            }
+            QuantityErrorKind::NotANumber { found } => {
+                let found = if found.is_empty() { text } else { found };
+                let diagnostic = Diagnostic::error(format!("`{}` is not a number", short(found)))
+                    .at(place, such_as);
+                if found.contains(',') {
+                    diagnostic.help("decimals stand after a point; thousands are not separated")
+                } else {
+                    diagnostic
+                }
+            }
+            QuantityErrorKind::TooLarge { found } => {
+                Diagnostic::error(format!("`{}` is too large for {a_name}", short(found)))
+                    .at(place, such_as)
+            }
+            QuantityErrorKind::NoUnit { number } => {
+                let (unit, _) = self.bare;
+                Diagnostic::error(format!("\"{}\" has no unit", short(text)))
+                    .at(place, "expected a unit after the number")
+                    .help(format!(
+                        "without quotes a number is in {unit}: {}",
+                        short(number)
+                    ))
+                    .help(units)
+            }
+            QuantityErrorKind::UnknownUnit { found, nearest } => {
+                let diagnostic =
+                    Diagnostic::error(format!("`{}` is not a unit of {name}", short(found)))
+                        .at(place, "unknown unit");
+                match nearest {
+                    Some(nearest) => diagnostic.help(format!("did you mean `{nearest}`?")),
+                    None => diagnostic,
+                }
+                .help(units)
+            }
+            QuantityErrorKind::OtherDimension { found, is } => Diagnostic::error(format!(
+                "`{}` is a unit of {}, not of {name}",
+                short(found),
+                is.name()
+            ))
+            .at(place, format!("expected {a_name}"))
+            .help(units),
+        }
+    }
+}
+
+/// "a length", "an angle".
+fn with_article(noun: &str) -> String {
+    let vowel = noun.starts_with(['a', 'e', 'i', 'o', 'u']);
+    format!("{} {noun}", if vowel { "an" } else { "a" })
+}

@@ -1,0 +1,183 @@
+//! Numbers within the range that is believed.
+
+use serde_json::{Value as Json, json};
+
+use crate::{
+    diagnostic::Diagnostic,
+    node::{Node, Value},
+    reader::Reader,
+    rule::Rule,
+};
+
+/// The numbers that are believed, in SI.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Range {
+    min: f64,
+    min_excluded: bool,
+    max: f64,
+}
+
+impl Range {
+    pub(crate) const fn from_to(min: f64, max: f64) -> Self {
+        Self {
+            min,
+            min_excluded: false,
+            max,
+        }
+    }
+
+    /// More than zero, up to `max`.
+    pub(crate) const fn positive_to(max: f64) -> Self {
+        Self {
+            min: 0.0,
+            min_excluded: true,
+            max,
+        }
+    }
+
+    fn holds(&self, value: f64) -> bool {
+        let above = if self.min_excluded {
+            value > self.min
+        } else {
+            value >= self.min
+        };
+        above && value <= self.max
+    }
+
+    /// `expected 0.02 to 2 m`, with numbers divided by what one unit is worth.
+    fn text(&self, unit: &str, worth: f64) -> String {
+        let show = |value: f64| number_text(value / worth);
+        let unit = if unit.is_empty() {
+            String::new()
+        } else {
+            format!(" {unit}")
+        };
+        if self.min_excluded {
+            format!(
+                "more than {} and at most {}{unit}",
+                show(self.min),
+                show(self.max)
+            )
+        } else {
+            format!("{} to {}{unit}", show(self.min), show(self.max))
+        }
+    }
+
+    pub(crate) fn describe(&self, schema: &mut Json, worth: f64) {
+        let min = if self.min_excluded {
+            "exclusiveMinimum"
+        } else {
+            "minimum"
+        };
+        schema[min] = json!(self.min / worth);
+        schema["maximum"] = json!(self.max / worth);
+    }
+}
+
+/// A number as a person writes it.
+pub(crate) fn number_text(value: f64) -> String {
+    let rounded: f64 = format!("{value:.6e}").parse().unwrap_or(value);
+    if rounded != 0.0 && !(1e-4..1e9).contains(&rounded.abs()) {
+        format!("{rounded:e}")
+    } else {
+        format!("{rounded}")
+    }
+}
+
+/// A finite number within a range, or the mistake.
+pub(crate) fn check_range(
+    value: f64,
+    range: &Range,
+    unit: &str,
+    worth: f64,
+    node: &Node,
+    reader: &mut Reader,
+) -> Option<f64> {
+    if range.holds(value) {
+        // Minus zero would print as such.
+        return Some(value + 0.0);
+    }
+    let written = reader.written(node.place);
+    let expected = format!("expected {}", range.text(unit, worth));
+    let key = reader.key;
+    let message = if value.is_nan() {
+        format!("`{key}` is not a number: {written}")
+    } else if value < 0.0 && range.min >= 0.0 {
+        format!("`{key}` is negative: {written}")
+    } else if value == 0.0 && range.min_excluded {
+        format!("`{key}` must be more than zero")
+    } else if value > range.max {
+        format!("`{key}` is too large: {written}")
+    } else {
+        format!("`{key}` is too small: {written}")
+    };
+    let mut diagnostic = Diagnostic::error(message).at(node.place, expected);
+    if !unit.is_empty() && value.is_finite() && matches!(node.value, Value::Number { .. }) {
+        diagnostic = diagnostic.help(format!("a number without unit is in {unit}"));
+    }
+    reader.report(diagnostic);
+    None
+}
+
+/// A plain number, in a unit that texts do not name.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Number {
+    pub(crate) unit: &'static str,
+    pub(crate) range: Range,
+}
+
+impl Rule for Number {
+    type Value = f64;
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<f64> {
+        let Value::Number { value, .. } = node.value else {
+            let unit = if self.unit.is_empty() {
+                String::new()
+            } else {
+                format!(" in {}", self.unit)
+            };
+            reader.expected(node, &format!("a number{unit}, without quotes"));
+            return None;
+        };
+        check_range(value, &self.range, self.unit, 1.0, node, reader)
+    }
+
+    fn schema(&self) -> Json {
+        let mut schema = json!({ "type": "number" });
+        self.range.describe(&mut schema, 1.0);
+        schema
+    }
+
+    fn json(&self, value: &f64) -> Json {
+        json!(value)
+    }
+}
+
+/// A whole number, zero or more.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Whole;
+
+impl Rule for Whole {
+    type Value = u64;
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<u64> {
+        if let Value::Number {
+            whole: Some(whole), ..
+        } = node.value
+            && let Ok(whole) = u64::try_from(whole)
+        {
+            return Some(whole);
+        }
+        let message = format!("`{}` must be a whole number, zero or more", reader.key);
+        reader.report(Diagnostic::error(message).at(node.place, "expected a whole number"));
+        None
+    }
+
+    fn schema(&self) -> Json {
+        json!({ "type": "integer", "minimum": 0 })
+    }
+
+    fn json(&self, value: &u64) -> Json {
+        json!(value)
+    }
+}

@@ -1,0 +1,133 @@
+//! Collects what is wrong while a case is read, so that all of it is reported at once.
+
+use crate::{
+    diagnostic::{Diagnostic, Report, Severity},
+    names::{nearest, short},
+    node::{Entries, Node, Value},
+    source::{Place, Source},
+};
+
+/// The texts read so far and the mistakes found in them.
+#[derive(Debug, Default)]
+pub(crate) struct Reader {
+    pub(crate) sources: Vec<Source>,
+    /// The key whose value is being read, for messages.
+    pub(crate) key: &'static str,
+    diagnostics: Vec<Diagnostic>,
+}
+
+/// More mistakes than this are kept by nobody: the file is probably something else.
+const MOST: usize = 100;
+
+impl Reader {
+    /// Adds a text that places can point into; its index.
+    pub(crate) fn add_source(&mut self, name: &str, text: &str) -> usize {
+        self.sources.push(Source {
+            name: name.to_owned(),
+            text: text.to_owned(),
+        });
+        self.sources.len() - 1
+    }
+
+    pub(crate) fn report(&mut self, diagnostic: Diagnostic) {
+        if self.diagnostics.len() >= MOST {
+            if diagnostic.severity == Severity::Warning || self.has_errors() {
+                return;
+            }
+            // An error is never lost behind warnings.
+            self.diagnostics.pop();
+        }
+        self.diagnostics.push(diagnostic);
+    }
+
+    pub(crate) fn has_errors(&self) -> bool {
+        self.diagnostics
+            .iter()
+            .any(|diagnostic| diagnostic.severity == Severity::Error)
+    }
+
+    /// Everything that was found, in the order of the places.
+    pub(crate) fn into_report(self) -> Report {
+        let diagnostics = self.diagnostics;
+        // One argument may set several values, and be wrong for each.
+        let mut unique: Vec<Diagnostic> = Vec::new();
+        for diagnostic in diagnostics {
+            if !unique.contains(&diagnostic) {
+                unique.push(diagnostic);
+            }
+        }
+        let mut diagnostics = unique;
+        diagnostics.sort_by_key(|diagnostic| {
+            let place = diagnostic.labels.first().map(|label| label.place);
+            place.map_or((0, 0), |place| (place.source, place.start))
+        });
+        Report {
+            sources: self.sources,
+            diagnostics,
+        }
+    }
+
+    /// What the user wrote at a place.
+    pub(crate) fn written(&self, place: Place) -> String {
+        let text = self.sources.get(place.source).map(|source| &source.text);
+        short(
+            text.and_then(|text| text.get(place.start..place.end))
+                .unwrap_or_default(),
+        )
+    }
+
+    /// A value of the wrong kind.
+    pub(crate) fn expected(&mut self, node: &Node, expected: &str) {
+        let message = format!("`{}` cannot be {}", self.key, node.value.noun());
+        self.report(Diagnostic::error(message).at(node.place, format!("expected {expected}")));
+    }
+
+    /// The table at a node.
+    pub(crate) fn table<'a>(&mut self, node: &'a Node, heading: &str) -> Option<&'a Entries> {
+        if let Value::Table(entries) = &node.value {
+            return Some(entries);
+        }
+        let mut diagnostic = Diagnostic::error(format!(
+            "{heading} is a table with keys, found {}",
+            node.value.noun()
+        ))
+        .at(node.place, "expected a table");
+        if let Value::List(items) = &node.value
+            && matches!(items.first().map(|item| &item.value), Some(Value::Table(_)))
+        {
+            diagnostic = diagnostic.help("there is one of it, not a list: write single brackets");
+        }
+        self.report(diagnostic);
+        None
+    }
+
+    /// Reports the keys of a table that are none of `names`; the names that they were probably meant
+    /// to be.
+    pub(crate) fn check_names(
+        &mut self,
+        table: &Entries,
+        names: &[&'static str],
+        heading: &str,
+    ) -> Vec<&'static str> {
+        let mut meant = Vec::new();
+        for (key, _) in &table.0 {
+            if names.contains(&key.name.as_str()) || self.diagnostics.len() >= MOST {
+                continue;
+            }
+            let mut diagnostic =
+                Diagnostic::error(format!("unknown key `{}` in {heading}", short(&key.name)))
+                    .at(key.place, "unknown key");
+            let homes = crate::schema::homes_of(&key.name);
+            if let Some(nearest) = nearest(&key.name, names.iter().copied()) {
+                diagnostic = diagnostic.help(format!("did you mean `{nearest}`?"));
+                meant.push(nearest);
+            } else if !homes.is_empty() {
+                diagnostic =
+                    diagnostic.help(format!("`{}` belongs to {}", key.name, homes.join(", ")));
+            }
+            diagnostic = diagnostic.help(format!("keys of {heading}: {}", names.join(", ")));
+            self.report(diagnostic);
+        }
+        meant
+    }
+}

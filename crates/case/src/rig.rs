@@ -1,0 +1,210 @@
+//! `[rig]` and `[hoist]`.
+
+use wholestring::{
+    dynamics::{DynamicsSettings, HoistControl, HoistLine},
+    rig::Rig,
+};
+use wholestring_units::Dimension;
+
+use crate::{
+    diagnostic::Diagnostic,
+    quantity::Quantity,
+    range::Range,
+    reader::Reader,
+    rule::Choice,
+    table::{Field, default, optional, table},
+};
+
+table! {
+    /// Limits of the rig. They change no result; results are held against them.
+    RigTable in "[rig]" {
+        /// Weight of travelling block and top drive. Never part of the reported hook load.
+        block_weight: f64 = optional(force("20 tf"));
+        /// Largest load that the hoist carries, block included.
+        hoist_capacity: f64 = optional(force("450 tf"));
+        /// Rated (continuous) torque of the top drive.
+        top_drive_torque: f64 = optional(Quantity::si(
+            Dimension::Torque,
+            Range::positive_to(1e6),
+            "45 kN.m",
+        ));
+    }
+}
+
+fn force(example: &'static str) -> Quantity {
+    Quantity::si(Dimension::Force, Range::positive_to(1e8), example)
+}
+
+impl RigTable {
+    pub(crate) fn build(&self, reader: &mut Reader) -> Option<Rig> {
+        let block = self.block_weight.optional()?;
+        let capacity = self.hoist_capacity.optional()?;
+        if let (Some(block), Some(capacity)) = (block, capacity)
+            && block.value >= capacity.value
+        {
+            reader.report(
+                Diagnostic::error("the hoist does not carry its own block")
+                    .at(block.place, "weight of block and top drive")
+                    .at(capacity.place, "largest load, block included"),
+            );
+            return None;
+        }
+        Some(Rig {
+            block_weight_N: block.map(|at| at.value),
+            hoist_capacity_N: capacity.map(|at| at.value),
+            top_drive_torque_N_m: self.top_drive_torque.optional()?.map(|at| at.value),
+        })
+    }
+}
+
+/// Gain and filter of the autodriller where the case does not say, m/s/N and s.
+fn autodriller() -> (f64, f64) {
+    match HoistControl::AUTODRILLER {
+        HoistControl::Autodriller {
+            gain_m_per_s_per_N,
+            filter_s,
+        } => (gain_m_per_s_per_N, filter_s),
+        HoistControl::BlockVelocity(_) | HoistControl::HookLoad(_) => (0.0, 0.0),
+    }
+}
+
+/// The ways of moving the top of the string.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Control {
+    Autodriller,
+    BlockVelocity,
+    HookLoad,
+}
+
+impl Control {
+    const WORDS: &[(&str, Self)] = &[
+        ("autodriller", Self::Autodriller),
+        ("block-velocity", Self::BlockVelocity),
+        ("hook-load", Self::HookLoad),
+    ];
+}
+
+table! {
+    /// How the top of the string is moved along the hole in the dynamic model.
+    HoistTable in "[hoist]" {
+        /// "autodriller" (the block follows the bit so that the weight on bit holds `wob`),
+        /// "block-velocity" (constant speed) or "hook-load" (constant lifting force). Default: the
+        /// autodriller where the bit is on bottom, the operation's own constant speed elsewhere.
+        control: Control = optional(Choice {
+            noun: "a hoist control",
+            words: Control::WORDS,
+        });
+        /// Autodriller: block speed per missing weight on bit. Raising it follows the weight on bit
+        /// faster, until it hunts.
+        gain: f64 = default(
+            Quantity::si(Dimension::HoistGain, Range::positive_to(1e-3), "1e-4 m/s/kN"),
+            autodriller().0,
+        );
+        /// Autodriller: time constant of the filter on the measured weight on bit.
+        filter: f64 = default(
+            Quantity::si(Dimension::Time, Range::positive_to(1e3), "1 s"),
+            autodriller().1,
+        );
+        /// Block velocity: speed of the block, positive downwards.
+        block_velocity: f64 = optional(Quantity::si(
+            Dimension::TripSpeed,
+            Range::from_to(-10.0, 10.0),
+            "0.3 m/s",
+        ));
+        /// Hook load: lifting force on the top of the string, block excluded.
+        hook_load: f64 = optional(Quantity::si(
+            Dimension::Force,
+            Range::from_to(0.0, 1e8),
+            "900 kN",
+        ));
+        /// Axial stiffness of lines and derrick.
+        stiffness: f64 = default(
+            Quantity::si(Dimension::Stiffness, Range::from_to(1e3, 1e12), "1e7 N/m"),
+            DynamicsSettings::default().hoist_line.stiffness_N_per_m,
+        );
+        /// Damping of lines and derrick. Without it a short string rings.
+        damping: f64 = default(
+            Quantity::si(Dimension::Damping, Range::from_to(0.0, 1e9), "1e5 N.s/m"),
+            DynamicsSettings::default().hoist_line.damping_N_s_per_m,
+        );
+    }
+}
+
+impl HoistTable {
+    pub(crate) fn line(&self) -> Option<HoistLine> {
+        Some(HoistLine {
+            stiffness_N_per_m: *self.stiffness.get()?,
+            damping_N_s_per_m: *self.damping.get()?,
+        })
+    }
+
+    /// The control that was chosen, if one was.
+    pub(crate) fn control(&self, reader: &mut Reader) -> Option<Option<HoistControl>> {
+        let chosen = self.control.optional()?;
+        let control = chosen.map(|at| at.value);
+        let belongs = [
+            (&self.gain, "gain", Control::Autodriller),
+            (&self.filter, "filter", Control::Autodriller),
+            (
+                &self.block_velocity,
+                "block_velocity",
+                Control::BlockVelocity,
+            ),
+            (&self.hook_load, "hook_load", Control::HookLoad),
+        ];
+        for (field, name, owner) in belongs {
+            let Some(given) = field.given() else { continue };
+            if control == Some(owner) {
+                continue;
+            }
+            let word = word_of(owner);
+            let mut diagnostic = Diagnostic::warning(format!("`{name}` has no effect here"))
+                .at(given.place, format!("used with control = \"{word}\""));
+            match chosen {
+                Some(chosen) => diagnostic = diagnostic.at(chosen.place, "the control"),
+                None => {
+                    diagnostic = diagnostic.help(format!("add control = \"{word}\" to [hoist]"))
+                }
+            }
+            reader.report(diagnostic);
+        }
+        let Some(chosen) = chosen else {
+            return Some(None);
+        };
+        let control = match chosen.value {
+            Control::Autodriller => HoistControl::Autodriller {
+                gain_m_per_s_per_N: *self.gain.get()?,
+                filter_s: *self.filter.get()?,
+            },
+            Control::BlockVelocity => {
+                let velocity =
+                    needed(&self.block_velocity, "block_velocity", chosen.place, reader)?;
+                HoistControl::BlockVelocity(velocity)
+            }
+            Control::HookLoad => {
+                HoistControl::HookLoad(needed(&self.hook_load, "hook_load", chosen.place, reader)?)
+            }
+        };
+        Some(Some(control))
+    }
+}
+
+fn word_of(control: Control) -> &'static str {
+    let found = Control::WORDS.iter().find(|(_, one)| *one == control);
+    found.map_or("", |(word, _)| word)
+}
+
+fn needed(
+    field: &Field<f64>,
+    name: &str,
+    chosen: crate::source::Place,
+    reader: &mut Reader,
+) -> Option<f64> {
+    if let Field::Absent = field {
+        reader.report(
+            Diagnostic::error(format!("this hoist control needs `{name}`"))
+                .at(chosen, format!("`{name}` is missing in [hoist]")),
+        );
+    }
+    field.get().copied()
+}

@@ -1,0 +1,228 @@
+//! Survey stations, from the case or from a file, each with its place.
+
+use serde_json::json;
+use wholestring::well::{Station, TieIn};
+use wholestring_units::Dimension;
+
+use crate::{
+    diagnostic::Diagnostic,
+    names::short,
+    node::{Node, Value},
+    quantity::Quantity,
+    range::{Range, number_text},
+    reader::Reader,
+    rule::{At, Rule},
+    source::{Files, Place},
+    survey::{self, SurveyError},
+};
+
+/// No hole bends more sharply than this, rad/m: 10 deg/m is a radius of 5.7 m.
+const SHARPEST_RAD_PER_M: f64 = 10.0 * std::f64::consts::PI / 180.0;
+
+/// A survey and where its stations stand.
+#[derive(Debug)]
+pub(crate) struct Stations {
+    pub(crate) list: Vec<Station>,
+    /// One for each station, if they stand in the case.
+    places: Vec<Place>,
+    /// The survey as a whole.
+    whole: Place,
+    /// Position of the first station, if the survey's file says it.
+    pub(crate) tie_in: Option<TieIn>,
+    /// How the file was understood.
+    pub(crate) notes: Vec<String>,
+}
+
+impl Stations {
+    pub(crate) fn place(&self, index: usize) -> Place {
+        self.places.get(index).copied().unwrap_or(self.whole)
+    }
+
+    /// What no survey has, although the engine could compute with it.
+    pub(crate) fn check(&self, reader: &mut Reader) -> Option<()> {
+        for (index, station) in self.list.iter().enumerate() {
+            if !(-1000.0..=20_000.0).contains(&station.md_m) {
+                reader.report(
+                    Diagnostic::error(format!(
+                        "measured depth {} m is deeper than any well",
+                        number_text(station.md_m)
+                    ))
+                    .at(self.place(index), "expected at most 20000 m"),
+                );
+                return None;
+            }
+        }
+        for (index, pair) in self.list.windows(2).enumerate() {
+            let [above, below] = pair else { continue };
+            let length_m = below.md_m - above.md_m;
+            let turn_rad = angle_between(above, below);
+            // A step too small or backwards is the path's to report.
+            if length_m > 1e-3 && turn_rad / length_m > SHARPEST_RAD_PER_M {
+                reader.report(
+                    Diagnostic::error(format!(
+                        "the hole bends by {} deg within {} m below {} m",
+                        number_text((turn_rad.to_degrees() * 10.0).round() / 10.0),
+                        number_text((length_m * 1e3).round() / 1e3),
+                        number_text(above.md_m)
+                    ))
+                    .at(self.place(index + 1), "expected at most 10 deg per metre"),
+                );
+                return None;
+            }
+        }
+        Some(())
+    }
+}
+
+fn angle_between(a: &Station, b: &Station) -> f64 {
+    let sines = a.inclination_rad.sin() * b.inclination_rad.sin();
+    // Half-angle form: exact for small turns.
+    let turn = (b.azimuth_rad - a.azimuth_rad) / 2.0;
+    let build = (b.inclination_rad - a.inclination_rad) / 2.0;
+    let half = (build.sin().powi(2) + sines * turn.sin().powi(2)).clamp(0.0, 1.0);
+    2.0 * half.sqrt().asin()
+}
+
+/// One station in the case: `[md, inc, azi]`.
+pub(crate) struct StationRule;
+
+impl StationRule {
+    fn cells() -> [Quantity; 3] {
+        let degree = std::f64::consts::PI / 180.0;
+        [
+            Quantity::si(Dimension::Length, Range::from_to(0.0, 20_000.0), "322.9 m"),
+            Quantity::si(
+                Dimension::Angle,
+                Range::from_to(0.0, std::f64::consts::PI),
+                "45 deg",
+            )
+            .bare("deg", degree),
+            Quantity::si(
+                Dimension::Angle,
+                Range::from_to(-360.0 * degree, 360.0 * degree),
+                "45 deg",
+            )
+            .bare("deg", degree),
+        ]
+    }
+}
+
+impl Rule for StationRule {
+    type Value = [f64; 3];
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<[f64; 3]> {
+        let items = match &node.value {
+            Value::List(items) if items.len() == 3 => items,
+            _ => {
+                let message = match &node.value {
+                    Value::List(items) => format!("this station has {} numbers", items.len()),
+                    other => format!("a station is three numbers, found {}", other.noun()),
+                };
+                reader.report(Diagnostic::error(message).at(node.place, "expected [md, inc, azi]"));
+                return None;
+            }
+        };
+        let cells = Self::cells();
+        let mut values = [None; 3];
+        for (i, (cell, item)) in cells.iter().zip(items).enumerate() {
+            reader.key = ["md", "inc", "azi"][i];
+            values[i] = cell.read(item, reader);
+        }
+        let [Some(md), Some(inclination), Some(azimuth)] = values else {
+            return None;
+        };
+        Some([md, inclination, azimuth])
+    }
+
+    fn schema(&self) -> serde_json::Value {
+        let cells: Vec<_> = Self::cells().iter().map(Rule::schema).collect();
+        json!({ "type": "array", "prefixItems": cells, "minItems": 3, "maxItems": 3 })
+    }
+}
+
+/// The stations that stand in the case.
+pub(crate) fn from_case(listed: &At<Vec<At<[f64; 3]>>>) -> Stations {
+    let list = listed.value.iter().map(|at| {
+        let [md_m, inclination_rad, azimuth_rad] = at.value;
+        Station {
+            md_m,
+            inclination_rad,
+            azimuth_rad,
+        }
+    });
+    Stations {
+        list: list.collect(),
+        places: listed.value.iter().map(|at| at.place).collect(),
+        whole: listed.place,
+        tie_in: None,
+        notes: Vec::new(),
+    }
+}
+
+/// The stations of a file beside the case.
+pub(crate) fn from_file(
+    file: &At<String>,
+    files: &dyn Files,
+    reader: &mut Reader,
+) -> Option<Stations> {
+    let bytes = match files.read(&file.value) {
+        Ok(bytes) => bytes,
+        Err(error) => {
+            let why = match error.kind() {
+                std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
+                _ => short(&error.to_string()),
+            };
+            reader.report(
+                Diagnostic::error(format!(
+                    "the survey `{}` cannot be read",
+                    short(&file.value)
+                ))
+                .at(file.place, why)
+                .help("the name is relative to the folder of the case"),
+            );
+            return None;
+        }
+    };
+    match survey::read(&bytes, &file.value) {
+        Ok(imported) => Some(Stations {
+            list: imported.stations,
+            places: Vec::new(),
+            whole: file.place,
+            tie_in: imported.tie_in,
+            notes: imported.notes,
+        }),
+        Err(error) => {
+            let diagnostic = no_survey(&error, file, reader);
+            reader.report(diagnostic);
+            None
+        }
+    }
+}
+
+/// What is wrong with a survey file, underlined in it where it is a text.
+fn no_survey(error: &SurveyError, file: &At<String>, reader: &mut Reader) -> Diagnostic {
+    let sentence = error.kind().to_string();
+    let (message, expected) = sentence.split_once("; ").unwrap_or((&sentence, ""));
+    let diagnostic = Diagnostic::error(message);
+    match (error.text(), error.span(), error.place()) {
+        (Some(text), Some(span), _) => {
+            let source = reader.add_source(&file.value, text);
+            let place = Place {
+                source,
+                start: span.start,
+                end: span.end,
+            };
+            diagnostic.at(place, expected).at(file.place, "the survey")
+        }
+        (_, _, Some(place)) => {
+            let diagnostic = diagnostic.at(file.place, format!("in {place}"));
+            if expected.is_empty() {
+                diagnostic
+            } else {
+                diagnostic.help(expected)
+            }
+        }
+        _ => Diagnostic::error(format!("the survey cannot be read: {message}"))
+            .at(file.place, expected),
+    }
+}

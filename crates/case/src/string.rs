@@ -1,0 +1,401 @@
+//! `[[string]]` and `[steel]`.
+
+use wholestring::string::{ComponentLength, ComponentSpec, Material, ToolJoints, catalogue};
+use wholestring_units::Dimension;
+
+use crate::{
+    diagnostic::Diagnostic,
+    names::{nearest, short},
+    node::{Node, Value},
+    quantity::Quantity,
+    range::{Range, number_text},
+    reader::Reader,
+    rule::{At, Rule, Text},
+    source::Place,
+    table::{default, optional, required, table},
+};
+
+/// What stands for the length of the component that fills the rest of the string.
+const TO_SURFACE: &str = "to surface";
+
+fn density() -> Quantity {
+    Quantity::si(
+        Dimension::Density,
+        Range::from_to(1000.0, 25_000.0),
+        "7860 kg/m3",
+    )
+}
+
+fn modulus(example: &'static str) -> Quantity {
+    Quantity::si(Dimension::Pressure, Range::from_to(1e9, 1e12), example)
+}
+
+fn diameter(example: &'static str) -> Quantity {
+    Quantity::si(Dimension::Diameter, Range::from_to(0.005, 2.0), example)
+}
+
+table! {
+    /// The metal of the string, wherever a component does not say otherwise.
+    SteelTable in "[steel]" {
+        /// Density.
+        density: f64 = default(density(), 7860.0);
+        /// Young's modulus.
+        youngs_modulus: f64 = default(modulus("210 GPa"), 210e9);
+        /// Shear modulus, independent of Young's modulus.
+        shear_modulus: f64 = default(modulus("76.923 GPa"), 76.923e9);
+    }
+}
+
+impl SteelTable {
+    pub(crate) fn build(&self, reader: &mut Reader) -> Option<Material> {
+        let material = Material {
+            density_kg_per_m3: *self.density.get()?,
+            youngs_modulus_Pa: *self.youngs_modulus.get()?,
+            shear_modulus_Pa: *self.shear_modulus.get()?,
+        };
+        let given = self.shear_modulus.given().or(self.youngs_modulus.given());
+        if let Some(given) = given {
+            check_moduli(&material, given.place, reader);
+        }
+        Some(material)
+    }
+}
+
+/// Moduli may be inconsistent, but then probably one of the two was forgotten.
+fn check_moduli(material: &Material, place: Place, reader: &mut Reader) {
+    let poisson = material.poisson_ratio();
+    if !(0.0..=0.5).contains(&poisson) {
+        reader.report(
+            Diagnostic::warning(format!(
+                "the moduli of {} and {} GPa make a Poisson's ratio of {}",
+                number_text(material.youngs_modulus_Pa / 1e9),
+                number_text(material.shear_modulus_Pa / 1e9),
+                number_text((poisson * 100.0).round() / 100.0)
+            ))
+            .at(place, "Young's and shear modulus are given separately")
+            .help("metals have 0.2 to 0.4; G = E/(2 (1 + ratio))"),
+        );
+    }
+}
+
+/// A length, or "to surface".
+pub(crate) struct LengthRule;
+
+impl LengthRule {
+    fn quantity() -> Quantity {
+        Quantity::si(Dimension::Length, Range::from_to(0.01, 20_000.0), "9.6 m")
+    }
+}
+
+impl Rule for LengthRule {
+    type Value = ComponentLength;
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<ComponentLength> {
+        if let Value::Text { text, .. } = &node.value {
+            if text == TO_SURFACE {
+                return Some(ComponentLength::ToSurface);
+            }
+            if nearest(text, [TO_SURFACE]).is_some() || text.contains("surface") {
+                reader.report(
+                    Diagnostic::error(format!("`{}` is not a length", short(text)))
+                        .at(node.place, "expected a length or \"to surface\"")
+                        .help("did you mean \"to surface\"?"),
+                );
+                return None;
+            }
+        }
+        Self::quantity()
+            .read(node, reader)
+            .map(ComponentLength::Metres)
+    }
+
+    fn schema(&self) -> serde_json::Value {
+        let mut schema = Self::quantity().schema();
+        if let Some(either) = schema["anyOf"].as_array_mut() {
+            either.push(serde_json::json!({
+                "const": TO_SURFACE,
+                "description": "Fills the rest of the string; for the topmost component."
+            }));
+        }
+        schema
+    }
+}
+
+table! {
+    /// A component of the string, from the bit up.
+    ComponentTable in "[[string]]" {
+        /// What it is called in messages and results: "bit", "motor", "drill pipe".
+        component: String = required(Text);
+        /// Length, m unless a unit is given, or "to surface" for the topmost one, which then fills the
+        /// rest of the string.
+        length: ComponentLength = required(LengthRule);
+        /// Entry of the catalogue of API drill pipe, heavy-weight and collars, such as
+        /// "5-1/2 in 21.90 lb/ft S-135": gives diameters, joints, mass and yield strength.
+        catalogue: String = optional(Text);
+        /// Outside diameter of the body, m unless a unit is given. Needed without `catalogue`.
+        od: f64 = optional(diameter("139.7 mm"));
+        /// Inside diameter of the body, less than od. Needed without `catalogue`, except for the first of
+        /// several components, the bit, which is solid by default.
+        id: f64 = optional(Quantity::si(
+            Dimension::Diameter,
+            Range::from_to(0.0, 2.0),
+            "118.6 mm",
+        ));
+        /// Outside diameter of the tool joints, which then are what touches the wall. Default: the
+        /// catalogue's, or no joints.
+        joint_od: f64 = optional(diameter("177.8 mm"));
+        /// Distance between tool joints. Default: the catalogue's, or no joints.
+        joint_spacing: f64 = optional(Quantity::si(
+            Dimension::Length,
+            Range::from_to(0.5, 100.0),
+            "9.6 m",
+        ));
+        /// Mass per length in air, tool joints included. Default: the catalogue's, or that of the body
+        /// between od and id.
+        mass_per_length: f64 = optional(Quantity::si(
+            Dimension::MassPerLength,
+            Range::positive_to(20_000.0),
+            "35.8 kg/m",
+        ));
+        /// Density of its metal. Default: that of [steel].
+        density: f64 = optional(density());
+        /// Young's modulus. Default: that of [steel].
+        youngs_modulus: f64 = optional(modulus("210 GPa"));
+        /// Shear modulus. Default: that of [steel].
+        shear_modulus: f64 = optional(modulus("76.923 GPa"));
+        /// Minimum yield strength, for strength limits. Default: the catalogue's, or unknown.
+        yield_strength: f64 = optional(Quantity::si(
+            Dimension::Pressure,
+            Range::from_to(1e7, 1e10),
+            "931 MPa",
+        ));
+    }
+}
+
+impl ComponentTable {
+    pub(crate) fn build(
+        &self,
+        is_bit: bool,
+        place: Place,
+        steel: &Material,
+        reader: &mut Reader,
+    ) -> Option<ComponentSpec> {
+        let material = self.material(steel, reader)?;
+        let mut component = match self.catalogue.optional()? {
+            Some(designation) => self.of_catalogue(designation, material, reader)?,
+            None => self.of_diameters(is_bit, place, material, reader)?,
+        };
+        component.yield_strength_Pa = match self.yield_strength.optional()? {
+            Some(given) => Some(given.value),
+            None => component.yield_strength_Pa,
+        };
+        self.joints(&mut component, reader)?;
+        if let Some(given) = self.mass_per_length.optional()? {
+            component.mass_per_length_kg_per_m = given.value;
+            check_mass(&component, given.place, reader)?;
+        }
+        Some(component)
+    }
+
+    fn material(&self, steel: &Material, reader: &mut Reader) -> Option<Material> {
+        let density = self.density.optional()?;
+        let youngs_modulus = self.youngs_modulus.optional()?;
+        let shear_modulus = self.shear_modulus.optional()?;
+        let material = Material {
+            density_kg_per_m3: density.map_or(steel.density_kg_per_m3, |at| at.value),
+            youngs_modulus_Pa: youngs_modulus.map_or(steel.youngs_modulus_Pa, |at| at.value),
+            shear_modulus_Pa: shear_modulus.map_or(steel.shear_modulus_Pa, |at| at.value),
+        };
+        if let Some(given) = shear_modulus.or(youngs_modulus) {
+            check_moduli(&material, given.place, reader);
+        }
+        Some(material)
+    }
+
+    fn of_catalogue(
+        &self,
+        designation: &At<String>,
+        material: Material,
+        reader: &mut Reader,
+    ) -> Option<ComponentSpec> {
+        for (field, name) in [(&self.od, "od"), (&self.id, "id")] {
+            if let Some(given) = field.given() {
+                reader.report(
+                    Diagnostic::error(format!("`{name}` is given beside `catalogue`"))
+                        .at(given.place, "the catalogue gives it")
+                        .at(designation.place, "the catalogue's entry")
+                        .help("leave one of the two out"),
+                );
+                return None;
+            }
+        }
+        match catalogue::find(&designation.value) {
+            Ok(entry) => {
+                Some(entry.component(self.component.get()?, *self.length.get()?, material))
+            }
+            Err(catalogue::CatalogueError::Unknown { nearest, .. }) => {
+                let mut diagnostic = Diagnostic::error(format!(
+                    "the catalogue has no `{}`",
+                    short(&designation.value)
+                ))
+                .at(designation.place, "unknown entry");
+                if !nearest.is_empty() {
+                    let nearest: Vec<String> =
+                        nearest.iter().map(|name| format!("\"{name}\"")).collect();
+                    diagnostic = diagnostic.help(format!("the nearest: {}", nearest.join(", ")));
+                }
+                reader.report(diagnostic.help("or give od and id instead of catalogue"));
+                None
+            }
+        }
+    }
+
+    fn of_diameters(
+        &self,
+        is_bit: bool,
+        place: Place,
+        material: Material,
+        reader: &mut Reader,
+    ) -> Option<ComponentSpec> {
+        let od = self.od.optional()?;
+        let id = self.id.optional()?;
+        let lacking = match (od, id) {
+            (None, _) => Some("od"),
+            (_, None) if !is_bit => Some("id"),
+            _ => None,
+        };
+        if let Some(name) = lacking {
+            let called = self.component.get().map_or("this component", |name| name);
+            reader.report(
+                Diagnostic::error(format!("`{}` lacks `{name}`", short(called)))
+                    .at(place, format!("`{name}` is missing"))
+                    .help(match name {
+                        "od" => "give od and id, or an entry of the catalogue",
+                        _ => "a solid bar has id = 0",
+                    }),
+            );
+            return None;
+        }
+        let (od, id_m) = (od?, id.map_or(0.0, |at| at.value));
+        if id_m >= od.value {
+            let id = id?;
+            reader.report(
+                Diagnostic::error("the inside diameter is not smaller than the outside diameter")
+                    .at(id.place, format!("expected less than {}", mm(od.value)))
+                    .at(od.place, "the outside diameter"),
+            );
+            return None;
+        }
+        Some(ComponentSpec::uniform(
+            self.component.get()?,
+            od.value,
+            id_m,
+            *self.length.get()?,
+            material,
+        ))
+    }
+
+    /// Joints given in the case, in part or wholly, in place of the catalogue's.
+    fn joints(&self, component: &mut ComponentSpec, reader: &mut Reader) -> Option<()> {
+        let od = self.joint_od.optional()?;
+        let spacing = self.joint_spacing.optional()?;
+        let known = component.joints;
+        let joints = ToolJoints {
+            od_m: match (od, known) {
+                (Some(given), _) => given.value,
+                (None, Some(known)) => known.od_m,
+                (None, None) => {
+                    return lacks_partner(spacing, "joint_spacing", "joint_od", reader);
+                }
+            },
+            spacing_m: match (spacing, known) {
+                (Some(given), _) => given.value,
+                (None, Some(known)) => known.spacing_m,
+                (None, None) => return lacks_partner(od, "joint_od", "joint_spacing", reader),
+            },
+        };
+        if let Some(od) = od {
+            if od.value < component.od_m {
+                let mut diagnostic = Diagnostic::error("the tool joint is thinner than its pipe")
+                    .at(od.place, format!("expected {} or more", mm(component.od_m)));
+                if let Some(body) = self.od.given() {
+                    diagnostic = diagnostic.at(body.place, "the pipe's outside diameter");
+                }
+                reader.report(diagnostic);
+                return None;
+            }
+            if known.is_none() && self.mass_per_length.given().is_none() {
+                reader.report(
+                    Diagnostic::warning("the mass of the tool joints is not counted")
+                        .at(od.place, "joints of unknown length")
+                        .help("give mass_per_length, tool joints included"),
+                );
+            }
+        }
+        component.joints = Some(joints);
+        Some(())
+    }
+}
+
+/// One of the two keys that make tool joints, without the other. Neither is no mistake.
+fn lacks_partner(
+    given: Option<&At<f64>>,
+    name: &str,
+    partner: &str,
+    reader: &mut Reader,
+) -> Option<()> {
+    let Some(given) = given else { return Some(()) };
+    reader.report(
+        Diagnostic::error(format!("`{name}` needs `{partner}`"))
+            .at(given.place, format!("`{partner}` is missing"))
+            .help("tool joints have a diameter and a spacing; plain pipe has neither"),
+    );
+    None
+}
+
+/// A pipe is not heavier than a solid bar as thick as its joints, nor lighter than its own body.
+fn check_mass(component: &ComponentSpec, place: Place, reader: &mut Reader) -> Option<()> {
+    let od_m = component
+        .joints
+        .map_or(component.od_m, |joints| joints.od_m);
+    let solid = component.material.density_kg_per_m3 * std::f64::consts::FRAC_PI_4 * od_m.powi(2);
+    if component.mass_per_length_kg_per_m <= solid * 1.001 {
+        let body = component.material.density_kg_per_m3
+            * std::f64::consts::FRAC_PI_4
+            * (component.od_m.powi(2) - component.id_m.powi(2));
+        if component.mass_per_length_kg_per_m < 0.95 * body {
+            reader.report(
+                Diagnostic::warning(format!(
+                    "{} kg/m is less than the body alone weighs",
+                    number_text(component.mass_per_length_kg_per_m)
+                ))
+                .at(
+                    place,
+                    format!(
+                        "a body of {} kg/m",
+                        number_text((body * 10.0).round() / 10.0)
+                    ),
+                )
+                .help("if the metal is lighter than [steel], give its density too"),
+            );
+        }
+        return Some(());
+    }
+    reader.report(
+        Diagnostic::error(format!(
+            "{} kg/m is more than a solid bar of {} weighs",
+            number_text(component.mass_per_length_kg_per_m),
+            mm(od_m)
+        ))
+        .at(
+            place,
+            format!("expected at most {} kg/m", number_text(solid.round())),
+        ),
+    );
+    None
+}
+
+/// A diameter in messages.
+pub(crate) fn mm(diameter_m: f64) -> String {
+    format!("{} mm", number_text(diameter_m * 1e3))
+}

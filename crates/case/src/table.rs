@@ -1,0 +1,233 @@
+//! Declares a table of the case file once: the struct, its reader, its names and its schema.
+
+use serde_json::{Map, Value as Json, json};
+
+use crate::{
+    diagnostic::Diagnostic,
+    node::Entries,
+    reader::Reader,
+    rule::{At, Rule},
+    source::Place,
+};
+
+/// What became of a key.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Field<T> {
+    /// It does not stand in the file, and that is no mistake or has been reported.
+    Absent,
+    /// What stands in the file is wrong, which has been reported.
+    Bad,
+    /// It stands in the file.
+    Given(At<T>),
+    /// It does not stand in the file; this is the default. The place is that of its table.
+    Default(At<T>),
+}
+
+impl<T> Field<T> {
+    /// The value, given or default.
+    pub(crate) fn get(&self) -> Option<&T> {
+        self.at().map(|at| &at.value)
+    }
+
+    /// The value and its place, given or default.
+    pub(crate) fn at(&self) -> Option<&At<T>> {
+        match self {
+            Self::Given(at) | Self::Default(at) => Some(at),
+            Self::Absent | Self::Bad => None,
+        }
+    }
+
+    /// The value and its place, if it stands in the file.
+    pub(crate) fn given(&self) -> Option<&At<T>> {
+        match self {
+            Self::Given(at) => Some(at),
+            _ => None,
+        }
+    }
+
+    /// `None` where the value is wrong, `Some(None)` where there is none.
+    pub(crate) fn optional(&self) -> Option<Option<&At<T>>> {
+        match self {
+            Self::Bad => None,
+            _ => Some(self.at()),
+        }
+    }
+}
+
+/// What happens where a key does not stand in the file.
+pub(crate) enum Need<T> {
+    Required,
+    Optional,
+    Default(T),
+}
+
+/// A key: its rule and whether it must be there.
+pub(crate) struct Key<R: Rule> {
+    pub(crate) rule: R,
+    pub(crate) need: Need<R::Value>,
+}
+
+pub(crate) fn required<R: Rule>(rule: R) -> Key<R> {
+    Key {
+        rule,
+        need: Need::Required,
+    }
+}
+
+pub(crate) fn optional<R: Rule>(rule: R) -> Key<R> {
+    Key {
+        rule,
+        need: Need::Optional,
+    }
+}
+
+pub(crate) fn default<R: Rule>(rule: R, value: R::Value) -> Key<R> {
+    Key {
+        rule,
+        need: Need::Default(value),
+    }
+}
+
+/// The table that is being read.
+pub(crate) struct Here<'a> {
+    pub(crate) entries: &'a Entries,
+    pub(crate) place: Place,
+    pub(crate) heading: &'static str,
+    /// The keys that misspelt ones were probably meant to be: they are not missed as well.
+    pub(crate) meant: &'a [&'static str],
+}
+
+impl<R: Rule> Key<R> {
+    pub(crate) fn read(
+        self,
+        name: &'static str,
+        here: &Here<'_>,
+        reader: &mut Reader,
+    ) -> Field<R::Value> {
+        let place = here.place;
+        reader.key = name;
+        if let Some(node) = here.entries.get(name) {
+            return match self.rule.read(node, reader) {
+                Some(value) => Field::Given(At {
+                    value,
+                    place: node.place,
+                }),
+                None => Field::Bad,
+            };
+        }
+        match self.need {
+            Need::Default(value) => Field::Default(At { value, place }),
+            Need::Required => {
+                if !here.meant.contains(&name) {
+                    reader.report(self.missing(name, here));
+                }
+                Field::Bad
+            }
+            Need::Optional => match self.rule.absent(place, reader) {
+                Some(value) => Field::Default(At { value, place }),
+                None => Field::Absent,
+            },
+        }
+    }
+
+    fn missing(&self, name: &str, here: &Here<'_>) -> Diagnostic {
+        let called = match self.rule.heading() {
+            Some(table) => table.to_owned(),
+            None => format!("`{name}`"),
+        };
+        let mut diagnostic = Diagnostic::error(format!("{} lacks {called}", here.heading));
+        // The whole file is not worth underlining.
+        if here.place.end > here.place.start {
+            diagnostic = diagnostic.at(here.place, format!("{called} is missing"));
+        }
+        match self.rule.example() {
+            Some(example) => diagnostic.help(format!("such as {name} = {example}")),
+            None => diagnostic,
+        }
+    }
+
+    /// Adds the key to the schema of its table.
+    pub(crate) fn describe(self, name: &str, doc: &str, table: &mut TableSchema) {
+        let mut schema = self.rule.schema();
+        let mut doc = doc.trim().to_owned();
+        match &self.need {
+            Need::Required => table.required.push(name.to_owned()),
+            Need::Default(value) => {
+                let default = self.rule.json(value);
+                doc.push_str(&format!(" Default: {}.", self.rule.written(&default)));
+                schema["default"] = default;
+            }
+            Need::Optional => {}
+        }
+        schema["description"] = json!(doc);
+        table.properties.insert(name.to_owned(), schema);
+    }
+}
+
+/// The schema of a table as it is being made.
+#[derive(Default)]
+pub(crate) struct TableSchema {
+    properties: Map<String, Json>,
+    required: Vec<String>,
+}
+
+impl TableSchema {
+    pub(crate) fn finish(self, heading: &str, doc: &str) -> Json {
+        let mut schema = json!({
+            "type": "object",
+            "title": heading,
+            "description": doc.trim(),
+            "properties": self.properties,
+            "additionalProperties": false,
+        });
+        if !self.required.is_empty() {
+            schema["required"] = json!(self.required);
+        }
+        schema
+    }
+}
+
+/// The name of a field as the case file has it: `static` is a word of Rust's own.
+pub(crate) fn name(field: &'static str) -> &'static str {
+    field.trim_start_matches("r#")
+}
+
+/// Declares a table of the case file. The doc comments become the descriptions of the schema.
+macro_rules! table {
+    (
+        $(#[doc = $about:literal])+
+        $name:ident in $heading:literal {
+            $( $(#[doc = $doc:literal])+ $field:ident: $type:ty = $key:expr; )+
+        }
+    ) => {
+        $(#[doc = $about])+
+        #[derive(Debug)]
+        pub(crate) struct $name {
+            $( $(#[doc = $doc])+ pub(crate) $field: $crate::table::Field<$type>, )+
+        }
+
+        impl $crate::rule::Table for $name {
+            const HEADING: &'static str = $heading;
+
+            fn read(
+                entries: &$crate::node::Entries,
+                place: $crate::source::Place,
+                reader: &mut $crate::reader::Reader,
+            ) -> Self {
+                let names = [$($crate::table::name(stringify!($field))),+];
+                let meant = reader.check_names(entries, &names, $heading);
+                let here = $crate::table::Here { entries, place, heading: $heading, meant: &meant };
+                Self {
+                    $( $field: $key.read($crate::table::name(stringify!($field)), &here, reader), )+
+                }
+            }
+
+            fn schema() -> serde_json::Value {
+                let mut table = $crate::table::TableSchema::default();
+                $( $key.describe($crate::table::name(stringify!($field)), concat!($($doc),+), &mut table); )+
+                table.finish($heading, concat!($($about),+))
+            }
+        }
+    };
+}
+pub(crate) use table;

@@ -1,0 +1,237 @@
+//! `[well]`: the survey, the path through it, and the hole around it.
+
+use wholestring::well::{Hole, Interpolation, Path, PathError, TieIn};
+use wholestring_units::Dimension;
+
+use crate::{
+    diagnostic::Diagnostic,
+    hole::HoleTable,
+    names::short,
+    quantity::Quantity,
+    range::{Range, number_text},
+    reader::Reader,
+    rule::{At, Choice, List, Section, Text},
+    source::{Files, Place},
+    stations::{self, StationRule, Stations},
+    table::{optional, required, table},
+};
+
+/// Beyond the survey's end by more than this a projection deserves a word, m.
+const PROJECTION_M: f64 = 50.0;
+
+table! {
+    /// Position of the first survey station.
+    TieInTable in "[well.tie_in]" {
+        /// North of the first station, m unless a unit is given.
+        north: f64 = crate::table::default(coordinate(), 0.0);
+        /// East of the first station, m unless a unit is given.
+        east: f64 = crate::table::default(coordinate(), 0.0);
+        /// True vertical depth of the first station, m unless a unit is given. Default: its measured
+        /// depth, as if the hole were vertical down to it.
+        tvd: f64 = optional(coordinate());
+    }
+}
+
+fn coordinate() -> Quantity {
+    Quantity::si(Dimension::Length, Range::from_to(-1e7, 1e7), "120 m")
+}
+
+table! {
+    /// Where the hole runs and how wide and rough it is.
+    WellTable in "[well]" {
+        /// Survey file beside the case, CSV or Excel, with columns md, inc and azi.
+        survey: String = optional(Text);
+        /// The survey itself, instead of a file: a list of [md, inc, azi] in m, deg and deg.
+        stations: Vec<At<[f64; 3]>> = optional(List {
+            item: StationRule,
+            or_one: false,
+            noun: "stations",
+            most: 100_000,
+        });
+        /// Curve through the survey: "spline" (continuous curvature) or "minimum-curvature"
+        /// (circular arcs).
+        path: Interpolation = crate::table::default(
+            Choice {
+                noun: "a path",
+                words: &[
+                    ("spline", Interpolation::Spline),
+                    ("minimum-curvature", Interpolation::MinimumCurvature),
+                ],
+            },
+            Interpolation::Spline,
+        );
+        /// Position of the first station. Default: what the survey file says, or on the vertical under
+        /// the origin, as deep as its measured depth.
+        tie_in: TieInTable = optional(Section::<TieInTable>::RULE);
+        /// Sections of the hole from the surface down to the bit or deeper.
+        hole: Vec<At<HoleTable>> = required(List {
+            item: Section::<HoleTable>::RULE,
+            or_one: false,
+            noun: "hole sections ([[well.hole]])",
+            most: 1000,
+        });
+    }
+}
+
+impl WellTable {
+    /// The survey, from the file or from the case.
+    pub(crate) fn stations(
+        &self,
+        place: Place,
+        files: &dyn Files,
+        reader: &mut Reader,
+    ) -> Option<Stations> {
+        let survey = self.survey.optional()?;
+        let listed = self.stations.optional()?;
+        match (survey, listed) {
+            (Some(file), None) => stations::from_file(file, files, reader),
+            (None, Some(listed)) => Some(stations::from_case(listed)),
+            (Some(file), Some(listed)) => {
+                reader.report(
+                    Diagnostic::error("the survey is given twice")
+                        .at(listed.place, "`stations` in the case")
+                        .at(file.place, "`survey` in a file")
+                        .help("keep one of the two"),
+                );
+                None
+            }
+            (None, None) => {
+                reader.report(
+                    Diagnostic::error("[well] has no survey")
+                        .at(place, "`survey` or `stations` is missing")
+                        .help("survey = \"survey.csv\", or stations = [[0, 0, 0], [1000, 30, 45]]"),
+                );
+                None
+            }
+        }
+    }
+
+    /// The path through the survey.
+    pub(crate) fn path(&self, stations: &Stations, reader: &mut Reader) -> Option<Path> {
+        let tie_in = self.tie_in(stations)?;
+        let interpolation = *self.path.get()?;
+        stations.check(reader)?;
+        match Path::new(&stations.list, interpolation, tie_in) {
+            Ok(path) => Some(path),
+            Err(error) => {
+                reader.report(path_error(&error, stations));
+                None
+            }
+        }
+    }
+
+    fn tie_in(&self, stations: &Stations) -> Option<TieIn> {
+        let under_origin = TieIn {
+            tvd_m: stations.list.first().map_or(0.0, |first| first.md_m),
+            ..TieIn::default()
+        };
+        match self.tie_in.optional()? {
+            Some(given) if self.tie_in.given().is_some() => Some(TieIn {
+                north_m: *given.value.north.get()?,
+                east_m: *given.value.east.get()?,
+                tvd_m: given
+                    .value
+                    .tvd
+                    .optional()?
+                    .map_or(under_origin.tvd_m, |at| at.value),
+            }),
+            _ => Some(stations.tie_in.unwrap_or(under_origin)),
+        }
+    }
+
+    /// Whether hole and survey reach the bit.
+    pub(crate) fn reaches(
+        &self,
+        path: Option<&Path>,
+        hole: Option<&Hole>,
+        bit_depth_m: f64,
+        bit_place: Option<Place>,
+        reader: &mut Reader,
+    ) -> Option<()> {
+        let bit_text = format!("bit at {} m", number_text(bit_depth_m));
+        if let Some(path) = path {
+            let last_m = path.last_md_m();
+            let beyond_m = bit_depth_m - last_m;
+            if beyond_m > PROJECTION_M
+                && let Some(place) = bit_place
+            {
+                reader.report(
+                    Diagnostic::warning(format!(
+                        "the survey ends at {} m, {} m above the bit",
+                        number_text(last_m),
+                        number_text((beyond_m * 100.0).round() / 100.0)
+                    ))
+                    .at(place, "the hole is taken to go on straight to here"),
+                );
+            }
+        }
+        let end_m = hole?.sections().last()?.to_md_m;
+        if bit_depth_m > end_m + 1e-6 {
+            let last = self.hole.get()?.last()?;
+            let to = last.value.to.at()?;
+            let mut diagnostic = Diagnostic::error(format!(
+                "the hole ends at {} m, but the bit is at {} m",
+                number_text(end_m),
+                number_text(bit_depth_m)
+            ))
+            .at(
+                to.place,
+                format!("expected {} m or more", number_text(bit_depth_m)),
+            );
+            if let Some(place) = bit_place {
+                diagnostic = diagnostic.at(place, bit_text);
+            } else {
+                diagnostic = diagnostic.help(
+                    "without bit_depth under [operation] the bit is at the last survey station",
+                );
+            }
+            reader.report(diagnostic);
+            return None;
+        }
+        Some(())
+    }
+}
+
+/// What the core says about the survey, at the station that it says it of.
+fn path_error(error: &PathError, stations: &Stations) -> Diagnostic {
+    let at = |index: usize| stations.place(index);
+    match error {
+        PathError::TooFewStations(found) => {
+            Diagnostic::error(format!("the survey has {found} station"))
+                .at(at(0), "expected two stations or more")
+        }
+        PathError::DepthNotIncreasing {
+            index,
+            md_m,
+            previous_md_m,
+        } => Diagnostic::error(format!(
+            "measured depth must grow down the survey: {} m follows {} m",
+            number_text(*md_m),
+            number_text(*previous_md_m)
+        ))
+        .at(
+            at(*index),
+            format!("expected more than {} m", number_text(*previous_md_m)),
+        )
+        .at(at(index - 1), "the station above"),
+        PathError::Inclination {
+            index,
+            inclination_rad,
+            ..
+        } => Diagnostic::error(format!(
+            "inclination {} deg is out of range",
+            number_text(inclination_rad.to_degrees())
+        ))
+        .at(at(*index), "expected 0 to 180 deg from vertical")
+        .help("the columns are md, inc, azi: are inclination and azimuth exchanged?"),
+        PathError::NotFinite {
+            index, quantity, ..
+        } => Diagnostic::error(format!("{quantity} is not a finite number")).at(at(*index), ""),
+        PathError::Reversal { index, .. } => {
+            Diagnostic::error("the hole turns by 180 deg between two stations")
+                .at(at(*index), "opposite to the station above")
+                .at(at(index - 1), "the station above")
+        }
+        _ => Diagnostic::error(short(&error.to_string())).at(at(0), ""),
+    }
+}

@@ -1,0 +1,264 @@
+//! Cases that are accepted, and what is made of them.
+
+mod common;
+
+use common::{EXAMPLE, changed, read, read_with};
+use wholestring::{
+    dynamics::{ContactLaw, DynamicsSettings, HoistControl},
+    operation::OperationKind,
+    well::Interpolation,
+};
+use wholestring_case::ModelKind;
+
+#[test]
+fn the_documented_example_loads() {
+    let case = read(EXAMPLE).unwrap_or_else(|report| panic!("{report}"));
+    assert_eq!(case.name, "NP13-X1042 at total depth");
+    assert_eq!(case.models, [ModelKind::Dynamic]);
+    assert!(case.warnings.is_empty(), "{}", case.warnings);
+    assert_eq!(case.model.well.path.stations().len(), 7);
+    assert!(!case.survey_notes.is_empty());
+    assert_eq!(case.model.well.path.interpolation(), Interpolation::Spline);
+    assert_eq!(case.model.well.hole.sections().len(), 2);
+    assert_eq!(case.model.well.hole.sections()[1].from_md_m, 2986.53);
+    assert_eq!(case.model.mud.density_kg_per_m3, 1200.0);
+    assert!((case.model.string.length_m() - 4305.0).abs() < 1e-9);
+    let [bit, pipe] = case.model.string.components() else {
+        panic!("two components")
+    };
+    assert_eq!((bit.id_m, bit.joints), (0.0, None));
+    assert!((pipe.od_m - 0.1397).abs() < 1e-9 && pipe.joints.is_some());
+    let [drill] = case.operations.as_slice() else {
+        panic!("one operation")
+    };
+    assert_eq!(drill.kind, OperationKind::Drill);
+    assert!((drill.rotary_speed_rad_per_s - 70.0 * std::f64::consts::PI / 30.0).abs() < 1e-12);
+    assert!((drill.weight_on_bit_N - 6000.0 * 9.80665).abs() < 1e-6);
+    assert!((drill.rate_of_penetration_m_per_s - 10.0 / 3600.0).abs() < 1e-12);
+    assert_eq!(drill.bit_torque_N_m, 3100.0);
+    assert_eq!(case.dynamics, DynamicsSettings::default());
+    insta::assert_snapshot!(serde_json::to_string_pretty(&case.settings).expect("JSON"));
+}
+
+#[test]
+fn optional_tables_take_their_defaults() {
+    let text = changed(
+        "[steel]                               # defaults for the string; any component may override\ndensity = \"7860 kg/m3\"\nyoungs_modulus = \"210 GPa\"\nshear_modulus = \"76.923 GPa\"\n",
+        "",
+    );
+    let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
+    assert_eq!(case.settings, read(EXAMPLE).expect("the example").settings);
+    let end = EXAMPLE.find("[mesh]").expect("[mesh]");
+    let case = read(&EXAMPLE[..end]).unwrap_or_else(|report| panic!("{report}"));
+    assert_eq!(case.dynamics, DynamicsSettings::default());
+}
+
+#[test]
+fn without_a_name_the_file_gives_it() {
+    let text = changed("name = \"NP13-X1042 at total depth\"\n", "");
+    assert_eq!(read(&text).expect("a case").name, "case");
+}
+
+#[test]
+fn windows_line_ends_and_byte_order_marks_are_read() {
+    let text = format!("\u{feff}{}", EXAMPLE.replace('\n', "\r\n"));
+    let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
+    assert_eq!(case.settings, read(EXAMPLE).expect("the example").settings);
+}
+
+#[test]
+fn without_bit_depth_the_bit_is_at_the_last_station() {
+    let text = changed("bit_depth = \"4305 m\"", "# bit_depth");
+    let case = read(&text).expect("a case");
+    assert_eq!(case.operations[0].bit_depth_m, 4290.0);
+    assert!((case.model.string.length_m() - 4290.0).abs() < 1e-9);
+}
+
+#[test]
+fn stations_in_the_case_are_metres_and_degrees() {
+    let text = changed(
+        "survey = \"np13-x1042-survey.csv\" ",
+        "tie_in = { north = 10, tvd = \"100 ft\" }\nstations = [[0, 0, 0], [\"1000 ft\", 30, 45], [4305, 30, 45.0]] ",
+    );
+    let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
+    let stations = case.model.well.path.stations();
+    assert!((stations[1].md_m - 304.8).abs() < 1e-9);
+    assert!((stations[1].inclination_rad - 30_f64.to_radians()).abs() < 1e-12);
+    assert!((stations[2].azimuth_rad - 45_f64.to_radians()).abs() < 1e-12);
+    let start = case.model.well.path.at(0.0).position_m;
+    assert!((start.x - 10.0).abs() < 1e-9 && start.y == 0.0 && (start.z - 30.48).abs() < 1e-9);
+}
+
+#[test]
+fn a_survey_that_starts_deep_hangs_from_the_origin() {
+    let text = changed(
+        "survey = \"np13-x1042-survey.csv\" ",
+        "stations = [[1000, 0, 0], [4305, 0, 0]] ",
+    );
+    let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
+    let top = case.model.well.path.at(0.0).position_m;
+    assert!(top.norm() < 1e-9, "{top}");
+}
+
+#[test]
+fn several_models_and_operations_stand_in_lists() {
+    let text = changed("model = \"dynamic\"", "model = [\"soft\", \"dynamic\"]").replace(
+        "kind = \"drill\"",
+        "kind = [\"trip_out\", \"slide\", \"rotate_off_bottom\"]",
+    );
+    let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
+    assert_eq!(case.models, [ModelKind::Soft, ModelKind::Dynamic]);
+    let kinds: Vec<_> = case
+        .operations
+        .iter()
+        .map(|operation| operation.kind)
+        .collect();
+    assert_eq!(
+        kinds,
+        [
+            OperationKind::TripOut,
+            OperationKind::Slide,
+            OperationKind::RotateOffBottom
+        ]
+    );
+    assert!(
+        case.operations
+            .iter()
+            .all(|operation| operation.bit_torque_N_m == 3100.0)
+    );
+}
+
+#[test]
+fn tripping_needs_no_set_points() {
+    let text = changed("kind = \"drill\"", "kind = \"trip_in\"");
+    let text: String = text
+        .lines()
+        .filter(|line| {
+            !["rpm", "wob", "rop", "trip_speed", "torque"]
+                .iter()
+                .any(|key| line.starts_with(key))
+        })
+        .map(|line| format!("{line}\n"))
+        .collect();
+    let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
+    assert!(case.warnings.is_empty(), "{}", case.warnings);
+    assert_eq!(case.operations[0].trip_speed_m_per_s, 0.3);
+}
+
+#[test]
+fn friction_may_have_a_value_at_rest() {
+    let text = changed(
+        "friction = 0.3\n[[",
+        "friction = { kinetic = 0.2, static = 0.25 }\n[[",
+    );
+    let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
+    let friction = case.model.well.hole.sections()[0].friction;
+    assert_eq!((friction.kinetic, friction.at_rest), (0.2, 0.25));
+}
+
+#[test]
+fn explicit_pipe_may_have_joints_and_mass() {
+    let text = changed(
+        "catalogue = \"5-1/2 in 21.90 lb/ft S-135\" ",
+        "od = \"139.7 mm\"\nid = \"118.6 mm\"\njoint_od = \"177.8 mm\"\njoint_spacing = \"9.6 m\"\nmass_per_length = \"35.8 kg/m\"\nyield_strength = \"931 MPa\"\ndensity = 7850 ",
+    );
+    let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
+    assert!(case.warnings.is_empty(), "{}", case.warnings);
+    let pipe = &case.model.string.components()[1];
+    assert_eq!(pipe.mass_per_length_kg_per_m, 35.8);
+    assert_eq!(
+        pipe.joints.map(|joints| (joints.od_m, joints.spacing_m)),
+        Some((0.1778, 9.6))
+    );
+    assert_eq!(pipe.yield_strength_Pa, Some(931e6));
+    assert_eq!(pipe.material.density_kg_per_m3, 7850.0);
+    assert_eq!(pipe.material.youngs_modulus_Pa, 210e9);
+}
+
+/// Plain pipe touches the wall on its own radius, so that closed forms can be met exactly.
+#[test]
+fn explicit_pipe_without_joints_is_plain() {
+    let text = changed(
+        "catalogue = \"5-1/2 in 21.90 lb/ft S-135\" ",
+        "od = \"139.7 mm\"\nid = \"118.6 mm\" ",
+    );
+    let case = read(&text).expect("a case");
+    let pipe = &case.model.string.components()[1];
+    let area_m2 = std::f64::consts::PI / 4.0 * (0.1397_f64.powi(2) - 0.1186_f64.powi(2));
+    assert!((pipe.mass_per_length_kg_per_m - 7860.0 * area_m2).abs() < 1e-9);
+    assert_eq!(pipe.contact_radius_m(), 0.1397 / 2.0);
+}
+
+#[test]
+fn the_other_laws_and_controls_are_taken() {
+    let text = changed("contact_law = \"hertz\"", "contact_law = \"linear\"\ncontact_stiffness = \"2e8 N/m\"\ncontact_damping_ratio = 0.1 #")
+        .replace("[mesh]", "[hoist]\ncontrol = \"block-velocity\"\nblock_velocity = \"-0.1 m/s\"\n[dynamics.damping]\nmass = 0\n[mesh]")
+        .replace("seed = 1", "seed = 7");
+    let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
+    assert!(case.warnings.is_empty(), "{}", case.warnings);
+    let linear = ContactLaw::Linear {
+        stiffness_N_per_m: 2e8,
+        damping_ratio: 0.1,
+    };
+    assert_eq!(case.dynamics.contact_law, linear);
+    assert_eq!(
+        case.dynamics.hoist_control,
+        Some(HoistControl::BlockVelocity(-0.1))
+    );
+    assert_eq!(case.dynamics.damping.mass_per_s, 0.0);
+    assert_eq!(case.dynamics.seed, 7);
+}
+
+#[test]
+fn the_command_line_sets_what_the_file_does_not() {
+    let case = read_with(
+        EXAMPLE,
+        &[
+            "friction=0.1",
+            "well.hole.1.friction = 0.2",
+            "bit_depth=3000m",
+            "rpm=100",
+            "wob=60 kN",
+            "operation.kind=[\"drill\", \"slide\"]",
+            "model=soft",
+            "hoist.control=autodriller",
+            "hoist.gain=2e-7",
+            "name=two at once",
+            "string.1.catalogue=5 in 19.50 lb/ft G-105",
+        ],
+    )
+    .unwrap_or_else(|report| panic!("{report}"));
+    let friction: Vec<f64> = case
+        .model
+        .well
+        .hole
+        .sections()
+        .iter()
+        .map(|section| section.friction.kinetic)
+        .collect();
+    assert_eq!(friction, [0.1, 0.2]);
+    assert_eq!(case.operations.len(), 2);
+    assert_eq!(case.operations[0].bit_depth_m, 3000.0);
+    assert_eq!(case.operations[0].weight_on_bit_N, 60e3);
+    assert!(
+        (case.operations[0].rotary_speed_rad_per_s - 100.0 * std::f64::consts::PI / 30.0).abs()
+            < 1e-12
+    );
+    assert_eq!(case.models, [ModelKind::Soft]);
+    assert_eq!(
+        case.dynamics.hoist_control,
+        Some(HoistControl::Autodriller {
+            gain_m_per_s_per_N: 2e-7,
+            filter_s: 1.0
+        })
+    );
+    assert_eq!(case.name, "two at once");
+    assert!((case.model.string.components()[1].od_m - 0.127).abs() < 1e-9);
+}
+
+/// The later of two settings of the same key counts, as on other command lines.
+#[test]
+fn the_last_setting_counts() {
+    let case = read_with(EXAMPLE, &["friction=0.1", "friction=0.2"]).expect("a case");
+    assert_eq!(case.model.well.hole.sections()[0].friction.kinetic, 0.2);
+}

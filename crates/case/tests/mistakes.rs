@@ -1,0 +1,522 @@
+//! Mistakes that people make, and the answer that each gets, whole.
+
+mod common;
+
+use common::{EXAMPLE, SURVEY, changed, read, read_with, survey_files};
+use wholestring_case::{Case, Report, load, parse};
+
+/// Holds the answer against the one on record. The mistake must be refused.
+#[track_caller]
+fn refused(name: &str, answer: Result<Case, Report>) {
+    let Err(report) = answer else {
+        panic!("`{name}` was accepted")
+    };
+    assert!(report.errors() > 0, "`{name}` is refused without an error");
+    on_record(name, &report);
+}
+
+/// The same for what is accepted with a warning.
+#[track_caller]
+fn warned(name: &str, answer: Result<Case, Report>) {
+    let case = answer.unwrap_or_else(|report| panic!("`{name}` was refused:\n{report}"));
+    assert!(!case.warnings.is_empty(), "`{name}` gets no warning");
+    on_record(name, &case.warnings);
+}
+
+fn on_record(name: &str, report: &Report) {
+    let mut settings = insta::Settings::clone_current();
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.set_snapshot_path("mistakes");
+    settings.bind(|| insta::assert_snapshot!(name, report.render(false)));
+}
+
+#[test]
+fn of_spelling() {
+    let cases = [
+        ("unit_misspelt", "1.2 sg", "1.2 sgg"),
+        ("unit_of_another_dimension", "\"1.2 sg\"", "\"1.2 bar\""),
+        ("unit_missing_in_quotes", "\"1.2 sg\"", "\"1200\""),
+        ("quantity_not_in_quotes", "\"1.2 sg\"", "1.2 sg"),
+        ("quantity_with_decimal_comma", "\"1.2 sg\"", "\"1,2 sg\""),
+        ("quantity_without_number", "\"1.2 sg\"", "\"heavy\""),
+        ("quantity_empty", "\"1.2 sg\"", "\"\""),
+        ("quantity_is_a_list", "\"1.2 sg\"", "[1.2, \"sg\"]"),
+        ("quantity_is_true", "\"1.2 sg\"", "true"),
+        ("key_misspelt", "friction_law", "friction_lw"),
+        (
+            "key_misspelt_in_well",
+            "path = \"spline\"",
+            "curve = \"spline\"\nsurvay = 1",
+        ),
+        ("key_misspelt_at_top", "name = \"NP13", "nmae = \"NP13"),
+        (
+            "key_of_another_table",
+            "torque = \"3.1 kN.m\"",
+            "torque = \"3.1 kN.m\"\nwob = \"6 tf\"",
+        ),
+        (
+            "key_at_top_of_a_table",
+            "model = \"dynamic\"",
+            "model = \"dynamic\"\nrpm = 70",
+        ),
+        ("table_misspelt", "[mud]", "[mudd]"),
+        ("key_twice", "rpm = 70", "rpm = 70\nrpm = 80"),
+        ("table_twice", "[mesh]", "[mud]\ndensity = 1000\n[mesh]"),
+        (
+            "operation_misspelt",
+            "kind = \"drill\"",
+            "kind = \"driling\"",
+        ),
+        (
+            "operation_with_hyphen",
+            "kind = \"drill\"",
+            "kind = [\"drill\", \"trip-out\"]",
+        ),
+        (
+            "operation_unknown",
+            "kind = \"drill\"",
+            "kind = \"cementing\"",
+        ),
+        (
+            "model_misspelt",
+            "model = \"dynamic\"",
+            "model = \"dynamics\"",
+        ),
+        (
+            "model_not_built",
+            "model = \"dynamic\"",
+            "model = [\"soft\", \"stiff\"]",
+        ),
+        (
+            "units_unknown",
+            "model = \"dynamic\"",
+            "model = \"dynamic\"\nunits = \"imperial\"",
+        ),
+        (
+            "hole_kind_unknown",
+            "kind = \"open\"",
+            "kind = \"openhole\"",
+        ),
+        (
+            "catalogue_unknown",
+            "5-1/2 in 21.90 lb/ft S-135",
+            "5-1/2 in 29.10 lb/ft S-135",
+        ),
+        (
+            "to_surface_misspelt",
+            "\"to surface\"",
+            "\"to the surface\"",
+        ),
+    ];
+    for (name, from, to) in cases {
+        refused(name, read(&changed(from, to)));
+    }
+}
+
+#[test]
+fn of_shape() {
+    let cases = [
+        ("bracket_open", "[mud]", "[mud"),
+        ("quote_open", "\"1.2 sg\"", "\"1.2 sg"),
+        ("value_missing", "density = \"1.2 sg\"", "density ="),
+        (
+            "table_as_value",
+            "[mud]\ndensity = \"1.2 sg\"",
+            "mud = \"1.2 sg\"",
+        ),
+        (
+            "single_hole_brackets",
+            "[[well.hole]]\nkind = \"casing\"",
+            "[well.hole]\nkind = \"casing\"",
+        ),
+        ("double_mud_brackets", "[mud]", "[[mud]]"),
+        (
+            "friction_in_quotes",
+            "friction = 0.3\n[[",
+            "friction = \"0.3\"\n[[",
+        ),
+        ("name_not_text", "\"NP13-X1042 at total depth\"", "1042"),
+        ("name_empty", "\"NP13-X1042 at total depth\"", "\"\""),
+        ("operations_empty", "kind = \"drill\"", "kind = []"),
+        (
+            "operation_listed_twice",
+            "kind = \"drill\"",
+            "kind = [\"drill\", \"slide\", \"drill\"]",
+        ),
+        ("seed_negative", "seed = 1", "seed = -1"),
+        ("seed_fractional", "seed = 1", "seed = 1.5"),
+        ("start_is_a_number", "start = \"prepared\"", "start = 0"),
+        ("mud_missing", "[mud]\ndensity = \"1.2 sg\"\n", ""),
+        ("density_missing", "density = \"1.2 sg\"", ""),
+        ("wob_missing", "wob = \"6 tf\"", ""),
+        (
+            "rpm_missing",
+            "rpm = 70                              # rev/min\n",
+            "",
+        ),
+        ("rop_missing", "rop = \"10 m/h\"", "# rop = \"10 m/h\""),
+        (
+            "survey_missing_in_case",
+            "survey = \"np13-x1042-survey.csv\"",
+            "# no survey",
+        ),
+    ];
+    for (name, from, to) in cases {
+        refused(name, read(&changed(from, to)));
+    }
+    let only_top = &EXAMPLE[..EXAMPLE.find("[well]").expect("[well]")];
+    refused("only_a_name", read(only_top));
+}
+
+#[test]
+fn of_magnitude() {
+    let cases = [
+        (
+            "diameter_in_metres_meant_millimetres",
+            "\"222.96 mm\"",
+            "222.96",
+        ),
+        ("diameter_negative", "\"222.96 mm\"", "\"-222.96 mm\""),
+        ("density_1e308", "\"1.2 sg\"", "1e308"),
+        ("density_1e400", "\"1.2 sg\"", "1e400"),
+        ("density_nan", "\"1.2 sg\"", "nan"),
+        ("density_nan_in_quotes", "\"1.2 sg\"", "\"nan sg\""),
+        (
+            "density_with_too_many_digits",
+            "\"1.2 sg\"",
+            "99999999999999999999",
+        ),
+        (
+            "bit_depth_negative",
+            "bit_depth = \"4305 m\"",
+            "bit_depth = \"-4305 m\"",
+        ),
+        ("bit_depth_zero", "bit_depth = \"4305 m\"", "bit_depth = 0"),
+        (
+            "friction_above_two",
+            "friction = 0.3\n[[",
+            "friction = 30\n[[",
+        ),
+        ("rpm_too_large", "rpm = 70 ", "rpm = 70000 "),
+        ("rpm_zero_while_drilling", "rpm = 70 ", "rpm = 0 "),
+        ("mud_denser_than_steel", "\"1.2 sg\"", "\"8 sg\""),
+        ("elements_too_short", "\"3.2 m\"", "\"3.2 mm\""),
+        ("rows_without_end", "\"60 s\"", "\"86400 s\""),
+        ("window_without_samples", "\"60 s\"", "\"1 ms\""),
+    ];
+    for (name, from, to) in cases {
+        refused(name, read(&changed(from, to)));
+    }
+}
+
+#[test]
+fn of_relation() {
+    let pipe = "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"";
+    let explicit = |keys: &str| {
+        let start = EXAMPLE.find(pipe).expect("the pipe");
+        let end = start + EXAMPLE[start..].find('\n').expect("a line");
+        format!("{}{keys}{}", &EXAMPLE[..start], &EXAMPLE[end..])
+    };
+    let stations = |rows: &str| {
+        changed(
+            "survey = \"np13-x1042-survey.csv\"      # md, inc, azi; unit row or units in the header; CSV or Excel",
+            &format!("stations = {rows}"),
+        )
+    };
+    let cases = [
+        (
+            "id_not_below_od",
+            explicit("od = \"139.7 mm\"\nid = \"139.7 mm\""),
+        ),
+        ("id_missing", explicit("od = \"139.7 mm\"")),
+        ("od_missing", explicit("id = \"118.6 mm\"")),
+        (
+            "od_beside_catalogue",
+            explicit(&format!("{pipe}\nod = \"5 in\"")),
+        ),
+        (
+            "joint_thinner_than_pipe",
+            explicit(&format!("{pipe}\njoint_od = \"5 in\"")),
+        ),
+        (
+            "joint_without_spacing",
+            explicit("od = \"139.7 mm\"\nid = \"118.6 mm\"\njoint_od = \"7 in\""),
+        ),
+        (
+            "joint_wider_than_hole",
+            explicit(&format!("{pipe}\njoint_od = \"9 in\"")),
+        ),
+        (
+            "collar_wider_than_hole",
+            explicit("od = \"8-1/2 in\"\nid = \"3 in\""),
+        ),
+        (
+            "pipe_heavier_than_solid",
+            explicit(&format!("{pipe}\nmass_per_length = \"358 kg/m\"")),
+        ),
+        (
+            "pipe_floats",
+            explicit(&format!("{pipe}\nmass_per_length = \"3.58 kg/m\"")),
+        ),
+        (
+            "bit_wider_than_casing",
+            changed("od = \"215.9 mm\"", "od = \"12-1/4 in\""),
+        ),
+        (
+            "string_longer_than_well",
+            changed("length = \"0.34 m\"", "length = \"5000 m\""),
+        ),
+        (
+            "string_shorter_than_well",
+            changed("length = \"to surface\"", "length = \"4000 m\""),
+        ),
+        (
+            "component_above_to_surface",
+            changed(
+                "[bit]",
+                "[[string]]\ncomponent = \"kelly\"\nod = 0.13\nid = 0.08\nlength = 12\n[bit]",
+            ),
+        ),
+        (
+            "two_components_to_surface",
+            changed("length = \"0.34 m\"", "length = \"to surface\""),
+        ),
+        (
+            "hole_short_of_bit",
+            changed("to = \"4305 m\"", "to = \"4300 m\""),
+        ),
+        (
+            "hole_sections_not_downwards",
+            changed("to = \"4305 m\"", "to = \"2900 m\""),
+        ),
+        (
+            "hole_sections_overlap",
+            changed("to = \"4305 m\"", "from = \"2900 m\"\nto = \"4305 m\""),
+        ),
+        (
+            "hole_sections_with_gap",
+            changed("to = \"4305 m\"", "from = \"3000 m\"\nto = \"4305 m\""),
+        ),
+        (
+            "static_friction_below_kinetic",
+            changed(
+                "friction = 0.3\n[[",
+                "friction = { kinetic = 0.3, static = 0.2 }\n[[",
+            ),
+        ),
+        (
+            "survey_twice",
+            changed(
+                "path = \"spline\"",
+                "stations = [[0, 0, 0], [5000, 0, 0]]\npath = \"spline\"",
+            ),
+        ),
+        (
+            "stations_run_backwards",
+            stations("[[0, 0, 0], [900, 10, 0], [600, 20, 0], [4305, 20, 0]]"),
+        ),
+        (
+            "station_with_two_numbers",
+            stations("[[0, 0, 0], [900, 10], [4305, 20, 0]]"),
+        ),
+        ("station_alone", stations("[[4305, 0, 0]]")),
+        (
+            "station_inclination",
+            stations("[[0, 0, 0], [900, 190, 0], [4305, 20, 0]]"),
+        ),
+        (
+            "station_bend",
+            stations("[[0, 0, 0], [900, 0, 0], [900.5, 30, 0], [4305, 30, 0]]"),
+        ),
+        (
+            "block_heavier_than_hoist",
+            changed(
+                "[rig] ",
+                "[rig]\nblock_weight = \"50 tf\"\nhoist_capacity = \"40 tf\"\n#",
+            ),
+        ),
+        (
+            "hook_load_control_without_load",
+            changed("[mesh]", "[hoist]\ncontrol = \"hook-load\"\n[mesh]"),
+        ),
+        (
+            "run_of_weeks",
+            changed(
+                "duration = \"60 s\"",
+                "sample_interval = 1\nduration = \"86400 s\"",
+            )
+            .replace("\"3.2 m\"", "\"0.2 m\"")
+            .replace("bit_depth = \"4305 m\"", "bit_depth = \"19999 m\"")
+            .replace("to = \"4305 m\"", "to = \"20000 m\""),
+        ),
+    ];
+    for (name, text) in cases {
+        refused(name, read(&text));
+    }
+}
+
+#[test]
+fn several_at_once() {
+    let text = changed("\"1.2 sg\"", "\"1.2 sgg\"")
+        .replace("friction_law", "friction_lw")
+        .replace("to = \"4305 m\"", "to = \"4000 m\"")
+        .replace("od = \"215.9 mm\"", "od = \"9 in\"");
+    refused("several_at_once", read(&text));
+}
+
+/// What is no case file at all is not answered line by line.
+#[test]
+fn a_hundred_at_most() {
+    let keys: String = (0..20_000).map(|i| format!("key_{i} = {i}\n")).collect();
+    let report = read(&keys).expect_err("no case");
+    assert_eq!(report.diagnostics.len(), 100);
+    assert!(report.render(false).ends_with("and 80 more\n"));
+}
+
+/// Only a bit below other components is taken to be solid.
+#[test]
+fn of_a_pipe_alone() {
+    let start = EXAMPLE.find("[[string]]").expect("the string");
+    let end = EXAMPLE.find("[bit]").expect("the bit");
+    let pipe = "[[string]]\ncomponent = \"pipe\"\nod = \"5 in\"\nlength = \"to surface\"\n";
+    let text = format!("{}{pipe}{}", &EXAMPLE[..start], &EXAMPLE[end..]);
+    refused("pipe_alone_without_id", read(&text));
+}
+
+#[test]
+fn of_the_file() {
+    let files = survey_files(SURVEY.as_bytes());
+    let binary = [
+        0x89, b'P', b'N', b'G', b'\r', b'\n', 0x1a, b'\n', 0, 0, 0, 13,
+    ];
+    refused("file_empty", parse("case.toml", b"", &files, &[]));
+    refused("file_blank", parse("case.toml", b"\n  \n", &files, &[]));
+    refused("file_binary", parse("case.toml", &binary, &files, &[]));
+    refused(
+        "file_with_zero_bytes",
+        parse("case.toml", b"name = \"a\"\0\0", &files, &[]),
+    );
+    refused(
+        "file_not_toml",
+        parse("case.toml", b"<case>\n  <well/>\n</case>\n", &files, &[]),
+    );
+    refused("file_missing", load("no-such-case.toml".as_ref(), &[]));
+    refused("file_is_a_folder", load("tests".as_ref(), &[]));
+}
+
+#[test]
+fn of_the_survey() {
+    let cases: [(&str, &[u8]); 11] = [
+        (
+            "survey_runs_backwards",
+            b"MD (m),Inc,Azi\n0,0,0\n900,10,45\n600,20,45\n4305,20,45\n",
+        ),
+        (
+            "survey_inclination",
+            b"MD (m),Inc,Azi\n0,0,0\n900,190,45\n4305,20,45\n",
+        ),
+        (
+            "survey_not_a_number",
+            b"MD (m),Inc,Azi\n0,0,0\n900,1o,45\n4305,20,45\n",
+        ),
+        (
+            "survey_nan",
+            b"MD (m),Inc,Azi\n0,0,0\n900,nan,45\n4305,20,45\n",
+        ),
+        (
+            "survey_lacks_azimuth",
+            b"MD (m),Inc,TVD\n0,0,0\n900,10,45\n",
+        ),
+        (
+            "survey_lacks_unit",
+            b"Measured Depth,Inclination,Azimuth,TVD\n0,0,0,0\n900,10,45,890\n",
+        ),
+        (
+            "survey_unit_of_another_dimension",
+            b"MD (kg),Inc,Azi\n0,0,0\n900,10,45\n",
+        ),
+        ("survey_of_one_station", b"MD (m),Inc,Azi\n0,0,0\n"),
+        ("survey_empty", b""),
+        ("survey_not_text", b"\x89PNG\r\n\x1a\n\0\0\0\x0d"),
+        (
+            "survey_workbook_corrupt",
+            b"PK\x03\x04 this was a workbook once",
+        ),
+    ];
+    for (name, survey) in cases {
+        refused(
+            name,
+            parse("case.toml", EXAMPLE.as_bytes(), &survey_files(survey), &[]),
+        );
+    }
+    refused(
+        "survey_missing",
+        read(&changed("np13-x1042-survey.csv", "np13-survey.csv")),
+    );
+    refused("survey_bend", {
+        let survey = b"MD (m),Inc,Azi\n0,0,0\n900,0,45\n901,30,45\n4305,30,45\n";
+        parse("case.toml", EXAMPLE.as_bytes(), &survey_files(survey), &[])
+    });
+}
+
+#[test]
+fn of_an_override() {
+    let cases = [
+        ("set_unknown_key", "operation.bitdepth=300m"),
+        ("set_unknown_short_key", "torque=3kN.m"),
+        ("set_misspelt_short_key", "bitdepth=300m"),
+        ("set_index_out_of_range", "well.hole.2.friction=0.1"),
+        ("set_index_of_no_list", "mud.0.density=1"),
+        ("set_key_in_a_value", "mud.density.value=1"),
+        ("set_wrong_unit", "bit_depth=300kg"),
+        ("set_negative_friction", "friction=-0.1"),
+        ("set_text_for_number", "friction=high"),
+        ("set_unclosed_list", "operation.kind=[\"drill\", \"slide\""),
+        ("set_relation", "bit_depth=5000m"),
+        ("set_empty_part", "mud..density=1"),
+    ];
+    for (name, setting) in cases {
+        refused(name, read_with(EXAMPLE, &[setting]));
+    }
+}
+
+#[test]
+fn worth_a_warning() {
+    let cases = [
+        ("warn_bit_torque", "torque = \"3.1 kN.m\"", "# torque"),
+        (
+            "warn_contact_key",
+            "contact_law = \"hertz\" ",
+            "contact_law = \"hertz\"\ncontact_stiffness = 1e8 ",
+        ),
+        (
+            "warn_hertz_key",
+            "contact_law = \"hertz\" ",
+            "contact_law = \"linear\"\nhertz_dissipation = 0.1 ",
+        ),
+        ("warn_hoist_key", "[mesh]", "[hoist]\ngain = 1e-7\n[mesh]"),
+        ("warn_weight_on_bit", "wob = \"6 tf\"", "wob = \"200 tf\""),
+        (
+            "warn_mass",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\nmass_per_length = \"20 kg/m\" ",
+        ),
+        ("warn_moduli", "\"76.923 GPa\"", "\"27 GPa\""),
+        (
+            "warn_joint_mass",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
+            "od = 0.1397\nid = 0.1186\njoint_od = 0.1778\njoint_spacing = 9.6 ",
+        ),
+    ];
+    for (name, from, to) in cases {
+        warned(name, read(&changed(from, to)));
+    }
+    warned(
+        "warn_projection",
+        read(
+            &changed("bit_depth = \"4305 m\"", "bit_depth = \"4400 m\"")
+                .replace("to = \"4305 m\"", "to = \"4500 m\""),
+        ),
+    );
+}

@@ -1,0 +1,172 @@
+//! The schema says what the reader does.
+
+mod common;
+
+use common::{EXAMPLE, SURVEY, changed, read, schema_check::problems, survey_files};
+use serde_json::Value as Json;
+use wholestring_case::{parse, schema};
+
+#[test]
+fn is_on_record() {
+    insta::assert_snapshot!(serde_json::to_string_pretty(&schema()).expect("JSON"));
+}
+
+#[test]
+fn accepts_the_documented_example() {
+    assert_eq!(problems(&schema(), EXAMPLE), Vec::<String>::new());
+}
+
+#[test]
+fn accepts_every_shipped_case() {
+    let schema = schema();
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases");
+    let mut found = 0;
+    for entry in std::fs::read_dir(folder).expect("the folder of cases") {
+        let path = entry.expect("an entry").path();
+        if path
+            .extension()
+            .is_some_and(|extension| extension == "toml")
+        {
+            let text = std::fs::read_to_string(&path).expect("a text");
+            assert_eq!(
+                problems(&schema, &text),
+                Vec::<String>::new(),
+                "{}",
+                path.display()
+            );
+            found += 1;
+        }
+    }
+    assert!(found >= 5, "the shipped cases are not where they were");
+}
+
+/// Wherever the reader knows no key, the schema does not either, and the other way round.
+#[test]
+fn refuses_a_misspelt_key_in_every_table() {
+    let schema = schema();
+    for heading in [
+        "[well]",
+        "[mud]",
+        "[steel]",
+        "[bit]",
+        "[rig]",
+        "[operation]",
+        "[mesh]",
+        "[dynamics]",
+    ] {
+        let text = EXAMPLE.replacen(heading, &format!("{heading}\nno_such_key = 1 #"), 1);
+        assert!(!problems(&schema, &text).is_empty(), "{heading}");
+        assert!(read(&text).is_err(), "{heading}");
+    }
+    for heading in ["[[well.hole]]", "[[string]]"] {
+        let text = EXAMPLE.replacen(heading, &format!("{heading}\nno_such_key = 1"), 1);
+        assert!(!problems(&schema, &text).is_empty(), "{heading}");
+        assert!(read(&text).is_err(), "{heading}");
+    }
+}
+
+#[test]
+fn refuses_what_the_reader_refuses_for_its_form() {
+    let schema = schema();
+    for (from, to) in [
+        ("\"1.2 sg\"", "\"heavy\""),
+        ("\"1.2 sg\"", "-1"),
+        ("\"1.2 sg\"", "nan"),
+        ("\"1.2 sg\"", "1e308"),
+        ("\"1.2 sg\"", "[1.2]"),
+        ("density = \"1.2 sg\"", ""),
+        ("kind = \"open\"", "kind = \"openhole\""),
+        ("kind = \"drill\"", "kind = []"),
+        ("kind = \"drill\"", "kind = \"cement\""),
+        ("model = \"dynamic\"", "model = \"stiff\""),
+        ("seed = 1", "seed = 1.5"),
+        ("seed = 1", "seed = -1"),
+        ("\"to surface\"", "\"to the surface\""),
+        ("friction = 0.3\n[[", "friction = \"0.3\"\n[["),
+        ("friction = 0.3\n[[", "friction = { static = 0.3 }\n[["),
+        ("friction = 0.3\n[[", "friction = 2.5\n[["),
+        ("rpm = 70 ", "rpm = 1001 "),
+        ("name = \"NP13-X1042 at total depth\"", "name = \"\""),
+    ] {
+        let text = changed(from, to);
+        assert!(
+            !problems(&schema, &text).is_empty(),
+            "the schema accepts {to}"
+        );
+        assert!(read(&text).is_err(), "the reader accepts {to}");
+    }
+}
+
+/// Every default that the schema states is accepted where its key stands in the file.
+#[test]
+fn states_defaults_that_the_reader_accepts() {
+    let schema = schema();
+    let tables = schema["properties"].as_object().expect("keys");
+    let mut tried = 0;
+    for (table, rule) in tables {
+        let Some(keys) = rule["properties"].as_object() else {
+            continue;
+        };
+        for (key, rule) in keys {
+            let Some(default) = rule.get("default") else {
+                continue;
+            };
+            let heading = format!("[{table}]");
+            let line = format!("{key} = {default}");
+            let mut text = without(&heading, key);
+            if text.contains(&heading) {
+                text = text.replacen(&heading, &format!("{heading}\n{line} #"), 1);
+            } else {
+                text.push_str(&format!("{heading}\n{line}\n"));
+            }
+            let answer = parse(
+                "case.toml",
+                text.as_bytes(),
+                &survey_files(SURVEY.as_bytes()),
+                &[],
+            );
+            let case = answer.unwrap_or_else(|report| panic!("{table}.{key}: {report}"));
+            let plain = read(&without(&heading, key)).expect("the example without the key");
+            assert_eq!(case.settings, plain.settings, "{table}.{key} = {default}");
+            tried += 1;
+        }
+    }
+    assert!(tried > 20, "only {tried} defaults");
+}
+
+/// The example without a key of one of its tables.
+fn without(heading: &str, key: &str) -> String {
+    let mut inside = false;
+    let mut text = String::new();
+    for line in EXAMPLE.lines() {
+        if line.starts_with('[') {
+            inside = line.starts_with(heading);
+        }
+        if !(inside && line.starts_with(&format!("{key} ="))) {
+            text.push_str(line);
+            text.push('\n');
+        }
+    }
+    text
+}
+
+/// Every key says what it means.
+#[test]
+fn describes_every_key() {
+    fn visit(schema: &Json, at: &str) {
+        let Some(keys) = schema["properties"].as_object() else {
+            return;
+        };
+        for (key, rule) in keys {
+            let text = rule["description"].as_str().unwrap_or_default();
+            assert!(
+                text.len() > 8 && text.ends_with(['.', ')']),
+                "{at}.{key}: {text:?}"
+            );
+            assert!(!text.contains("  "), "{at}.{key}: {text:?}");
+            visit(rule, &format!("{at}.{key}"));
+            visit(&rule["items"], &format!("{at}.{key}"));
+        }
+    }
+    visit(&schema(), "case");
+}

@@ -1,0 +1,127 @@
+//! The command line as the user writes it.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use wholestring::well::Interpolation;
+use wholestring_case::Override;
+use wholestring_units::{Dimension, UnitSet};
+
+/// Torque, drag and dynamics of a whole drill string in a deviated well.
+#[derive(Debug, Parser)]
+#[command(version, max_term_width = 100, after_help = EXIT_STATUS)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+const EXIT_STATUS: &str = "\
+Exit status: 0 done; 2 bad input; 3 the run failed; 130 interrupted.";
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Is the case sound? One line, or diagnostics
+    Check(CheckArgs),
+    /// Solve a case and write its results
+    Run(RunArgs),
+    /// Position and dogleg severity along a survey
+    Survey(SurveyArgs),
+    /// Print the JSON schema of the case file
+    Schema,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CaseArgs {
+    /// Case file
+    #[arg(value_name = "CASE.toml")]
+    pub(crate) case: PathBuf,
+
+    /// Set a key of the case, such as `well.hole.0.friction=0.1`; short keys: friction, bit_depth,
+    /// rpm, wob. Repeatable
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub(crate) overrides: Vec<Override>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CheckArgs {
+    #[command(flatten)]
+    pub(crate) case: CaseArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct RunArgs {
+    #[command(flatten)]
+    pub(crate) case: CaseArgs,
+
+    // Not a doc comment, which would read `<case name>` as HTML.
+    #[arg(
+        short,
+        long,
+        value_name = "DIR",
+        help = "Folder for the results [default: out/<case name>]"
+    )]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Units on the screen: si, metric or field [default: the case's]
+    #[arg(long)]
+    pub(crate) units: Option<UnitSet>,
+
+    /// Write the tables as CSV too
+    #[arg(long)]
+    pub(crate) csv: bool,
+
+    /// Print nothing but errors
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SurveyArgs {
+    /// Survey: measured depth, inclination, azimuth; CSV or Excel, units in the header or a row of
+    /// their own
+    #[arg(value_name = "SURVEY.csv")]
+    pub(crate) survey: PathBuf,
+
+    /// File for the result [default: the screen]
+    #[arg(short, long, value_name = "OUT.csv")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Curve between the stations
+    #[arg(long, value_enum, default_value_t = PathKind::MinimumCurvature)]
+    pub(crate) path: PathKind,
+
+    /// A row at every multiple of this length too, such as 10m
+    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    pub(crate) step: Option<f64>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum PathKind {
+    /// Circular arcs, the industry's standard
+    MinimumCurvature,
+    /// Continuous curvature, as the dynamics need it
+    Spline,
+}
+
+impl From<PathKind> for Interpolation {
+    fn from(kind: PathKind) -> Self {
+        match kind {
+            PathKind::MinimumCurvature => Self::MinimumCurvature,
+            PathKind::Spline => Self::Spline,
+        }
+    }
+}
+
+/// Shortest step between rows: a well of 10 km is ten million rows of a millimetre.
+const SHORTEST_STEP_M: f64 = 0.01;
+
+fn length(text: &str) -> Result<f64, String> {
+    let length = Dimension::Length
+        .parse(text)
+        .map_err(|error| error.to_string())?;
+    if length >= SHORTEST_STEP_M && length.is_finite() {
+        Ok(length)
+    } else {
+        Err(format!("expected at least {SHORTEST_STEP_M} m"))
+    }
+}

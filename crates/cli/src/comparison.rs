@@ -1,0 +1,341 @@
+//! The table at the end of a run: models and operations side by side, in the user's units.
+
+use std::f64::consts::TAU;
+
+use wholestring::outcome::Scalars;
+use wholestring_results::{ModelKind, Numerics, OperationSummary, Status, Summary};
+use wholestring_units::{Dimension, UnitSet};
+
+/// A row: what people call the quantity, how it is read, and its key in the statistics.
+struct Quantity {
+    label: &'static str,
+    unit: Unit,
+    key: &'static str,
+    value: fn(&Scalars) -> Option<f64>,
+}
+
+/// Rows of one unit show the same decimals, so that they can be added up.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Unit {
+    Of(Dimension),
+    /// A length, but thousands of times longer than a stretch.
+    Depth,
+    /// Turns of the string say more than radians.
+    Turns,
+}
+
+impl Unit {
+    fn symbol(&self, units: UnitSet) -> &'static str {
+        match self {
+            Self::Of(dimension) => dimension.unit_in(units).symbol,
+            Self::Depth => Dimension::Length.unit_in(units).symbol,
+            Self::Turns => "rev",
+        }
+    }
+
+    fn shown(&self, si: f64, units: UnitSet) -> f64 {
+        match self {
+            Self::Of(dimension) => dimension.unit_in(units).from_si(si),
+            Self::Depth => Dimension::Length.unit_in(units).from_si(si),
+            Self::Turns => si / TAU,
+        }
+    }
+}
+
+const FORCE: Unit = Unit::Of(Dimension::Force);
+const TORQUE: Unit = Unit::Of(Dimension::Torque);
+
+const QUANTITIES: &[Quantity] = &[
+    Quantity {
+        label: "Hook load",
+        unit: FORCE,
+        key: "hook_load_N",
+        value: |of| Some(of.hook_load_N),
+    },
+    Quantity {
+        label: "Axial friction",
+        unit: FORCE,
+        key: "axial_friction_N",
+        value: |of| Some(of.axial_friction_N),
+    },
+    Quantity {
+        label: "Weight on bit",
+        unit: FORCE,
+        key: "weight_on_bit_N",
+        value: |of| Some(of.weight_on_bit_N),
+    },
+    Quantity {
+        label: "Side force, total",
+        unit: FORCE,
+        key: "side_force_total_N",
+        value: |of| Some(of.side_force_total_N),
+    },
+    Quantity {
+        label: "Surface torque",
+        unit: TORQUE,
+        key: "surface_torque_N_m",
+        value: |of| Some(of.surface_torque_N_m),
+    },
+    Quantity {
+        label: "Friction torque",
+        unit: TORQUE,
+        key: "friction_torque_N_m",
+        value: |of| Some(of.friction_torque_N_m),
+    },
+    Quantity {
+        label: "Bit torque",
+        unit: TORQUE,
+        key: "bit_torque_N_m",
+        value: |of| Some(of.bit_torque_N_m),
+    },
+    Quantity {
+        label: "Twist",
+        unit: Unit::Turns,
+        key: "twist_rad",
+        value: |of| Some(of.twist_rad),
+    },
+    Quantity {
+        label: "Stretch",
+        unit: Unit::Of(Dimension::Length),
+        key: "stretch_m",
+        value: |of| Some(of.stretch_m),
+    },
+    Quantity {
+        label: "Neutral point",
+        unit: Unit::Depth,
+        key: "neutral_point_m",
+        value: |of| of.neutral_point_m,
+    },
+    Quantity {
+        label: "Cut-off depth",
+        unit: Unit::Depth,
+        key: "cutoff_depth_m",
+        value: |of| of.cutoff_depth_m,
+    },
+];
+
+/// Space between columns of one operation, and before the first of the next.
+const NARROW: usize = 2;
+const WIDE: usize = 4;
+
+/// One column of numbers under its heading.
+struct Column {
+    operation: String,
+    heading: &'static str,
+    /// Where the same operation already has a column to the left.
+    joined: bool,
+    cells: Vec<String>,
+    width: usize,
+}
+
+/// The whole table. Where the operations do not fit in `width` columns of the screen they go on
+/// below, with the labels again.
+pub(crate) fn table(summary: &Summary, units: UnitSet, width: Option<usize>) -> String {
+    let labels: Vec<String> = QUANTITIES.iter().map(|row| row.label.to_owned()).collect();
+    let symbols: Vec<&str> = QUANTITIES
+        .iter()
+        .map(|row| row.unit.symbol(units))
+        .collect();
+    let label_width = labels.iter().map(|label| label.len()).max().unwrap_or(0);
+    let symbol_width = symbols.iter().map(|symbol| symbol.len()).max().unwrap_or(0);
+    let stub = label_width + NARROW + symbol_width;
+
+    let mut text = String::new();
+    for block in blocks(columns(&summary.operations, units), stub, width) {
+        if !text.is_empty() {
+            text.push('\n');
+        }
+        let line: usize = stub + block.iter().map(Column::full_width).sum::<usize>();
+        let mut operations = " ".repeat(stub);
+        let mut headings = operations.clone();
+        for (index, column) in block.iter().enumerate() {
+            if !column.joined {
+                // An operation's name is centred over its columns.
+                let group = block[index + 1..].iter().take_while(|next| next.joined);
+                let across = column.width + group.map(Column::full_width).sum::<usize>();
+                operations += &format!("{:WIDE$}{:^across$}", "", column.operation);
+            }
+            headings += &format!("{:1$}", "", column.gap());
+            headings += &format!("{:>1$}", column.heading, column.width);
+        }
+        text += &format!("{}\n{}\n", operations.trim_end(), headings.trim_end());
+        text += &format!("{}\n", "─".repeat(line));
+        for (row, (label, symbol)) in labels.iter().zip(&symbols).enumerate() {
+            let mut cells = format!("{label:label_width$}{:NARROW$}{symbol:symbol_width$}", "");
+            for column in &block {
+                cells += &format!("{:1$}", "", column.gap());
+                cells += &format!("{:>1$}", column.cells[row], column.width);
+            }
+            text += &format!("{}\n", cells.trim_end());
+        }
+    }
+    text
+}
+
+/// What is to be known about the table, in lines: columns that are not complete, and what the dynamic
+/// ones cost and how sound they are.
+pub(crate) fn notes(summary: &Summary) -> String {
+    let mut notes = String::new();
+    let incomplete = |solved: &OperationSummary| solved.status != Status::Complete;
+    if summary.operations.iter().any(incomplete) {
+        notes += "* as far as it was computed\n";
+    }
+    let all = || {
+        summary
+            .operations
+            .iter()
+            .filter_map(|solved| solved.numerics.as_ref())
+    };
+    if all().next().is_some() {
+        let largest = |of: fn(&Numerics) -> f64| all().map(of).fold(0.0, f64::max);
+        let took_s: f64 = all().map(|of| of.wall_time_s).sum();
+        let simulated_s: f64 = all().map(|of| of.real_time_factor * of.wall_time_s).sum();
+        let shortest_step_s = all().map(|of| of.time_step_s).fold(f64::INFINITY, f64::min);
+        notes += &format!(
+            "Dynamics: {} elements, step {:.3} ms, added axial mass {:.2} %; {simulated_s:.1} s simulated \
+             in {took_s:.1} s, {:.1} × real time\n",
+            largest(|of| of.elements as f64),
+            shortest_step_s * 1e3,
+            largest(|of| of.added_axial_mass_fraction) * 100.0,
+            simulated_s / took_s,
+        );
+    }
+    notes
+}
+
+impl Column {
+    fn gap(&self) -> usize {
+        if self.joined { NARROW } else { WIDE }
+    }
+
+    fn full_width(&self) -> usize {
+        self.gap() + self.width
+    }
+}
+
+/// The columns of every operation and model, with the deviations of the dynamic ones.
+fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
+    let decimals: Vec<usize> = QUANTITIES
+        .iter()
+        .map(|row| {
+            let alike = QUANTITIES.iter().filter(|other| other.unit == row.unit);
+            decimals(alike.flat_map(|row| {
+                let values = operations
+                    .iter()
+                    .filter_map(|solved| (row.value)(&solved.scalars));
+                values.map(|value| row.unit.shown(value, units))
+            }))
+        })
+        .collect();
+    let cell = |row: usize, value: Option<f64>| match value {
+        Some(value) if value.is_finite() => {
+            let decimals = decimals[row];
+            let text = format!("{:.decimals$}", QUANTITIES[row].unit.shown(value, units));
+            // What rounds to zero has no sign.
+            match text.strip_prefix('-') {
+                Some(digits) if digits.bytes().all(|byte| matches!(byte, b'0' | b'.')) => {
+                    digits.to_owned()
+                }
+                _ => text,
+            }
+        }
+        _ => "–".to_owned(),
+    };
+    let mut columns: Vec<Column> = Vec::new();
+    for solved in operations {
+        let operation = solved.operation.replace('_', " ");
+        let mut push = |heading, cells: Vec<String>, across: usize| {
+            let joined = columns
+                .last()
+                .is_some_and(|last| last.operation == operation);
+            let widest = cells.iter().map(|cell| cell.chars().count()).max();
+            columns.push(Column {
+                width: widest.unwrap_or(0).max(heading_width(heading)).max(across),
+                operation: operation.clone(),
+                heading,
+                joined,
+                cells,
+            });
+        };
+        let heading = match solved.model {
+            ModelKind::Soft => "soft",
+            ModelKind::Dynamic if solved.status == Status::Complete => "dynamic",
+            ModelKind::Dynamic => "dynamic*",
+        };
+        let values = QUANTITIES.iter().enumerate();
+        let cells = values.map(|(row, quantity)| cell(row, (quantity.value)(&solved.scalars)));
+        // The name of an operation needs the room of its one column where it has only one.
+        let alone = operations
+            .iter()
+            .filter(|other| other.operation == solved.operation);
+        let across = if alone.count() == 1 {
+            operation.len()
+        } else {
+            0
+        };
+        push(heading, cells.collect(), across);
+        if let Some(statistics) = &solved.statistics {
+            let deviations = QUANTITIES
+                .iter()
+                .enumerate()
+                .map(|(row, quantity)| match statistics.get(quantity.key) {
+                    Some(statistic) => deviation(quantity.unit.shown(statistic.std, units)),
+                    None => String::new(),
+                });
+            push("± std", deviations.collect(), 0);
+        }
+    }
+    columns
+}
+
+/// A deviation with the two digits that it deserves; `0` where it is less than anybody measures.
+fn deviation(shown: f64) -> String {
+    if !shown.is_finite() {
+        return "–".to_owned();
+    }
+    if shown < 1e-4 {
+        return "0".to_owned();
+    }
+    let decimals = (1.0 - shown.log10().floor()).clamp(0.0, 4.0) as usize;
+    format!("{shown:.decimals$}")
+}
+
+fn heading_width(heading: &str) -> usize {
+    heading.chars().count()
+}
+
+/// Decimals that show five digits of the largest value, three at most.
+fn decimals(values: impl Iterator<Item = f64>) -> usize {
+    let largest = values
+        .filter(|value| value.is_finite())
+        .fold(0.0, |a: f64, b| a.max(b.abs()));
+    if largest == 0.0 {
+        return 1;
+    }
+    (4.0 - largest.log10().floor()).clamp(0.0, 3.0) as usize
+}
+
+/// Columns in blocks that fit the screen; an operation is not torn apart.
+fn blocks(columns: Vec<Column>, stub: usize, width: Option<usize>) -> Vec<Vec<Column>> {
+    let mut groups: Vec<Vec<Column>> = Vec::new();
+    for column in columns {
+        match groups.last_mut() {
+            Some(group) if column.joined => group.push(column),
+            _ => groups.push(vec![column]),
+        }
+    }
+    let mut blocks: Vec<Vec<Column>> = Vec::new();
+    let mut used = 0;
+    for group in groups {
+        let needed: usize = group.iter().map(Column::full_width).sum();
+        match blocks.last_mut() {
+            Some(block) if width.is_none_or(|width| used + needed <= width) => block.extend(group),
+            _ => {
+                blocks.push(group);
+                used = stub;
+            }
+        }
+        used += needed;
+    }
+    blocks
+}

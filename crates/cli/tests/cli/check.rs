@@ -1,0 +1,82 @@
+//! `check`, `schema` and the command line itself: what a user reads, and the exit status.
+
+use std::{collections::BTreeSet, fs};
+
+use crate::desk::{Desk, transcript};
+use insta::assert_snapshot;
+
+#[test]
+fn a_sound_case() {
+    assert_snapshot!(transcript(&Desk::new().run(&["check", "slant.toml"])));
+}
+
+#[test]
+fn mistakes_are_underlined() {
+    let desk = Desk::new();
+    let text = fs::read_to_string(desk.path("slant.toml")).unwrap();
+    let text = text
+        .replace("\"1.2 sg\"", "\"1.2 bar\"")
+        .replace("rpm", "rmp");
+    fs::write(desk.path("slant.toml"), text).unwrap();
+    assert_snapshot!(transcript(&desk.run(&["check", "slant.toml"])));
+}
+
+#[test]
+fn a_mistake_on_the_command_line_is_underlined() {
+    let run = Desk::new().run(&["check", "slant.toml", "--set", "friction=-0.3"]);
+    assert_snapshot!(transcript(&run));
+}
+
+#[test]
+fn a_case_that_is_not_there() {
+    assert_snapshot!(transcript(&Desk::new().run(&["check", "slent.toml"])));
+}
+
+#[test]
+fn an_override_that_is_none() {
+    assert_snapshot!(transcript(&Desk::new().run(&[
+        "check",
+        "slant.toml",
+        "--set",
+        "friction"
+    ])));
+}
+
+#[test]
+fn no_command_shows_the_help() {
+    assert_snapshot!(transcript(&Desk::new().run(&[])));
+}
+
+#[test]
+fn the_help_of_run() {
+    assert_snapshot!(transcript(&Desk::new().run(&["run", "--help"])));
+}
+
+#[test]
+fn the_schema_lists_the_keys_of_a_case() {
+    let output = Desk::new().run(&["schema"]);
+    assert!(output.status.success());
+    let schema: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let keys: BTreeSet<&str> = schema["properties"]
+        .as_object()
+        .unwrap()
+        .keys()
+        .map(String::as_str)
+        .collect();
+    for key in [
+        "name",
+        "model",
+        "units",
+        "well",
+        "mud",
+        "steel",
+        "string",
+        "bit",
+        "rig",
+        "operation",
+        "mesh",
+        "dynamics",
+    ] {
+        assert!(keys.contains(key), "{key} is missing from {keys:?}");
+    }
+}

@@ -1,0 +1,73 @@
+//! Running the program in a folder of its own.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+    process::{Command, Output},
+};
+
+use wholestring_results::Summary;
+
+/// A folder with the test's case in it.
+pub(crate) struct Desk {
+    folder: tempfile::TempDir,
+}
+
+impl Desk {
+    pub(crate) fn new() -> Self {
+        let folder = tempfile::tempdir().unwrap();
+        let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+        for name in ["slant.toml", "survey.csv"] {
+            fs::copy(data.join(name), folder.path().join(name)).unwrap();
+        }
+        Self { folder }
+    }
+
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    pub(crate) fn command(&self, arguments: &[&str]) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_wholestring"));
+        command.current_dir(self.folder.path()).args(arguments);
+        command
+    }
+
+    pub(crate) fn run(&self, arguments: &[&str]) -> Output {
+        self.command(arguments).output().unwrap()
+    }
+
+    pub(crate) fn summary(&self, folder: &str) -> Summary {
+        Summary::read(&self.path(folder).join("summary.json")).unwrap()
+    }
+}
+
+/// Exit status and everything printed, for snapshots; the same on every system.
+pub(crate) fn transcript(output: &Output) -> String {
+    let text = |bytes: &[u8]| {
+        String::from_utf8(bytes.to_vec())
+            .unwrap()
+            .replace("\r\n", "\n")
+            .replace('\\', "/")
+            .replace("wholestring.exe", "wholestring")
+    };
+    format!(
+        "exit status {}\n--- standard output\n{}--- standard error\n{}",
+        output.status.code().unwrap(),
+        text(&output.stdout),
+        text(&output.stderr)
+    )
+}
+
+/// Numbers whose digits differ from processor to processor, as `#`; runs of blanks and rules, whose
+/// length goes with them, as one.
+pub(crate) fn masked(transcript: &str) -> String {
+    let mut masked = String::new();
+    for letter in transcript.chars() {
+        let letter = if letter.is_ascii_digit() { '#' } else { letter };
+        if !(masked.ends_with(letter) && matches!(letter, '#' | ' ' | '─')) {
+            masked.push(letter);
+        }
+    }
+    masked.replace("#.#", "#").replace(" -#", " #")
+}

@@ -1,0 +1,258 @@
+//! `run`: the table, the files, and what becomes of a run that does not end well.
+
+use std::{collections::BTreeSet, f64::consts::PI, fs};
+
+use crate::desk::{Desk, masked, transcript};
+use insta::assert_snapshot;
+use wholestring_results::{Data, ModelKind, Status, Table};
+
+const SOFT: [&str; 2] = ["--set", "model=soft"];
+
+fn files(desk: &Desk, folder: &str) -> BTreeSet<String> {
+    fs::read_dir(desk.path(folder))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect()
+}
+
+/// The numbers of the snapshot are checked by `the_numbers_are_the_closed_forms`.
+#[test]
+fn soft_string_side_by_side() {
+    let desk = Desk::new();
+    let output = desk.run(&[&["run", "slant.toml"], &SOFT[..]].concat());
+    assert_snapshot!(transcript(&output));
+    let expected = [
+        "nodes.parquet",
+        "profile.svg",
+        "summary.json",
+        "time.parquet",
+    ];
+    assert_eq!(
+        files(&desk, "out/Straight slant"),
+        expected.map(String::from).into()
+    );
+}
+
+#[test]
+fn field_units_on_the_screen() {
+    let desk = Desk::new();
+    let output = desk.run(&[&["run", "slant.toml", "--units", "field"], &SOFT[..]].concat());
+    assert_snapshot!(transcript(&output));
+}
+
+/// A straight slant: `F = w L (cos i + μ sin i)` tripping out, `M = μ r w L sin i` rotating.
+#[test]
+fn the_numbers_are_the_closed_forms() {
+    let desk = Desk::new();
+    assert!(
+        desk.run(&[&["run", "slant.toml"], &SOFT[..]].concat())
+            .status
+            .success()
+    );
+    let summary = desk.summary("out/Straight slant");
+    let weight_N =
+        (7850.0 - 1200.0) * 9.80665 * PI / 4.0 * (0.12_f64.powi(2) - 0.08_f64.powi(2)) * 600.0;
+    let (along_N, across_N) = (0.5 * weight_N, 0.75_f64.sqrt() * weight_N);
+    let [trip_out, rotate] = &summary.operations[..] else {
+        panic!("two operations");
+    };
+    // The equations are linear in depth here: what is left is rounding of some 600 steps.
+    let close = |obtained: f64, expected: f64| {
+        assert!(
+            (obtained / expected - 1.0).abs() < 1e-12,
+            "{obtained} against {expected}"
+        );
+    };
+    close(trip_out.scalars.hook_load_N, along_N + 0.25 * across_N);
+    close(trip_out.scalars.axial_friction_N, 0.25 * across_N);
+    close(rotate.scalars.hook_load_N, along_N);
+    close(rotate.scalars.surface_torque_N_m, 0.25 * 0.06 * across_N);
+    close(rotate.scalars.side_force_total_N, across_N);
+}
+
+#[test]
+fn soft_string_and_dynamics_side_by_side() {
+    let desk = Desk::new();
+    let output = desk.run(&["run", "slant.toml", "--csv", "-o", "here/and/there"]);
+    assert_snapshot!(masked(&transcript(&output)));
+    let expected = [
+        "nodes.csv",
+        "nodes.parquet",
+        "profile.svg",
+        "summary.json",
+        "time.csv",
+        "time.parquet",
+    ];
+    assert_eq!(
+        files(&desk, "here/and/there"),
+        expected.map(String::from).into()
+    );
+
+    let summary = desk.summary("here/and/there");
+    let solved: Vec<_> = summary
+        .operations
+        .iter()
+        .map(|solved| (solved.model, solved.operation.as_str(), &solved.status))
+        .collect();
+    let done = &Status::Complete;
+    assert_eq!(
+        solved,
+        [
+            (ModelKind::Soft, "trip_out", done),
+            (ModelKind::Dynamic, "trip_out", done),
+            (ModelKind::Soft, "rotate_off_bottom", done),
+            (ModelKind::Dynamic, "rotate_off_bottom", done),
+        ]
+    );
+    for solved in &summary.operations {
+        let dynamic = solved.model == ModelKind::Dynamic;
+        assert_eq!(solved.statistics.is_some(), dynamic);
+        assert_eq!(solved.numerics.is_some(), dynamic);
+    }
+    let statistics = summary.operations[1].statistics.as_ref().unwrap();
+    let hook_load = statistics["hook_load_N"];
+    assert_eq!(hook_load.mean, summary.operations[1].scalars.hook_load_N);
+
+    let time = Table::read_parquet(&desk.path("here/and/there/time.parquet")).unwrap();
+    // Two operations of 2 s, a row every 10 ms: the sampling interval is a whole number of steps, so
+    // that it is 10 ms within half a step.
+    assert!((380..=420).contains(&time.rows()), "{} rows", time.rows());
+    let Data::Number(times) = &time.column("time_s").unwrap().data else {
+        panic!("times are numbers");
+    };
+    assert!((times[time.rows() - 1].unwrap() - 2.0).abs() < 0.02);
+}
+
+#[test]
+fn quiet_prints_nothing() {
+    let desk = Desk::new();
+    let output = desk.run(&[&["run", "slant.toml", "--quiet"], &SOFT[..]].concat());
+    assert!(output.status.success());
+    assert!(output.stdout.is_empty() && output.stderr.is_empty());
+}
+
+#[test]
+fn bad_input_leaves_no_folder() {
+    let desk = Desk::new();
+    let output = desk.run(&["run", "slant.toml", "--set", "bit_depth=60 bar"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(!desk.path("out").exists());
+}
+
+#[test]
+fn a_file_in_the_place_of_the_folder() {
+    let desk = Desk::new();
+    assert_snapshot!(transcript(&desk.run(&[
+        "run",
+        "slant.toml",
+        "-o",
+        "slant.toml"
+    ])));
+}
+
+#[test]
+fn a_folder_in_the_place_of_a_file() {
+    let desk = Desk::new();
+    fs::create_dir_all(desk.path("results/nodes.parquet")).unwrap();
+    let output = desk.run(&[&["run", "slant.toml", "-o", "results"], &SOFT[..]].concat());
+    assert_eq!(output.status.code(), Some(3));
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(message.starts_with("error: cannot write"), "{message}");
+    assert!(message.contains("nodes.parquet"), "{message}");
+}
+
+/// A lift of ten thousand tonnes throws the string out of the hole.
+#[test]
+fn diverged() {
+    let desk = Desk::new();
+    let output = desk.run(&[
+        "run",
+        "slant.toml",
+        "-o",
+        "results",
+        "--set",
+        "hoist.control=hook-load",
+        "--set",
+        "hoist.hook_load=1e8 N",
+    ]);
+    assert_eq!(output.status.code(), Some(3));
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(
+        message.starts_with("error: trip_out: the run diverged"),
+        "{message}"
+    );
+    assert!(
+        message.ends_with("what was computed until then is in results\n"),
+        "{message}"
+    );
+    let table = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        table.contains("dynamic*") && table.contains("\n* as far as it was computed\n"),
+        "{table}"
+    );
+
+    let summary = desk.summary("results");
+    let [soft, dynamic] = &summary.operations[..] else {
+        panic!("the run goes on to the next operation");
+    };
+    assert_eq!(soft.status, Status::Complete);
+    assert!(matches!(&dynamic.status, Status::Failed(reason) if message.contains(reason)));
+    let time = Table::read_parquet(&desk.path("results/time.parquet")).unwrap();
+    assert!(time.rows() > 0);
+}
+
+/// Ctrl-C keeps what was computed, and says so. Other systems than Unix have no way to send it to
+/// another process from a test.
+#[cfg(unix)]
+#[test]
+fn interrupted() {
+    use std::{
+        process::{Command, Stdio},
+        thread::sleep,
+        time::{Duration, Instant},
+    };
+
+    let desk = Desk::new();
+    let mut child = desk
+        .command(&[
+            "run",
+            "slant.toml",
+            "-o",
+            "results",
+            "--set",
+            "dynamics.duration=3600 s",
+        ])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // The soft string is on the disk when the dynamics begin.
+    let begin = Instant::now();
+    while !desk.path("results/summary.json").exists() {
+        assert!(
+            begin.elapsed() < Duration::from_secs(60),
+            "the run does not begin"
+        );
+        sleep(Duration::from_millis(20));
+    }
+    sleep(Duration::from_millis(500));
+    let sent = Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(sent.unwrap().success());
+    let status = child.wait().unwrap();
+    assert_eq!(status.code(), Some(130));
+    let mut message = String::new();
+    std::io::Read::read_to_string(&mut child.stderr.take().unwrap(), &mut message).unwrap();
+    assert_eq!(message, "interrupted: what was computed is in results\n");
+
+    let summary = desk.summary("results");
+    let statuses: Vec<_> = summary
+        .operations
+        .iter()
+        .map(|solved| &solved.status)
+        .collect();
+    assert_eq!(statuses, [&Status::Complete, &Status::Interrupted]);
+    let time = Table::read_parquet(&desk.path("results/time.parquet")).unwrap();
+    assert!(time.rows() > 0);
+}

@@ -1,0 +1,158 @@
+//! `survey`: positions and dogleg severity, from closed forms.
+
+use std::fs;
+
+use crate::desk::{Desk, transcript};
+use insta::assert_snapshot;
+
+/// A row of the result by column.
+struct Row {
+    md_m: f64,
+    tvd_m: f64,
+    north_m: f64,
+    east_m: f64,
+    dogleg_deg_per_30m: f64,
+}
+
+fn rows(csv: &str) -> Vec<Row> {
+    csv.lines()
+        .skip(1)
+        .map(|line| {
+            let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
+            let [md_m, _, _, tvd_m, north_m, east_m, dogleg_deg_per_30m] = cells[..] else {
+                panic!("seven cells in {line}");
+            };
+            Row {
+                md_m,
+                tvd_m,
+                north_m,
+                east_m,
+                dogleg_deg_per_30m,
+            }
+        })
+        .collect()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+/// The survey builds 3 deg per 100 ft from 1000 ft: an arc of radius 18000/(3 pi) ft.
+fn arc(feet: f64) -> (f64, f64) {
+    let radius_m = 100.0 * 0.3048 / 3.0_f64.to_radians();
+    let angle = (3.0 * feet / 100.0).to_radians();
+    (radius_m * angle.sin(), radius_m * (1.0 - angle.cos()))
+}
+
+#[test]
+fn what_is_printed() {
+    assert_snapshot!(transcript(&Desk::new().run(&["survey", "survey.csv"])));
+}
+
+/// Positions are printed to a micrometre.
+#[test]
+fn positions_are_those_of_the_arc() {
+    let output = Desk::new().run(&["survey", "survey.csv"]);
+    let rows = rows(&text(&output.stdout));
+    assert_eq!(rows.len(), 5);
+    let half = 0.5_f64.sqrt();
+    for (row, feet) in rows[1..4].iter().zip([0.0, 100.0, 200.0]) {
+        let (down, out) = arc(feet);
+        assert!((row.tvd_m - 304.8 - down).abs() < 1e-6, "{feet}");
+        assert!((row.north_m - out * half).abs() < 1e-6, "{feet}");
+        assert!((row.east_m - out * half).abs() < 1e-6, "{feet}");
+    }
+    let severities: Vec<f64> = rows.iter().map(|row| row.dogleg_deg_per_30m).collect();
+    let build = 3.0 * 30.0 / 30.48;
+    for (severity, expected) in severities.iter().zip([0.0, 0.0, build, build, 0.0]) {
+        assert!((severity - expected).abs() < 1e-6, "{severities:?}");
+    }
+}
+
+#[test]
+fn rows_between_stations() {
+    let desk = Desk::new();
+    let output = desk.run(&[
+        "survey",
+        "survey.csv",
+        "--step",
+        "100 ft",
+        "-o",
+        "positions.csv",
+    ]);
+    assert!(output.status.success() && output.stdout.is_empty());
+    let stepped = rows(&fs::read_to_string(desk.path("positions.csv")).unwrap());
+    // Every station is a multiple of the step: none comes twice.
+    let depths: Vec<f64> = stepped.iter().map(|row| row.md_m).collect();
+    assert_eq!(depths.len(), 21);
+    assert!(
+        depths
+            .windows(2)
+            .all(|pair| (pair[1] - pair[0] - 30.48).abs() < 1e-6)
+    );
+}
+
+#[test]
+fn both_paths_take_the_surveys_directions() {
+    let desk = Desk::new();
+    for path in ["minimum-curvature", "spline"] {
+        let output = desk.run(&["survey", "survey.csv", "--path", path]);
+        let text = text(&output.stdout);
+        let last = text.lines().last().unwrap();
+        let cells: Vec<&str> = last.split(',').collect();
+        assert_eq!(
+            &cells[..3],
+            ["609.600000", "6.000000", "45.000000"],
+            "{path}"
+        );
+    }
+}
+
+/// What it writes it reads, to the last printed digit.
+#[test]
+fn reads_its_own_result() {
+    let desk = Desk::new();
+    assert!(
+        desk.run(&["survey", "survey.csv", "-o", "first.csv"])
+            .status
+            .success()
+    );
+    assert!(
+        desk.run(&["survey", "first.csv", "-o", "second.csv"])
+            .status
+            .success()
+    );
+    let [first, second] =
+        ["first.csv", "second.csv"].map(|name| rows(&fs::read_to_string(desk.path(name)).unwrap()));
+    for (a, b) in first.iter().zip(&second) {
+        assert!((a.tvd_m - b.tvd_m).abs() < 2e-6 && (a.north_m - b.north_m).abs() < 2e-6);
+    }
+}
+
+#[test]
+fn a_mistake_is_underlined() {
+    let desk = Desk::new();
+    fs::write(desk.path("bad.csv"), "MD (m),Inc,Azi\n0,0,0\n30,x,0\n").unwrap();
+    assert_snapshot!(transcript(&desk.run(&["survey", "bad.csv"])));
+}
+
+#[test]
+fn a_survey_that_is_not_there() {
+    assert_snapshot!(transcript(&Desk::new().run(&["survey", "nowhere.csv"])));
+}
+
+#[test]
+fn a_result_that_cannot_be_written() {
+    let output = Desk::new().run(&["survey", "survey.csv", "-o", "no/such/folder.csv"]);
+    assert_eq!(output.status.code(), Some(3));
+    assert!(text(&output.stderr).contains("error: cannot write no/such/folder.csv"));
+}
+
+#[test]
+fn a_step_that_is_none() {
+    for step in ["0 m", "-10 m", "10", "10 kg", "NaN m", "1e-9 m"] {
+        let argument = format!("--step={step}");
+        let output = Desk::new().run(&["survey", "survey.csv", &argument]);
+        assert_eq!(output.status.code(), Some(2), "{step}");
+    }
+}
