@@ -31,7 +31,7 @@ fn string(components: Vec<ComponentSpec>, length_m: f64) -> DrillString {
 use ComponentLength::{Metres, ToSurface};
 
 /// The bottom-hole assembly and the pipe of `cases/np13-x1042.toml`.
-fn np13() -> DrillString {
+pub fn np13() -> DrillString {
     string(
         vec![
             tube(0.2159, Metres(0.34)),
