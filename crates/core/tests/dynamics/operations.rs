@@ -119,7 +119,11 @@ fn vector_friction_agrees_with_the_soft_string_in_every_operation() {
         }
         if kind.on_bottom() {
             let (bit, target) = (found.weight_on_bit_N, case.operation.weight_on_bit_N);
-            assert!(relative_error(bit, target) < 0.03, "{}: {bit} N", kind.name());
+            assert!(
+                relative_error(bit, target) < 0.03,
+                "{}: {bit} N",
+                kind.name()
+            );
         }
     }
 }
@@ -145,7 +149,10 @@ fn independent_friction_drags_as_a_sliding_string() {
             let torque = found.friction_torque_N_m;
             // All contacts rub around in full; those of the collars with a smaller radius.
             let most = MU * RADIUS_M * side;
-            assert!(torque < most && torque > 0.98 * most, "{torque} for {most} N·m");
+            assert!(
+                torque < most && torque > 0.98 * most,
+                "{torque} for {most} N·m"
+            );
         }
     }
 }

@@ -24,9 +24,16 @@ pub struct Case {
 impl Case {
     /// A case with default settings, 10 s to settle and a window of 10 s.
     pub fn new(model: Model, operation: Operation) -> Self {
-        let settings =
-            DynamicsSettings { settle_s: 10.0, duration_s: 10.0, ..DynamicsSettings::default() };
-        Self { model, operation, settings }
+        let settings = DynamicsSettings {
+            settle_s: 10.0,
+            duration_s: 10.0,
+            ..DynamicsSettings::default()
+        };
+        Self {
+            model,
+            operation,
+            settings,
+        }
     }
 
     pub fn start(&self) -> Simulation {
@@ -35,7 +42,10 @@ impl Case {
 
     pub fn run(&self) -> DynamicOutcome {
         let mut simulation = self.start();
-        go(&mut simulation, self.settings.settle_s + self.settings.duration_s);
+        go(
+            &mut simulation,
+            self.settings.settle_s + self.settings.duration_s,
+        );
         simulation.outcome()
     }
 
@@ -57,8 +67,10 @@ pub fn go(simulation: &mut Simulation, seconds: f64) {
 pub fn each<I: Sync, T: Send>(items: &[I], work: impl Fn(&I) -> T + Sync) -> Vec<T> {
     std::thread::scope(|scope| {
         let work = &work;
-        let threads: Vec<_> =
-            items.iter().map(|item| scope.spawn(move || work(item))).collect();
+        let threads: Vec<_> = items
+            .iter()
+            .map(|item| scope.spawn(move || work(item)))
+            .collect();
         threads
             .into_iter()
             .map(|thread| match thread.join() {
@@ -105,7 +117,11 @@ pub fn steel() -> Material {
 
 /// Mud of 1.2 sg that drags on lateral motion.
 pub fn mud() -> Mud {
-    Mud { density_kg_per_m3: 1200.0, linear_drag_Pa_s: 5.0, drag_coefficient: 1.0 }
+    Mud {
+        density_kg_per_m3: 1200.0,
+        linear_drag_Pa_s: 5.0,
+        drag_coefficient: 1.0,
+    }
 }
 
 /// A component without joints.
@@ -123,7 +139,10 @@ fn jointed(
 ) -> ComponentSpec {
     ComponentSpec {
         mass_per_length_kg_per_m,
-        joints: Some(ToolJoints { od_m: 0.1778, spacing_m }),
+        joints: Some(ToolJoints {
+            od_m: 0.1778,
+            spacing_m,
+        }),
         ..tool(name, length, 0.1397, id_m)
     }
 }
@@ -136,14 +155,20 @@ pub fn section(
     diameter_m: f64,
     mu: f64,
 ) -> HoleSection {
-    let (youngs_modulus_Pa, poisson_ratio) =
-        if kind == HoleKind::Casing { (210e9, 0.3) } else { (51.5e9, 0.33) };
+    let (youngs_modulus_Pa, poisson_ratio) = if kind == HoleKind::Casing {
+        (210e9, 0.3)
+    } else {
+        (51.5e9, 0.33)
+    };
     HoleSection {
         kind,
         from_md_m,
         to_md_m,
         diameter_m,
-        friction: Friction { kinetic: mu, at_rest: mu },
+        friction: Friction {
+            kinetic: mu,
+            at_rest: mu,
+        },
         youngs_modulus_Pa,
         poisson_ratio,
     }
@@ -157,8 +182,13 @@ pub fn model(
     bit_depth_m: f64,
 ) -> Model {
     Model {
-        well: Well { path, hole: Hole::new(hole).expect("a sound hole") },
-        string: StringSpec { components }.assemble(bit_depth_m).expect("a sound string"),
+        well: Well {
+            path,
+            hole: Hole::new(hole).expect("a sound hole"),
+        },
+        string: StringSpec { components }
+            .assemble(bit_depth_m)
+            .expect("a sound string"),
         mud: mud(),
         rig: Rig::default(),
     }
@@ -222,8 +252,8 @@ pub fn np13_at(mu: f64, bit_depth_m: f64) -> Case {
 
 /// The survey that the case file reads: MD in m, inclination and azimuth in degrees under a header.
 fn np13_survey() -> Vec<[f64; 3]> {
-    let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../cases/np13-x1042-survey.csv");
+    let file =
+        std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/np13-x1042-survey.csv");
     let text = std::fs::read_to_string(&file)
         .unwrap_or_else(|error| panic!("{}: {error}", file.display()));
     text.lines()
