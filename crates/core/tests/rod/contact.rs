@@ -18,7 +18,11 @@ fn hertz_constants_of_pipe_and_hole() {
     let data = verification("F01_hertz_contact.json");
     for row in data["rows"].as_array().expect("rows") {
         let name = row["geom"].as_str().expect("a name");
-        let wall = if name.contains("steel/steel") { steel } else { rock };
+        let wall = if name.contains("steel/steel") {
+            steel
+        } else {
+            rock
+        };
         let modulus = contact_modulus_Pa(steel.0, steel.1, wall.0, wall.1);
         assert_close(name, modulus, number(&row["Estar_Pa"]), 1e-6);
         let k = hertz_stiffness(modulus, number(&row["R1"]), number(&row["R2"]));
@@ -27,7 +31,12 @@ fn hertz_constants_of_pipe_and_hole() {
             let force = number(&point["N"]);
             let alpha = number(&point["alpha_m"]);
             assert_close(name, k * alpha.powf(1.5), force, 1e-6);
-            assert_close(name, 1.5 * k * alpha.sqrt(), number(&point["tangent_N_m"]), 1e-6);
+            assert_close(
+                name,
+                1.5 * k * alpha.sqrt(),
+                number(&point["tangent_N_m"]),
+                1e-6,
+            );
             // At rest under that force: the step would end deeper by what the force takes away. The
             // force is that of the law's end of the step, to the two Newton steps' 1e-6.
             for inertia in [150.0 / 3e-7, 30.0 / 1e-8, 1e12] {
@@ -49,13 +58,21 @@ fn hertz_is_within_its_stated_error() {
         let (mut low, mut high) = (0.0f64, 1.0f64);
         for _ in 0..200 {
             let y = 0.5 * (low + high);
-            if y * y + r * y * y * y < 1.0 { low = y } else { high = y }
+            if y * y + r * y * y * y < 1.0 {
+                low = y
+            } else {
+                high = y
+            }
         }
         let exact = r * low.powi(3);
         let found = hertz(1.0, 0.0, r, 0.0, 1.0);
-        assert!(found >= 0.0 && found <= 1.0);
+        assert!((0.0..=1.0).contains(&found));
         let error = (found / exact - 1.0).abs();
-        if r < 60.0 { worst = worst.max(error) } else { beyond = beyond.max(error) }
+        if r < 60.0 {
+            worst = worst.max(error)
+        } else {
+            beyond = beyond.max(error)
+        }
     }
     println!("hertz: {worst:.1e} for r < 60, {beyond:.1e} beyond");
     assert!(worst < 1e-6, "{worst:e}");
@@ -89,10 +106,18 @@ fn blow(m: f64, speed: f64, k: f64, dissipation: f64, dt: f64, phase: f64) -> Bl
         let after = energy(x, v);
         // The force is right to 1e-6, and so is what it takes.
         let rounding = 1e-6 * force * dt * speed;
-        assert!(after <= before * (1.0 + 1e-12) + rounding, "energy grew: {before} {after}");
+        assert!(
+            after <= before * (1.0 + 1e-12) + rounding,
+            "energy grew: {before} {after}"
+        );
         before = after;
         if x < 0.0 && v <= 0.0 {
-            return Blow { restitution: -v / speed, deepest_m, contact_s, strongest_N };
+            return Blow {
+                restitution: -v / speed,
+                deepest_m,
+                contact_s,
+                strongest_N,
+            };
         }
     }
 }
@@ -114,7 +139,10 @@ fn a_resolved_blow_is_hertzs() {
         // First order in the step: halving it halves what is lost.
         let lost = |dt: f64| 1.0 - blow(m, v, k, 0.0, dt, 0.6).restitution;
         let ratio = lost(dt) / lost(dt / 2.0);
-        println!("m {m} v {v}: restitution {:.4}, halving {ratio:.3}", found.restitution);
+        println!(
+            "m {m} v {v}: restitution {:.4}, halving {ratio:.3}",
+            found.restitution
+        );
         assert!((ratio - 2.0).abs() < 0.05, "{ratio}");
         assert!(found.restitution > 0.995);
     }
@@ -128,7 +156,11 @@ fn hunt_crossley(dv: f64) -> f64 {
     let (mut low, mut high) = (0.0f64, 1.0f64.min(1.0 / dv));
     for _ in 0..100 {
         let e = 0.5 * (low + high);
-        if -e * dv - (-e * dv).ln_1p() < lost { low = e } else { high = e }
+        if -e * dv - (-e * dv).ln_1p() < lost {
+            low = e
+        } else {
+            high = e
+        }
     }
     low
 }
@@ -163,7 +195,11 @@ fn implicit_restitution(m: f64, speed: f64, k: f64, dissipation: f64, dt: f64) -
             while high - low > 1e-15 {
                 let end = 0.5 * (low + high);
                 let taken = dt * dt / m * stiffness * end.max(0.0).powf(1.5);
-                if free - taken > end { low = end } else { high = end }
+                if free - taken > end {
+                    low = end
+                } else {
+                    high = end
+                }
             }
             v = (low - x) / dt;
             x = low;
@@ -172,7 +208,10 @@ fn implicit_restitution(m: f64, speed: f64, k: f64, dissipation: f64, dt: f64) -
             }
         }
     };
-    (0..PHASES).map(|i| one((f64::from(i) + 0.5) / f64::from(PHASES))).sum::<f64>() / f64::from(PHASES)
+    (0..PHASES)
+        .map(|i| one((f64::from(i) + 0.5) / f64::from(PHASES)))
+        .sum::<f64>()
+        / f64::from(PHASES)
 }
 
 const PHASES: u32 = 20;
@@ -191,7 +230,10 @@ fn at_the_default_step_a_blow_hardly_rebounds() {
                 .sum::<f64>()
                 / f64::from(PHASES);
             let exact = implicit_restitution(m, v, k, d, dt);
-            println!("{v} m/s, d {d} s/m: {found:.3}; the law {:.3}", hunt_crossley((d * v).max(1e-9)));
+            println!(
+                "{v} m/s, d {d} s/m: {found:.3}; the law {:.3}",
+                hunt_crossley((d * v).max(1e-9))
+            );
             assert!((found - exact).abs() < 1e-4, "{found} {exact}");
             assert!(found < 0.55);
         }
@@ -216,7 +258,8 @@ fn a_linear_blow_restores_what_its_damper_leaves() {
             }
         }
         let root = f64::sqrt(1.0 - zeta * zeta);
-        let expected = (-zeta / root * f64::atan2(2.0 * zeta * root, 2.0 * zeta * zeta - 1.0)).exp();
+        let expected =
+            (-zeta / root * f64::atan2(2.0 * zeta * root, 2.0 * zeta * zeta - 1.0)).exp();
         // First order in ω dt = 1e-4.
         assert_close("restitution", -v / v0, expected, 5e-4);
     }

@@ -123,7 +123,13 @@ fn forces_and_moments_are_minus_the_gradient_of_the_energy() {
     let mut worst: f64 = 0.0;
     for _ in 0..300 {
         // Untwisted: the work of the torque is tested by its rate, below.
-        let ends = Ends { twist: 0.0, v: [V::zeros(); 2], w: [V::zeros(); 2], spin: [0.0; 2], ..Ends::random(&mut random) };
+        let ends = Ends {
+            twist: 0.0,
+            v: [V::zeros(); 2],
+            w: [V::zeros(); 2],
+            spin: [0.0; 2],
+            ..Ends::random(&mut random)
+        };
         let r = ends.react(&k, 0.0);
         let (force, size) = (V::from(r.force), V::from(r.force).norm());
         for end in 0..2 {
@@ -163,7 +169,8 @@ fn energy_changes_by_the_power_of_the_forces() {
         let dt = 1e-6;
         let rate = (react(&k, &ends.pose(), dt, 0.0).twist - ends.twist) / dt;
         let expected = -slope(|t| ends.after(t, rate).energy(&k), 1e-5);
-        let scale = V::from(r.force).norm() * 3.0 + V::from(r.moment1).norm() * 2.0 + r.torque.abs() * 20.0;
+        let scale =
+            V::from(r.force).norm() * 3.0 + V::from(r.moment1).norm() * 2.0 + r.torque.abs() * 20.0;
         let error = (ends.power(&r) - expected).abs() / scale;
         assert!(error < 1e-8, "{error:e}");
     }
@@ -173,7 +180,11 @@ fn energy_changes_by_the_power_of_the_forces() {
 /// any bend: rate and moments share the series of `1/(1 + c12)`.
 #[test]
 fn torque_does_the_work_of_its_rate() {
-    let nothing = Section { axial_stiffness_N: 0.0, bending_stiffness_N_m2: 0.0, ..pipe() };
+    let nothing = Section {
+        axial_stiffness_N: 0.0,
+        bending_stiffness_N_m2: 0.0,
+        ..pipe()
+    };
     let k = Stiffness::new(&nothing, LENGTH_M);
     let mut random = Random(3);
     for _ in 0..300 {
@@ -253,7 +264,11 @@ fn the_total_moment_is_balanced() {
             + r.torque * (ends.d[0] - ends.d[1]);
         let scale = LENGTH_M * force.norm() + r.torque.abs();
         let tolerance = if case % 2 == 0 { 1e-12 } else { 1e-8 };
-        assert!(total.norm() < tolerance * scale, "{:e}", total.norm() / scale);
+        assert!(
+            total.norm() < tolerance * scale,
+            "{:e}",
+            total.norm() / scale
+        );
     }
 }
 
@@ -269,7 +284,10 @@ fn damping_takes_the_power_that_it_reports() {
         let taken = ends.power(&elastic) - ends.power(&damped);
         let rounding = 1e-13 * (ends.power(&elastic).abs() + 1e6);
         let difference = taken - damped.damping_power;
-        assert!(difference.abs() < rounding.max(1e-12 * taken), "{taken} {difference:e}");
+        assert!(
+            difference.abs() < rounding.max(1e-12 * taken),
+            "{taken} {difference:e}"
+        );
     }
 }
 
@@ -278,7 +296,12 @@ fn a_bent_pipe_that_spins_in_place_loses_nothing() {
     let k = Stiffness::new(&pipe(), LENGTH_M);
     let mut random = Random(8);
     for _ in 0..100 {
-        let ends = Ends { v: [V::zeros(); 2], w: [V::zeros(); 2], spin: [7.3; 2], ..Ends::random(&mut random) };
+        let ends = Ends {
+            v: [V::zeros(); 2],
+            w: [V::zeros(); 2],
+            spin: [7.3; 2],
+            ..Ends::random(&mut random)
+        };
         let (damped, elastic) = (ends.react(&k, 1e-2), ends.react(&k, 0.0));
         assert_eq!(damped.damping_power, 0.0);
         assert_eq!(V::from(damped.force), V::from(elastic.force));
@@ -361,7 +384,17 @@ fn fused_arithmetic_gives_the_same_forces() {
 #[test]
 fn shear_factor_has_cowpers_limits() {
     for nu in [0.0, 0.25, 0.3, 0.5] {
-        assert_close("thin", shear_factor(nu, 1.0), 2.0 * (1.0 + nu) / (4.0 + 3.0 * nu), 1e-15);
-        assert_close("solid", shear_factor(nu, 0.0), 6.0 * (1.0 + nu) / (7.0 + 6.0 * nu), 1e-15);
+        assert_close(
+            "thin",
+            shear_factor(nu, 1.0),
+            2.0 * (1.0 + nu) / (4.0 + 3.0 * nu),
+            1e-15,
+        );
+        assert_close(
+            "solid",
+            shear_factor(nu, 0.0),
+            6.0 * (1.0 + nu) / (7.0 + 6.0 * nu),
+            1e-15,
+        );
     }
 }

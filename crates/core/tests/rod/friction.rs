@@ -15,7 +15,11 @@ fn exact(limit: f64, u: [f64; 2], g: [f64; 2]) -> ([f64; 2], f64) {
     let (mut low, mut high) = (0.0, u[0].hypot(u[1]) / limit);
     for _ in 0..200 {
         let middle = 0.5 * (low + high);
-        if length(at(middle)) > limit { low = middle } else { high = middle }
+        if length(at(middle)) > limit {
+            low = middle
+        } else {
+            high = middle
+        }
     }
     (at(high), high)
 }
@@ -32,7 +36,8 @@ fn worst(ratio: f64, from: f64, to: f64) -> (f64, f64) {
         // A point of the law, a force on the cone and what remains of the speed, taken back to the speed
         // without friction: no neighbourhood of rest is left out.
         let angle = random.between(0.0, std::f64::consts::TAU);
-        let lambda = g[0].max(g[1]) * (from.ln() + random.between(0.0, 1.0) * (to / from).ln()).exp();
+        let lambda =
+            g[0].max(g[1]) * (from.ln() + random.between(0.0, 1.0) * (to / from).ln()).exp();
         let f = [limit * angle.cos(), limit * angle.sin()];
         let u = [f[0] * (g[0] + lambda), f[1] * (g[1] + lambda)];
         let found = vector(limit, u[0], u[1], g[0], g[1]);
@@ -61,7 +66,9 @@ fn the_cone_is_exact_but_for_its_direction_near_rest() {
         (10.0, 10.0, 100.0, 1.4e-4),
     ] {
         let (direction, length) = worst(ratio, from, to);
-        println!("g ratio {ratio}, λ/g {from} to {to}: direction {direction:.1e} rad, length {length:.1e}");
+        println!(
+            "g ratio {ratio}, λ/g {from} to {to}: direction {direction:.1e} rad, length {length:.1e}"
+        );
         assert!(direction < bound, "{ratio} {from}: {direction:e}");
         assert!(length < 1e-12);
     }
@@ -72,16 +79,29 @@ fn the_cone_is_exact_but_for_its_direction_near_rest() {
 fn a_contact_that_can_stick_is_stopped() {
     let mut random = Random(12);
     for _ in 0..100_000 {
-        let g = [10f64.powf(random.between(-7.0, -4.0)), 10f64.powf(random.between(-7.0, -4.0))];
+        let g = [
+            10f64.powf(random.between(-7.0, -4.0)),
+            10f64.powf(random.between(-7.0, -4.0)),
+        ];
         let limit = 10f64.powf(random.between(-3.0, 5.0));
         let angle = random.between(0.0, std::f64::consts::TAU);
-        let part = if random.between(0.0, 1.0) < 0.2 { 1.0 - 1e-9 } else { random.between(0.0, 1.0) };
-        let u = [part * limit * g[0] * angle.cos(), part * limit * g[1] * angle.sin()];
+        let part = if random.between(0.0, 1.0) < 0.2 {
+            1.0 - 1e-9
+        } else {
+            random.between(0.0, 1.0)
+        };
+        let u = [
+            part * limit * g[0] * angle.cos(),
+            part * limit * g[1] * angle.sin(),
+        ];
         let f = vector(limit, u[0], u[1], g[0], g[1]);
         let rest = (u[0] - g[0] * f.0).abs() + (u[1] - g[1] * f.1).abs();
         let (stop, lambda) = exact(limit, u, g);
         assert_eq!(lambda, 0.0);
-        assert!(rest <= 1e-12 * (u[0].abs() + u[1].abs()), "{rest:e} of {u:?}: {f:?} {stop:?}");
+        assert!(
+            rest <= 1e-12 * (u[0].abs() + u[1].abs()),
+            "{rest:e} of {u:?}: {f:?} {stop:?}"
+        );
     }
 }
 
@@ -92,15 +112,27 @@ fn friction_only_takes_energy() {
     let mut random = Random(13);
     let mut reversal: f64 = 0.0;
     for _ in 0..300_000 {
-        let g = [10f64.powf(random.between(-8.0, -3.0)), 10f64.powf(random.between(-8.0, -3.0))];
+        let g = [
+            10f64.powf(random.between(-8.0, -3.0)),
+            10f64.powf(random.between(-8.0, -3.0)),
+        ];
         let limit = 10f64.powf(random.between(-6.0, 6.0));
         let scale = 10f64.powf(random.between(-3.0, 4.0));
         let angle = random.between(0.0, std::f64::consts::TAU);
         // Near what stops it, and far beyond.
-        let u = [scale * limit * g[0] * angle.cos(), scale * limit * g[1] * angle.sin()];
-        for f in [vector(limit, u[0], u[1], g[0], g[1]), independent(limit, u[0], u[1], g[0], g[1])] {
+        let u = [
+            scale * limit * g[0] * angle.cos(),
+            scale * limit * g[1] * angle.sin(),
+        ];
+        for f in [
+            vector(limit, u[0], u[1], g[0], g[1]),
+            independent(limit, u[0], u[1], g[0], g[1]),
+        ] {
             let work = f.0 * (u[0] - 0.5 * g[0] * f.0) + f.1 * (u[1] - 0.5 * g[1] * f.1);
-            assert!(work >= 0.0, "{work:e}: u {u:?} g {g:?} limit {limit}: {f:?}");
+            assert!(
+                work >= 0.0,
+                "{work:e}: u {u:?} g {g:?} limit {limit}: {f:?}"
+            );
         }
         let f = vector(limit, u[0], u[1], g[0], g[1]);
         assert!(f.0.hypot(f.1) <= limit * (1.0 + 1e-12));
@@ -114,8 +146,16 @@ fn friction_only_takes_energy() {
 
 #[test]
 fn no_speed_and_no_force_are_no_trouble() {
-    for (limit, u) in [(0.0, [1.0, 1.0]), (100.0, [0.0, 0.0]), (0.0, [0.0, 0.0]), (1e-200, [1e-200, 0.0])] {
+    for (limit, u) in [
+        (0.0, [1.0, 1.0]),
+        (100.0, [0.0, 0.0]),
+        (0.0, [0.0, 0.0]),
+        (1e-200, [1e-200, 0.0]),
+    ] {
         let f = vector(limit, u[0], u[1], 1e-30, 9e-6);
-        assert!(f.0.is_finite() && f.1.is_finite() && f.0.hypot(f.1) <= limit, "{f:?}");
+        assert!(
+            f.0.is_finite() && f.1.is_finite() && f.0.hypot(f.1) <= limit,
+            "{f:?}"
+        );
     }
 }

@@ -14,13 +14,18 @@ fn tube(od_m: f64, length: ComponentLength) -> ComponentSpec {
 
 fn jointed(od_m: f64, joint_od_m: f64, spacing_m: f64, length: ComponentLength) -> ComponentSpec {
     ComponentSpec {
-        joints: Some(ToolJoints { od_m: joint_od_m, spacing_m }),
+        joints: Some(ToolJoints {
+            od_m: joint_od_m,
+            spacing_m,
+        }),
         ..tube(od_m, length)
     }
 }
 
 fn string(components: Vec<ComponentSpec>, length_m: f64) -> DrillString {
-    StringSpec { components }.assemble(length_m).expect("a sound string")
+    StringSpec { components }
+        .assemble(length_m)
+        .expect("a sound string")
 }
 
 use ComponentLength::{Metres, ToSurface};
@@ -67,8 +72,14 @@ fn nodes_of_a_bottom_hole_assembly_stand_where_it_touches() {
         let above = jar + 3.57;
         assert_eq!(node_at(&mesh, above), Some(0.0889));
         for joint in 0..9 {
-            assert_eq!(node_at(&mesh, jar - 84.53 + 9.39 * f64::from(joint)), Some(0.0889));
-            assert_eq!(node_at(&mesh, above + 9.39 * f64::from(joint)), Some(0.0889));
+            assert_eq!(
+                node_at(&mesh, jar - 84.53 + 9.39 * f64::from(joint)),
+                Some(0.0889)
+            );
+            assert_eq!(
+                node_at(&mesh, above + 9.39 * f64::from(joint)),
+                Some(0.0889)
+            );
         }
         // The uppermost joint of the heavy-weight, 0.02 m below the first of the drill pipe, shares its
         // node.
@@ -76,7 +87,11 @@ fn nodes_of_a_bottom_hole_assembly_stand_where_it_touches() {
         for joint in 1..420 {
             assert_eq!(node_at(&mesh, pipe + 9.6 * f64::from(joint)), Some(0.0889));
         }
-        let bodies = mesh.nodes.iter().filter(|n| n.contact_radius_m == 0.06985).count();
+        let bodies = mesh
+            .nodes
+            .iter()
+            .filter(|n| n.contact_radius_m == 0.06985)
+            .count();
         assert!(bodies * 3 > mesh.nodes.len());
     }
 }
@@ -85,7 +100,10 @@ fn nodes_of_a_bottom_hole_assembly_stand_where_it_touches() {
 #[test]
 fn an_element_of_several_components_is_their_row() {
     let parts = [(0.20, 0.3), (0.17, 0.9), (0.12, 0.5), (0.1, 1.3)];
-    let components = parts.iter().map(|&(od, length)| tube(od, Metres(length))).collect();
+    let components = parts
+        .iter()
+        .map(|&(od, length)| tube(od, Metres(length)))
+        .collect();
     let string = string(components, 3.0);
     let mesh = Mesh::new(&string, 3.0);
     assert_eq!(mesh.elements.len(), 1);
@@ -95,15 +113,40 @@ fn an_element_of_several_components_is_their_row() {
     let second = |od: f64| std::f64::consts::PI / 64.0 * od.powi(4) * (1.0 - 0.0256);
     let (e, g) = (210e9, 80e9);
     let row = |stiffness: f64| 3.0 / stiffness;
-    assert_close("EA", row(section.axial_stiffness_N), sum(&|od, l| l / (e * area(od))), 1e-12);
-    assert_close("EI", row(section.bending_stiffness_N_m2), sum(&|od, l| l / (e * second(od))), 1e-12);
-    assert_close("GJ", row(section.torsional_stiffness_N_m2), sum(&|od, l| l / (2.0 * g * second(od))), 1e-12);
-    assert_close("steel", section.steel_kg_per_m * 3.0, sum(&|od, l| 7850.0 * area(od) * l), 1e-12);
+    assert_close(
+        "EA",
+        row(section.axial_stiffness_N),
+        sum(&|od, l| l / (e * area(od))),
+        1e-12,
+    );
+    assert_close(
+        "EI",
+        row(section.bending_stiffness_N_m2),
+        sum(&|od, l| l / (e * second(od))),
+        1e-12,
+    );
+    assert_close(
+        "GJ",
+        row(section.torsional_stiffness_N_m2),
+        sum(&|od, l| l / (2.0 * g * second(od))),
+        1e-12,
+    );
+    assert_close(
+        "steel",
+        section.steel_kg_per_m * 3.0,
+        sum(&|od, l| 7850.0 * area(od) * l),
+        1e-12,
+    );
     let polar = sum(&|od, l| 7850.0 * 2.0 * second(od) * l);
     assert_close("polar", section.polar_inertia_kg_m * 3.0, polar, 1e-12);
     // Archimedes: the buoyed weight is that of the steel less that of the mud in its place.
     let weight = 9.80665 * sum(&|od, l| (7850.0 - 1200.0) * area(od) * l);
-    assert_close("weight", section.buoyed_weight_N_per_m(1200.0) * 3.0, weight, 1e-12);
+    assert_close(
+        "weight",
+        section.buoyed_weight_N_per_m(1200.0) * 3.0,
+        weight,
+        1e-12,
+    );
 }
 
 /// Everything that any string must fulfil.
@@ -118,9 +161,19 @@ fn is_sound(string: &DrillString, element_length: f64) -> Result<(), TestCaseErr
     let (mut steel, mut tributary) = (0.0, 0.0);
     for (i, e) in mesh.elements.iter().enumerate() {
         prop_assert!(e.length_m > 0.0);
-        prop_assert!(e.length_m <= 1.2 * element_length * (1.0 + 1e-9), "{}", e.length_m);
+        prop_assert!(
+            e.length_m <= 1.2 * element_length * (1.0 + 1e-9),
+            "{}",
+            e.length_m
+        );
         let s = &e.section;
-        for value in [s.axial_stiffness_N, s.shear_stiffness_N, s.bending_stiffness_N_m2, s.torsional_stiffness_N_m2, s.polar_inertia_kg_m] {
+        for value in [
+            s.axial_stiffness_N,
+            s.shear_stiffness_N,
+            s.bending_stiffness_N_m2,
+            s.torsional_stiffness_N_m2,
+            s.polar_inertia_kg_m,
+        ] {
             prop_assert!(value.is_finite() && value > 0.0);
         }
         steel += s.steel_kg_per_m * e.length_m;
@@ -166,9 +219,14 @@ fn component() -> impl Strategy<Value = ComponentSpec> {
         (1.0..1.5, prop_oneof![0.05..1.0, 1.0..50.0]).prop_map(Some),
     ];
     let length = prop_oneof![0.001..0.1, 0.1..5.0, 5.0..400.0];
-    (0.05..0.4, 0.0..0.95, length, joints).prop_map(|(od_m, bore, length_m, joints)| ComponentSpec {
-        joints: joints.map(|(part, spacing_m)| ToolJoints { od_m: part * od_m, spacing_m }),
-        ..ComponentSpec::uniform("any", od_m, bore * od_m, Metres(length_m), steel())
+    (0.05..0.4, 0.0..0.95, length, joints).prop_map(|(od_m, bore, length_m, joints)| {
+        ComponentSpec {
+            joints: joints.map(|(part, spacing_m)| ToolJoints {
+                od_m: part * od_m,
+                spacing_m,
+            }),
+            ..ComponentSpec::uniform("any", od_m, bore * od_m, Metres(length_m), steel())
+        }
     })
 }
 

@@ -83,7 +83,14 @@ impl Plane {
             0.0,
         );
         // A turn from z to x is positive about y.
-        [-r.force.0, -r.force.2, r.moment1.1, r.force.0, r.force.2, r.moment2.1]
+        [
+            -r.force.0,
+            -r.force.2,
+            r.moment1.1,
+            r.force.0,
+            r.force.2,
+            r.moment2.1,
+        ]
     }
 
     fn ends(&self, element: usize) -> [f64; 2 * FREE] {
@@ -153,8 +160,11 @@ impl Plane {
             self.load = &load * (step as f64 / steps as f64);
             let mut last = f64::INFINITY;
             for _ in 0..60 {
-                let change =
-                    self.tangent().lu().solve(&self.imbalance()).expect("a stiffness matrix");
+                let change = self
+                    .tangent()
+                    .lu()
+                    .solve(&self.imbalance())
+                    .expect("a stiffness matrix");
                 self.moved += &change;
                 let size = change.amax();
                 // Converged where the steps no longer shrink.
@@ -163,7 +173,10 @@ impl Plane {
                 }
                 last = size;
             }
-            assert!(last < 1e-8 * self.moved.amax().max(1e-12), "no equilibrium: {last:e}");
+            assert!(
+                last < 1e-8 * self.moved.amax().max(1e-12),
+                "no equilibrium: {last:e}"
+            );
         }
         self.load = load;
     }

@@ -45,7 +45,11 @@ fn converges(what: &str, answers: [[f64; 2]; 3], exact: [f64; 2], size: f64, tol
     let [coarse, middle, fine] = answers.map(error);
     let limit = error([0, 1].map(|i| (4.0 * answers[2][i] - answers[1][i]) / 3.0));
     println!("{what}: {coarse:.1e} {middle:.1e} {fine:.1e}, extrapolated {limit:.1e}");
-    assert!((order(middle, fine) - 2.0).abs() < 0.05, "{what}: order {}", order(middle, fine));
+    assert!(
+        (order(middle, fine) - 2.0).abs() < 0.05,
+        "{what}: order {}",
+        order(middle, fine)
+    );
     assert!(limit < tolerance, "{what}: {limit:e}");
 }
 
@@ -76,7 +80,13 @@ fn an_end_moment_bends_a_cantilever_to_a_circle() {
             [l + along, across]
         };
         let exact = [number(&row["tip_x"]), number(&row["tip_y"])];
-        converges(&format!("λ {}", row["lam"]), [16, 32, 64].map(answer), exact, l, 1e-4);
+        converges(
+            &format!("λ {}", row["lam"]),
+            [16, 32, 64].map(answer),
+            exact,
+            l,
+            1e-4,
+        );
     }
 }
 
@@ -95,7 +105,13 @@ fn a_tip_force_bends_a_cantilever_as_the_elastica() {
             [1.0 + along, across]
         };
         let exact = [number(&row["x_over_L"]), number(&row["delta_over_L"])];
-        converges(&format!("PL²/EI {load}"), [16, 32, 64].map(answer), exact, 1.0, 1e-4);
+        converges(
+            &format!("PL²/EI {load}"),
+            [16, 32, 64].map(answer),
+            exact,
+            1.0,
+            1e-4,
+        );
     }
 }
 
@@ -109,7 +125,11 @@ fn a_deep_cantilever_sags_by_bending_and_shear() {
     let input = |key: &str| number(&data["inputs"][key]);
     let (l, h, b, e) = (input("L"), input("h"), input("b"), input("E"));
     let g = e / (2.0 * (1.0 + input("nu")));
-    let (ea, ei, kga) = (e * b * h, e * b * h.powi(3) / 12.0, input("shear_corr") * g * b * h);
+    let (ea, ei, kga) = (
+        e * b * h,
+        e * b * h.powi(3) / 12.0,
+        input("shear_corr") * g * b * h,
+    );
     let force = input("F_small");
     let parts = 32;
     let mut rod = cantilever(ea, ei, kga, l, parts);
@@ -128,7 +148,11 @@ fn a_deep_cantilever_sags_by_bending_and_shear() {
 /// axial force: Timoshenko and Gere, *Theory of Elastic Stability* (1961), their (1-17) and (1-43).
 fn amplification(tension: f64, ei: f64, l: f64) -> f64 {
     let u = 0.5 * l * (tension.abs() / ei).sqrt();
-    if tension > 0.0 { 3.0 * (u - u.tanh()) / u.powi(3) } else { 3.0 * (u.tan() - u) / u.powi(3) }
+    if tension > 0.0 {
+        3.0 * (u - u.tanh()) / u.powi(3)
+    } else {
+        3.0 * (u.tan() - u) / u.powi(3)
+    }
 }
 
 /// The middle of a pinned beam of two elements or more under axial load.
@@ -148,7 +172,13 @@ fn beam_column(tension: f64, shear: f64, parts: usize) -> f64 {
 #[test]
 fn axial_load_stiffens_and_softens_a_beam() {
     let euler = std::f64::consts::PI.powi(2);
-    for (part, tolerance) in [(-0.8, 1.5e-5), (-0.5, 2.5e-6), (0.5, 6e-7), (5.0, 2e-5), (50.0, 5e-4)] {
+    for (part, tolerance) in [
+        (-0.8, 1.5e-5),
+        (-0.5, 2.5e-6),
+        (0.5, 6e-7),
+        (5.0, 2e-5),
+        (50.0, 5e-4),
+    ] {
         let tension = part * euler;
         let exact = 1e-6 / 48.0 * amplification(tension, 1.0, 1.0);
         let error = |parts| relative_error(beam_column(tension, RIGID, parts), exact);
@@ -156,7 +186,11 @@ fn axial_load_stiffens_and_softens_a_beam() {
         println!("T {part} P_E: {coarse:.1e} {middle:.1e} {fine:.1e}");
         assert!(fine < tolerance, "{part}: {fine:e}");
         if part < 10.0 {
-            assert!((order(coarse, middle) - 4.0).abs() < 0.4, "{}", order(coarse, middle));
+            assert!(
+                (order(coarse, middle) - 4.0).abs() < 0.4,
+                "{}",
+                order(coarse, middle)
+            );
         }
     }
 }
@@ -190,7 +224,11 @@ fn a_column_buckles_at_eulers_load() {
     let error = |parts| buckling_load(RIGID, parts) / euler - 1.0;
     let [one, coarse, middle, fine] = [1, 2, 4, 8].map(error);
     println!("{one:.1e} {coarse:.1e} {middle:.1e} {fine:.1e}");
-    assert!((order(coarse, middle) - 4.0).abs() < 0.2, "{}", order(coarse, middle));
+    assert!(
+        (order(coarse, middle) - 4.0).abs() < 0.2,
+        "{}",
+        order(coarse, middle)
+    );
     assert!(fine > 0.0 && fine < 5e-5);
     // One cubic over half a sine buckles at 12 EI/L².
     assert_close("one element", 1.0 + one, 12.0 / euler, 1e-6);
@@ -204,9 +242,14 @@ fn a_column_soft_in_shear_buckles_at_engessers_load() {
     let euler = std::f64::consts::PI.powi(2);
     let shear = 10.0 * euler;
     let engesser = euler / (1.0 + euler / shear);
-    let [coarse, middle, fine] = [2, 4, 8].map(|parts| buckling_load(shear, parts) / engesser - 1.0);
+    let [coarse, middle, fine] =
+        [2, 4, 8].map(|parts| buckling_load(shear, parts) / engesser - 1.0);
     println!("{coarse:.1e} {middle:.1e} {fine:.1e}");
     // Second order: the element's share of the shear does not know of the tension. 3e-4 of fourth order left.
-    assert!((order(middle, fine) - 2.0).abs() < 0.15, "{}", order(middle, fine));
+    assert!(
+        (order(middle, fine) - 2.0).abs() < 0.15,
+        "{}",
+        order(middle, fine)
+    );
     assert!(((4.0 * fine - middle) / 3.0).abs() < 3e-4);
 }
