@@ -32,7 +32,7 @@ fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("{failure}");
+            tell(&format!("{failure}\n"));
             ExitCode::from(failure.status())
         }
     }
@@ -48,9 +48,14 @@ fn load(args: &CaseArgs, quiet: bool) -> Result<wholestring_case::Case, Failure>
     let case = wholestring_case::load(&args.case, &args.overrides)
         .map_err(|report| Failure::BadInput(report.render(color())))?;
     if !quiet && !case.warnings.is_empty() {
-        eprint!("{}", case.warnings.render(color()));
+        tell(&case.warnings.render(color()));
     }
     Ok(case)
+}
+
+/// Prints to standard error. Where nobody reads it there is nobody left to tell.
+fn tell(text: &str) {
+    let _ = io::stderr().lock().write_all(text.as_bytes());
 }
 
 /// Whether diagnostics are coloured: on a terminal whose user has not said no.

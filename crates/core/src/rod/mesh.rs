@@ -43,11 +43,11 @@ struct Mark {
 /// point, at its middle, m.
 const LONGEST_BLADE_M: f64 = 4.0;
 
-/// Marks nearer to one another than this part of the element length, or than [`CROWDED_M`], share a
-/// node.
+/// A joint nearer to the bit, the top, a stabiliser or the joint below than this part of the element
+/// length, and than [`CROWDED_M`], has no node of its own.
 const CROWDED: f64 = 0.5;
 
-/// Longest distance over which marks are merged, m.
+/// Longest distance over which joints give way, m.
 const CROWDED_M: f64 = 2.0;
 
 /// Part of an element that a stretch may lack and still be cut once more. Between marks the elements

@@ -73,7 +73,7 @@ pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> 
         |inertia: &[ElementInertia]| inertia.iter().map(|i| i.axial_kg).sum::<f64>() / total - 1.0;
     let fits = |dt: f64| lend_all(dt).is_some_and(|i| added(&i) <= MOST_ADDED_MASS);
 
-    // The slowest element bounds the step from above, a thousandth of it from below.
+    // Twice the step of the slowest element bounds the step from above.
     let slowest = bare
         .iter()
         .map(|(k, i)| 2.0 / (4.0 * k.axial * k.inverse_length / i.axial_kg).sqrt())

@@ -1,7 +1,10 @@
 //! Normal contact between string and wall, solved implicitly within a step.
 //!
-//! Penetration is geometry: `α = u + r − R`. Both laws are evaluated at the end of the step, which
-//! makes any stiffness stable and the mean forces independent of it.
+//! Penetration is geometry: `α = u + r − R`. Both laws take it at the end of the step, which makes any
+//! stiffness stable and the mean forces independent of it. The price is restitution: a blow shorter than
+//! a few steps loses most of its energy. At 0.55 ms, the step of 3.2 m elements, a node of 120 kg on rock
+//! with the default dissipation rebounds with 0.47 of 0.01 m/s, 0.33 of 0.1, 0.22 of 0.5 and 0.12 of 2 m/s;
+//! the law itself gives 0.997, 0.97, 0.86 and 0.59.
 
 use crate::rod::number::Number;
 
@@ -22,7 +25,8 @@ pub fn hertz_stiffness(modulus_Pa: f64, hole_radius_m: f64, pipe_radius_m: f64) 
 }
 
 /// `N = K α^1.5 (1 + d v_n)` at the end of a step that, without contact, would end at penetration
-/// `alpha`. One newton takes `dt²/m` of it away; `inertia` is `m/dt²`.
+/// `alpha`, approaching at `v_n`. One newton takes `dt²/m` of `alpha` away; `inertia` is `m/dt²`. The
+/// approach is the one without contact, not that of the step's end.
 ///
 /// With `y = √α` the law is the cubic `y² + G y³ = α_free`, `G = K (1 + d v_n) dt²/m`; in `z = G y` it is
 /// `z²(1 + z) = G² α_free = r²`, one curve for every contact. A rational function within 2 % of it for
