@@ -263,7 +263,7 @@ fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
             ModelKind::Dynamic => "dynamic*",
         };
         let values = QUANTITIES.iter().enumerate();
-        let cells = values.map(|(_, quantity)| cell(row, (quantity.value)(&solved.scalars)));
+        let cells = values.map(|(row, quantity)| cell(row, (quantity.value)(&solved.scalars)));
         // The name of an operation needs the room of its one column where it has only one.
         let alone = operations
             .iter()
@@ -275,12 +275,12 @@ fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
         };
         push(heading, cells.collect(), across);
         if let Some(statistics) = &solved.statistics {
-            let deviations = QUANTITIES.iter().enumerate().map(|(_, quantity)| {
-                match statistics.get(quantity.key) {
+            let deviations = QUANTITIES
+                .iter()
+                .map(|quantity| match statistics.get(quantity.key) {
                     Some(statistic) => deviation(quantity.unit.shown(statistic.std, units)),
                     None => String::new(),
-                }
-            });
+                });
             push("± std", deviations.collect(), 0);
         }
     }

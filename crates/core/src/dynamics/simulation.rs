@@ -532,3 +532,6 @@ impl Simulation {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

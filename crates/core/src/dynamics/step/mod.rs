@@ -93,6 +93,11 @@ impl Stepper {
     /// The fastest code for this processor and these laws: `hertz` or linear contact, `vector` or
     /// independent friction, and `rest` if friction at rest is stronger than sliding anywhere.
     pub fn new(hertz: bool, vector: bool, rest: bool) -> Self {
+        Self::all(hertz, vector, rest)[0]
+    }
+
+    /// Every code that this processor can run, the fastest first; the baseline always is the last.
+    pub fn all(hertz: bool, vector: bool, rest: bool) -> Vec<Self> {
         macro_rules! choose {
             ($function:ident, $name:literal) => {
                 Self {
@@ -110,6 +115,7 @@ impl Stepper {
                 }
             };
         }
+        let mut all = Vec::new();
         #[cfg(target_arch = "x86_64")]
         {
             let fma = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
@@ -118,18 +124,19 @@ impl Stepper {
                 && is_x86_feature_detected!("avx512dq")
                 && is_x86_feature_detected!("avx512vl")
             {
-                return choose!(avx512, "AVX-512");
+                all.push(choose!(avx512, "AVX-512"));
             }
             if fma {
-                return choose!(avx2, "AVX2");
+                all.push(choose!(avx2, "AVX2"));
             }
         }
-        choose!(baseline, "baseline")
+        all.push(choose!(baseline, "baseline"));
+        all
     }
 
     /// Advances the chain by one step.
     pub fn step(&self, chain: &mut Chain, input: &StepInput) -> StepLosses {
-        // SAFETY: `new` picks only code whose instructions the processor was found to have.
+        // SAFETY: `all` lists only code whose instructions the processor was found to have.
         unsafe { (self.step)(chain, input) }
     }
 }

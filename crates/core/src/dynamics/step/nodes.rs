@@ -74,9 +74,9 @@ impl Flight {
         let (u, v) = (nine(&state.u, block), nine(&state.v, block));
         let spin = state.spin.nine(block);
         let splat = N::splat;
-        let (one, half, dt) = (splat(1.0), splat(0.5), splat(input.dt));
+        let (half, dt) = (splat(0.5), splat(input.dt));
         let alpha = splat(input.mass_damping);
-        let calm = splat(1.0 / (1.0 + input.dt * input.mass_damping));
+        let fade = (alpha * dt).min(half);
         let (rigid_v, rigid_s) = (splat(input.rigid_velocity), splat(input.rigid_spin));
         let (mut penetration, mut inward) = ([0.0; LANES], [0.0; LANES]);
         for lane in 0..LANES {
@@ -95,16 +95,16 @@ impl Flight {
             let across1 = across0.plus(force.minus(th, along), dt * per_ml);
             let s1 = (dt * per_j).mul_add(torque, s0);
 
-            // Mud drag and mass-proportional damping.
+            // Mud drag and mass-proportional damping of the velocity that the node came with. The kick is
+            // left whole: a wall or a hoist that takes it back within the step must feel all of it.
             let speed = across0.dot(across0).sqrt();
             let drag = at::<N>(&n.drag_quadratic, lane).mul_add(speed, at(&n.drag_linear, lane));
-            // 1/(1 + x) to 1e-8 for the x = 1e-2 that no mud exceeds; still a brake at any speed.
-            let x = (per_ml.mul_add(drag, alpha) * dt).min(half);
-            let slowed = x.mul_add(x.mul_add(one - x, -one), one);
-            let axial2 = (axial1 - rigid_v).mul_add(calm, rigid_v);
-            let across2 = across1.scaled(slowed);
-            let calm_spin = per_j.if_positive(calm, one);
-            let s2 = (s1 - rigid_s).mul_add(calm_spin, rigid_s);
+            // A hundredth in any mud; a brake still at any speed.
+            let slowed = (per_ml.mul_add(drag, alpha) * dt).min(half);
+            let axial2 = fade.neg_mul_add(axial0 - rigid_v, axial1);
+            let across2 = across1.minus(across0, slowed);
+            let fade_spin = per_j.if_positive(fade, N::zero());
+            let s2 = fade_spin.neg_mul_add(s0 - rigid_s, s1);
 
             // Where the step would end, against the curved wall.
             let u0 = from::<N, 9>(&u, lane);
@@ -115,7 +115,7 @@ impl Flight {
                 .plus(across2, dt)
                 .minus(at3(&n.curvature, lane), half * (z * z));
             let rho = (offset.dot(offset) + splat(1e-30)).sqrt();
-            let normal = offset.scaled(one / rho);
+            let normal = offset.scaled(splat(1.0) / rho);
 
             put(&mut self.across0, lane, across0);
             self.axial0[lane] = axial0.get();
@@ -238,14 +238,14 @@ pub(super) fn turn<N: Number>(
     let moment_below = eights(&pull.moment1, above + 1);
     let splat = N::splat;
     let (one, half, dt) = (splat(1.0), splat(0.5), splat(input.dt));
-    let calm = splat(1.0 / (1.0 + input.dt * input.mass_damping));
+    let calm = splat(1.0 - (input.dt * input.mass_damping).min(0.5));
     let (old_d, old_w) = (nine(&state.d, block), nine(&state.w, block));
     let spin = state.spin.nine(block);
     let (mut d, mut w) = ([[0.0; LANES]; 3], [[0.0; LANES]; 3]);
     for lane in 0..LANES {
         let (d0, w0) = (from::<N, 9>(&old_d, lane), from::<N, 9>(&old_w, lane));
         let moment = from::<N, 8>(&moment_above, lane) + from(&moment_below, lane);
-        let kicked = w0.plus(moment, dt * at(&n.inv_rotary, lane)).scaled(calm);
+        let kicked = w0.scaled(calm).plus(moment, dt * at(&n.inv_rotary, lane));
         let p = half * dt * at(&n.gyroscopic, lane) * splat(spin[lane]);
         // Cayley's rotation by the precession: (1 − p²)/(1 + p²) and 2p/(1 + p²), to rounding, for p,
         // half the precession in a step, is below 1e-2.
