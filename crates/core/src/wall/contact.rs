@@ -39,19 +39,19 @@ pub fn hertz<N: Number>(alpha: N, v_n: N, stiffness: N, dissipation: N, inertia:
     let tiny = N::splat(1e-300);
     let alpha = alpha.max(N::zero());
     let k = stiffness * dissipation.mul_add(v_n, one).max(N::zero());
-    let r = k * alpha.sqrt() / inertia;
-    let square = r * r;
-    let start = N::splat(0.229).mul_add(r, one) * r
-        / N::splat(0.006_43).mul_add(square, N::splat(0.6016).mul_add(r, one));
-    // Newton for z²(1 + z) − r²: z → (z²(1 + 2z) + r²)/(z(2 + 3z)).
-    let newton = |z: N| {
-        let above = (z * z).mul_add(two.mul_add(z, one), square);
-        (above, z.mul_add(three.mul_add(z, two), tiny))
-    };
-    let (above, below) = newton(start);
-    let (above, below) = newton(above / below);
+    // r = s/I. Powers of I are multiplied through, which leaves two divisions of five.
+    let (s, i) = (k * alpha.sqrt(), inertia);
+    let (s2, i2) = (s * s, i * i);
+    let p = s * N::splat(0.229).mul_add(s, i);
+    let q = N::splat(0.006_43).mul_add(s2, N::splat(0.6016).mul_add(s * i, i2));
+    // Newton for z²(1 + z) − r²: z → (z²(1 + 2z) + r²)/(z(2 + 3z)), first from z = p/q.
+    let above = (i2 * p * p).mul_add(two.mul_add(p, q), s2 * (q * q * q));
+    let below = (i2 * p * q).mul_add(three.mul_add(p, two * q), tiny);
+    let z = above / below;
+    let above = (i2 * z * z).mul_add(two.mul_add(z, one), s2);
+    let below = (i2 * z).mul_add(three.mul_add(z, two), tiny);
     // N = (m/dt²) α z/(1 + z): what is left of the penetration carries the force.
-    inertia * alpha * (above / (above + below))
+    i * alpha * (above / (above + below))
 }
 
 /// `N = max(0, k α + c v_n)` while the surfaces overlap, at the end of the step `dt` of a node of
