@@ -67,7 +67,7 @@ mod tests {
     fn vector_friction_obeys_coulomb() {
         let (ga, gt) = (4e-6, 9e-6);
         for speed in [1e-6, 1e-4, 1e-3, 1e-2, 1.0, 30.0] {
-            for angle in [0.0f64, 0.01, 0.3, 0.8, 1.2, 1.57] {
+            for angle in [0.0f64, 0.01, 0.3, 0.8, 1.2, std::f64::consts::FRAC_PI_2] {
                 for limit in [0.0, 1.0, 100.0, 3000.0] {
                     let (ua, ut) = (speed * angle.sin(), speed * angle.cos());
                     let (fa, ft) = vector(limit, ua, ut, ga, gt);

@@ -250,7 +250,7 @@ fn a_linear_blow_restores_what_its_damper_leaves() {
         let dt = 1e-4 / f64::sqrt(k / m);
         let (mut x, mut v) = (0.0f64, v0);
         loop {
-            let force = linear(x + dt * v, v, k, c, dt * dt / m, dt / m);
+            let force = linear(x + dt * v, v, k, c, m, dt);
             v -= dt / m * force;
             x += dt * v;
             if v < 0.0 && force == 0.0 {

@@ -11,4 +11,5 @@ mod friction;
 mod mesh;
 mod plane;
 mod random;
+mod stability;
 mod statics;
