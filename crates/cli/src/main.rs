@@ -32,7 +32,7 @@ fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("{failure}");
+            tell(&format!("{failure}\n"));
             ExitCode::from(failure.status())
         }
     }
@@ -48,7 +48,7 @@ fn load(args: &CaseArgs, quiet: bool) -> Result<wholestring_case::Case, Failure>
     let case = wholestring_case::load(&args.case, &args.overrides)
         .map_err(|report| Failure::BadInput(report.render(color())))?;
     if !quiet && !case.warnings.is_empty() {
-        eprint!("{}", case.warnings.render(color()));
+        tell(&case.warnings.render(color()));
     }
     Ok(case)
 }
@@ -56,6 +56,11 @@ fn load(args: &CaseArgs, quiet: bool) -> Result<wholestring_case::Case, Failure>
 /// Whether diagnostics are coloured: on a terminal whose user has not said no.
 fn color() -> bool {
     io::stderr().is_terminal() && env::var_os("NO_COLOR").is_none_or(|no| no.is_empty())
+}
+
+/// Prints to standard error. Where that is closed or full there is nobody left to tell.
+fn tell(text: &str) {
+    let _ = io::stderr().lock().write_all(text.as_bytes());
 }
 
 /// Prints to standard output. A reader that has seen enough (`| head`) is no failure.

@@ -8,7 +8,7 @@ use wholestring_case::{
     survey::{self, ImportedSurvey, SurveyError},
 };
 
-use crate::{args::SurveyArgs, color, failure::Failure, say};
+use crate::{args::SurveyArgs, color, failure::Failure, say, tell};
 
 /// Columns of the result. Surveys are in degrees everywhere, so that this one is too; `survey` reads
 /// its own result.
@@ -26,7 +26,7 @@ pub(crate) fn survey(args: &SurveyArgs) -> Result<(), Failure> {
     let file = args.survey.display();
     let survey = read(&args.survey)?;
     for note in &survey.notes {
-        eprintln!("note: {note}");
+        tell(&format!("note: {note}\n"));
     }
     let interpolation = Interpolation::from(args.path);
     let tie_in = survey.tie_in.unwrap_or_default();
