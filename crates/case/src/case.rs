@@ -327,7 +327,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         rig: rig?,
     };
     let (models, operations, dynamics) = (models?, operations?, dynamics?);
-    effort::check_effort(&models, &model.string, &dynamics, &case, reader)?;
+    effort::check_effort(&models, &model, &operations, &dynamics, &case, reader)?;
     let name = match case.name.optional()? {
         Some(given) => given.value.clone(),
         None => FilePath::new(name).file_stem().map_or_else(

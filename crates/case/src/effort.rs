@@ -1,59 +1,93 @@
 //! Whether a run of the case can be finished.
 
-use wholestring::{dynamics::DynamicsSettings, string::DrillString};
+use wholestring::{
+    dynamics::{DynamicsSettings, Effort},
+    model::Model,
+    operation::Operation,
+};
 
 use crate::{
     case::{CaseTable, ModelKind},
     diagnostic::Diagnostic,
+    range::number_text,
     reader::Reader,
 };
 
 /// More elements than this make no sense in the longest of wells.
-const MOST_ELEMENTS: f64 = 1e5;
+const MOST_ELEMENTS: usize = 110_000;
 /// More element-steps than this are weeks of computing.
 const MOST_ELEMENT_STEPS: f64 = 1e14;
+/// A shorter step than this, a twentieth of what elements of 0.2 m need, has a mistake for its cause.
+const SHORTEST_STEP_S: f64 = 2e-6;
 
-/// Whether a dynamic run of the case can be finished.
+/// Whether the dynamic runs of the case can be finished.
 pub(crate) fn check_effort(
     models: &[ModelKind],
-    string: &DrillString,
+    model: &Model,
+    operations: &[Operation],
     dynamics: &DynamicsSettings,
     case: &CaseTable,
     reader: &mut Reader,
 ) -> Option<()> {
-    let mut elements = 0.0;
-    let mut fastest_m_per_s = 0.0_f64;
-    for component in string.components() {
-        let spacing_m = component
-            .joints
-            .map_or(f64::INFINITY, |joints| joints.spacing_m);
-        let element_m = dynamics.element_length_m.min(spacing_m);
-        elements += (component.length_m / element_m).ceil();
-        let material = component.material;
-        let wave = (material.youngs_modulus_Pa / material.density_kg_per_m3).sqrt();
-        fastest_m_per_s = fastest_m_per_s.max(wave);
+    if !models.contains(&ModelKind::Dynamic) {
+        return Some(());
     }
-    let time_s = dynamics.settle_s + dynamics.duration_s;
-    let steps = time_s * fastest_m_per_s / dynamics.element_length_m;
-    let dynamic = models.contains(&ModelKind::Dynamic);
+    let efforts = operations
+        .iter()
+        .map(|operation| Effort::of(model, operation, dynamics));
+    let efforts: Vec<Effort> = match efforts.collect() {
+        Ok(efforts) => efforts,
+        Err(error) => {
+            reader.report(Diagnostic::error(format!(
+                "the dynamic model refuses: {error}"
+            )));
+            return None;
+        }
+    };
+    let elements = efforts.first()?.elements;
+    let shortest_s = efforts
+        .iter()
+        .map(|effort| effort.time_step_s)
+        .fold(f64::INFINITY, f64::min);
+    let steps: f64 = efforts.iter().map(|effort| effort.steps).sum();
     let message = if elements > MOST_ELEMENTS {
-        format!("the string would be cut into {elements:.0} elements")
-    } else if dynamic && elements * steps > MOST_ELEMENT_STEPS {
-        format!("{elements:.0} elements over {time_s:.0} s would take weeks")
+        format!("the string would be cut into {elements} elements")
+    } else if shortest_s < SHORTEST_STEP_S {
+        format!(
+            "the time step would be {} s",
+            number_text(format!("{shortest_s:.1e}").parse().unwrap_or(shortest_s))
+        )
+    } else if elements as f64 * steps > MOST_ELEMENT_STEPS {
+        format!("{elements} elements over {steps:.1e} steps would take weeks")
     } else {
         return Some(());
     };
-    let mut diagnostic = Diagnostic::error(message);
+    reader.report(advice(Diagnostic::error(message), shortest_s, case));
+    None
+}
+
+/// What makes a run shorter, at the places of the case that make it long.
+fn advice(mut diagnostic: Diagnostic, step_s: f64, case: &CaseTable) -> Diagnostic {
     if let Some(given) = case.mesh.get().and_then(|mesh| mesh.element_length.given()) {
         diagnostic = diagnostic.at(given.place, "raise the element length");
     }
-    if let Some(given) = case
-        .dynamics
-        .get()
-        .and_then(|dynamics| dynamics.duration.given())
+    let Some(dynamics) = case.dynamics.get() else {
+        return diagnostic;
+    };
+    let damping = dynamics.damping.get();
+    if let Some(given) = damping.and_then(|damping| damping.stiffness.given())
+        && given.value > 10.0 * step_s
     {
-        diagnostic = diagnostic.at(given.place, "or shorten the window");
+        diagnostic = diagnostic.at(given.place, "it shortens the time step: lower it");
     }
-    reader.report(diagnostic);
-    None
+    if step_s < SHORTEST_STEP_S {
+        return diagnostic.help(format!(
+            "the shortest element, the metal and the damping bound the step; expected {} s or more",
+            number_text(SHORTEST_STEP_S)
+        ));
+    }
+    match dynamics.duration.given() {
+        Some(given) => diagnostic.at(given.place, "or shorten the window"),
+        None => diagnostic,
+    }
 }

@@ -63,7 +63,7 @@ impl SteelTable {
 
 /// Moduli may be inconsistent, but then probably one of the two was forgotten.
 fn check_moduli(material: &Material, place: Place, reader: &mut Reader) {
-    let poisson = material.poisson_ratio();
+    let poisson = material.youngs_modulus_Pa / (2.0 * material.shear_modulus_Pa) - 1.0;
     if !(0.0..=0.5).contains(&poisson) {
         reader.report(
             Diagnostic::warning(format!(
@@ -73,7 +73,7 @@ fn check_moduli(material: &Material, place: Place, reader: &mut Reader) {
                 number_text((poisson * 100.0).round() / 100.0)
             ))
             .at(place, "Young's and shear modulus are given separately")
-            .help("metals have 0.2 to 0.4; G = E/(2 (1 + ratio))"),
+            .help("metals have 0.2 to 0.4; G = E/(2 (1 + ratio)); more than 0.5 counts as 0.5"),
         );
     }
 }

@@ -341,6 +341,14 @@ fn of_relation() {
             changed("[mesh]", "[hoist]\ncontrol = \"hook-load\"\n[mesh]"),
         ),
         (
+            "step_of_nanoseconds",
+            changed(
+                "duration = \"60 s\"",
+                "damping.stiffness = \"10 ms\"\nduration = \"60 s\"",
+            )
+            .replace("\"3.2 m\"", "\"0.2 m\""),
+        ),
+        (
             "run_of_weeks",
             changed(
                 "duration = \"60 s\"",

@@ -1,4 +1,5 @@
-//! Ten thousand mutations of the shipped cases: each is accepted or answered, and none panics.
+//! Ten thousand mutations of the shipped cases: each is accepted or answered, and none panics; what is
+//! accepted runs.
 
 use std::{
     fs,
@@ -12,10 +13,17 @@ mod common;
 use common::schema_check;
 use fastrand::Rng;
 use toml::de::{DeTable, DeValue};
-use wholestring::statics::soft::{self, SoftSettings};
+use wholestring::{
+    dynamics::{DynamicOutcome, Simulation},
+    operation::Operation,
+    statics::soft::{self, SoftSettings},
+};
 use wholestring_case::{Case, InMemory, parse};
 
 const MUTATIONS: usize = 10_000;
+
+/// One in so many mutations, if accepted, is also run.
+const SHARE_OF_RUNS: usize = 4;
 
 /// A shipped case and the files beside it.
 struct Shipped {
@@ -88,6 +96,10 @@ fn every_mutation_is_accepted_or_answered() {
             match parse(&case.name, &bytes, &files, &[]) {
                 Ok(read) => {
                     check_accepted(&read);
+                    if seed % SHARE_OF_RUNS == 0 {
+                        let operation = rng.usize(..read.operations.len());
+                        run_dynamics(&read, &read.operations[operation]);
+                    }
                     let text = std::str::from_utf8(&bytes).expect("an accepted text");
                     let problems = schema_check::problems(&schema, text);
                     assert!(
@@ -173,6 +185,49 @@ fn check_accepted(case: &Case) {
     assert!(case.dynamics.duration_s / case.dynamics.sample_interval_s <= 2e6);
     let settings = case.settings.to_string();
     assert!(settings.len() < 64 << 20);
+}
+
+/// Runs the dynamics for a few hundredths of a second, the mesh coarse enough for a test. The run ends,
+/// diverges or cannot begin, and says so; it never answers with numbers that are none.
+fn run_dynamics(case: &Case, operation: &Operation) {
+    const MOST_ELEMENTS: f64 = 150.0;
+    const RUN_S: f64 = 0.03;
+    const LONGEST_S: f64 = 0.05;
+    let mut settings = case.dynamics;
+    let length_m = case.model.string.length_m();
+    settings.element_length_m = settings.element_length_m.max(length_m / MOST_ELEMENTS);
+    // The window opens within the run, and is sampled.
+    settings.settle_s = settings.settle_s.min(RUN_S / 2.0);
+    settings.sample_interval_s = settings.sample_interval_s.min(LONGEST_S);
+    let mut simulation = match Simulation::new(&case.model, operation, &settings) {
+        Ok(simulation) => simulation,
+        Err(error) => {
+            assert!(!error.to_string().is_empty());
+            return;
+        }
+    };
+    if let Err(diverged) = simulation.advance(RUN_S) {
+        assert!(!diverged.to_string().is_empty());
+    }
+    assert_finite(&simulation.outcome());
+}
+
+/// No number of an outcome is infinite or none.
+fn assert_finite(outcome: &DynamicOutcome) {
+    // Debug prints every field there is, also those of tomorrow.
+    let text = format!("{outcome:?}");
+    for word in ["NaN", "inf"] {
+        let found = text
+            .split(|c: char| !c.is_alphanumeric())
+            .any(|part| part == word);
+        if found {
+            let at = text.find(word).unwrap_or(0);
+            let from = text[..at]
+                .rfind(": [")
+                .map_or(0, |from| from.saturating_sub(30));
+            panic!("{word} at {}", &text[from..(from + 200).min(text.len())]);
+        }
+    }
 }
 
 /// The names of all keys.

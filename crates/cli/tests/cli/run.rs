@@ -256,3 +256,32 @@ fn interrupted() {
     let time = Table::read_parquet(&desk.path("results/time.parquet")).unwrap();
     assert!(time.rows() > 0);
 }
+
+/// A run that is stopped before its window begins has a profile of what it sampled until then.
+#[test]
+fn a_profile_without_window() {
+    let desk = Desk::new();
+    let output = desk.run(&[
+        "run",
+        "slant.toml",
+        "-o",
+        "results",
+        "--set",
+        "model=dynamic",
+        "--set",
+        "dynamics.settle=3600 s",
+        "--set",
+        "hoist.control=hook-load",
+        "--set",
+        "hoist.hook_load=1e8 N",
+        "--set",
+        "dynamics.sample_interval=1 ms",
+    ]);
+    assert_eq!(output.status.code(), Some(3));
+    let nodes = Table::read_parquet(&desk.path("results/nodes.parquet")).unwrap();
+    let Data::Number(tensions) = &nodes.column("tension_N").unwrap().data else {
+        panic!("tensions are numbers");
+    };
+    // Ten thousand tonnes at the top.
+    assert!(tensions[0].unwrap() > 1e6, "{:?}", tensions[0]);
+}

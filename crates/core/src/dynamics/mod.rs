@@ -19,4 +19,4 @@ pub use settings::{
     BitSettings, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping,
     Start,
 };
-pub use simulation::{Diverged, SetupError, Simulation};
+pub use simulation::{Diverged, Effort, SetupError, Simulation};

@@ -90,12 +90,7 @@ impl Record {
         }
     }
 
-    /// Number of samples in the window so far.
-    pub fn samples(&self) -> u64 {
-        self.samples
-    }
-
-    /// Begins the window anew.
+    /// Begins the window: what was summed before it, in case it never began, goes.
     pub fn open_window(&mut self) {
         self.sums.fill(EMPTY);
         self.samples = 0;
@@ -103,15 +98,8 @@ impl Record {
     }
 
     /// Takes a sample of every node: contact quantities as averages over the `steps` since the last
-    /// one, whose sums it clears. `high` holds each node's high side. Sums over the window grow only
-    /// if `in_window`.
-    pub fn sample(
-        &mut self,
-        chain: &mut Chain,
-        high: &[[f64; 3]],
-        steps: u64,
-        in_window: bool,
-    ) -> Totals {
+    /// one, whose sums it clears. `high` holds each node's high side.
+    pub fn sample(&mut self, chain: &mut Chain, high: &[[f64; 3]], steps: u64) -> Totals {
         let mut totals = Totals::default();
         let per_step = 1.0 / steps as f64;
         let first = self.samples == 0;
@@ -135,23 +123,19 @@ impl Record {
                 };
                 totals.penetration_m = totals.penetration_m.max(deep);
             }
-            if in_window {
-                add(
-                    &mut self.sums[block],
-                    nodes,
-                    elements,
-                    &place,
-                    per_step,
-                    first,
-                );
-            }
+            add(
+                &mut self.sums[block],
+                nodes,
+                elements,
+                &place,
+                per_step,
+                first,
+            );
             nodes.sum_normal.0.fill(0.0);
             nodes.sum_axial.0.fill(0.0);
             nodes.sum_torque.0.fill(0.0);
         }
-        if in_window {
-            self.samples += 1;
-        }
+        self.samples += 1;
         self.max_penetration_m = self.max_penetration_m.max(totals.penetration_m);
         totals
     }

@@ -162,6 +162,54 @@ fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
     Ok(())
 }
 
+/// Where the bit stands at time zero: half the run above or below the operation's depth, m.
+fn first_bit_md_m(operation: &Operation, settings: &DynamicsSettings) -> f64 {
+    let middle_s = settings.settle_s + 0.5 * settings.duration_s;
+    operation.bit_depth_m - operation.axial_velocity_m_per_s() * middle_s
+}
+
+fn mesh_and_plan(model: &Model, bit_md_m: f64, settings: &DynamicsSettings) -> (Mesh, StepPlan) {
+    let mesh = Mesh::new(&model.string, settings.element_length_m);
+    let lateral = assembly::lateral_mass_kg_per_m(model, &mesh, bit_md_m);
+    let plan = stability::plan(&mesh, &lateral, settings.damping.stiffness_s);
+    (mesh, plan)
+}
+
+/// What a run would cost.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Effort {
+    /// Number of elements.
+    pub elements: usize,
+    /// Step, s.
+    pub time_step_s: f64,
+    /// Steps from the laying of the string to the end of the window.
+    pub steps: f64,
+}
+
+impl Effort {
+    /// What the run would cost, found without laying the string.
+    ///
+    /// # Errors
+    /// A setting out of range.
+    pub fn of(
+        model: &Model,
+        operation: &Operation,
+        settings: &DynamicsSettings,
+    ) -> Result<Self, SetupError> {
+        check(settings)?;
+        let (mesh, plan) = mesh_and_plan(model, first_bit_md_m(operation, settings), settings);
+        let laying_s = match settings.start {
+            Start::Prepared => start::SETTLING_S,
+            Start::Centred => 0.0,
+        };
+        Ok(Self {
+            elements: mesh.elements.len(),
+            time_step_s: plan.dt_s,
+            steps: (laying_s + settings.settle_s + settings.duration_s) / plan.dt_s,
+        })
+    }
+}
+
 impl Simulation {
     /// Lays the string in its hole, ready to run.
     ///
@@ -176,12 +224,9 @@ impl Simulation {
         settings: &DynamicsSettings,
     ) -> Result<Self, SetupError> {
         check(settings)?;
-        let mesh = Mesh::new(&model.string, settings.element_length_m);
         let velocity = operation.axial_velocity_m_per_s();
-        let bit_md_m =
-            operation.bit_depth_m - velocity * (settings.settle_s + 0.5 * settings.duration_s);
-        let lateral = assembly::lateral_mass_kg_per_m(model, &mesh, bit_md_m);
-        let plan = stability::plan(&mesh, &lateral, settings.damping.stiffness_s);
+        let bit_md_m = first_bit_md_m(operation, settings);
+        let (mesh, plan) = mesh_and_plan(model, bit_md_m, settings);
         let chain = assembly::chain(model, &mesh, &plan);
         let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
         let stepper = Stepper::new(
@@ -436,9 +481,7 @@ impl Simulation {
             };
         }
         let sums = std::mem::take(&mut self.since_sample);
-        let totals = self
-            .record
-            .sample(&mut self.chain, &self.high, sums.steps, self.window_open);
+        let totals = self.record.sample(&mut self.chain, &self.high, sums.steps);
         let n = sums.steps as f64;
         let last = self.chain.nodes() - 1;
         let elongation = self.elongation_m();
@@ -521,7 +564,6 @@ impl Simulation {
     pub fn outcome(&self) -> DynamicOutcome {
         summary::outcome(&summary::Sources {
             model: &self.model,
-            operation: &self.operation,
             mesh: &self.mesh,
             plan: &self.plan,
             anchors: &self.anchors,

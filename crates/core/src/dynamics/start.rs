@@ -20,7 +20,7 @@ use crate::{
 };
 
 /// Lateral settling of a prepared start, s, and its damping, 1/s: near critical for a joint's span.
-const SETTLING_S: f64 = 2.0;
+pub const SETTLING_S: f64 = 2.0;
 const SETTLING_DAMPING_PER_S: f64 = 15.0;
 
 /// Side force at which the string is laid halfway to the wall, N/m: where less presses it there, it

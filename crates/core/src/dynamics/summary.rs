@@ -7,7 +7,6 @@ use super::{
 };
 use crate::{
     model::Model,
-    operation::Operation,
     outcome::Scalars,
     rod::{mesh::Mesh, stability::StepPlan},
 };
@@ -15,7 +14,6 @@ use crate::{
 /// What the answer is made from.
 pub struct Sources<'a> {
     pub model: &'a Model,
-    pub operation: &'a Operation,
     pub mesh: &'a Mesh,
     pub plan: &'a StepPlan,
     pub anchors: &'a [Anchor],
@@ -31,11 +29,7 @@ const LONGEST_REACH_M: f64 = 10.0;
 /// The answer.
 pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
     let series = &s.record.series;
-    let from = if s.record.samples() > 0 {
-        s.record.window_row
-    } else {
-        0
-    };
+    let from = s.record.window_row;
     let statistics: Vec<(&'static str, Statistic)> = varying(series)
         .into_iter()
         .filter_map(|(name, values)| Some((name, Statistic::of(&values[from..])?)))
@@ -46,7 +40,7 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
             .find(|(n, _)| *n == name)
             .map_or(0.0, |(_, s)| s.mean)
     };
-    let nodes = profile(s);
+    let nodes = profile(s, from);
     let path = &s.model.well.path;
     let scalars = Scalars {
         hook_load_N: mean("hook_load_N"),
@@ -71,7 +65,6 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
                 )
             }),
     };
-    let _ = s.operation;
     DynamicOutcome {
         scalars,
         statistics,
@@ -107,8 +100,14 @@ fn varying(series: &TimeSeries) -> [(&'static str, &Vec<f64>); 10] {
     ]
 }
 
-fn profile(s: &Sources<'_>) -> NodeProfile {
+/// The profile over the samples from row `from` of the series on.
+fn profile(s: &Sources<'_>, from: usize) -> NodeProfile {
     let n = s.mesh.nodes.len();
+    // The anchors stand where the run ended; the string was there, on average, where its bit was.
+    let bit_depths_m = &s.record.series.bit_depth_m[from..];
+    let back_m = bit_depths_m.last().map_or(0.0, |last| {
+        last - bit_depths_m.iter().sum::<f64>() / bit_depths_m.len() as f64
+    });
     let record = s.record;
     // Tension and torque live in elements, everything else at nodes.
     let at_node = |i: usize, of: &dyn Fn(usize) -> super::record::Spread| {
@@ -124,7 +123,7 @@ fn profile(s: &Sources<'_>) -> NodeProfile {
         let (tension, tension_std) = at_node(i, &|e| record.tension(e));
         let (torque, torque_std) = at_node(i, &|e| record.torque(e));
         let normal = record.normal(i);
-        p.md_m.push(s.anchors[i].md_m);
+        p.md_m.push(s.anchors[i].md_m - back_m);
         p.tension_N.push(tension);
         p.tension_std_N.push(tension_std);
         p.torque_N_m.push(-torque);

@@ -1,0 +1,229 @@
+//! What scripts rely on: the keys of `summary.json` and the columns of the tables, for every operation
+//! and model. A key may join; one that goes or changes its type breaks them.
+
+use std::{collections::BTreeSet, fs, path::Path};
+
+use crate::desk::Desk;
+use serde_json::Value;
+use wholestring_results::{Data, Table};
+
+const OPERATIONS: [&str; 7] = [
+    "trip_out",
+    "trip_in",
+    "rotate_off_bottom",
+    "drill",
+    "slide",
+    "ream",
+    "back_ream",
+];
+
+/// Numbers of every operation.
+const SCALARS: [&str; 10] = [
+    "bit_depth_m",
+    "weight_on_bit_N",
+    "bit_torque_N_m",
+    "hook_load_N",
+    "surface_torque_N_m",
+    "friction_torque_N_m",
+    "axial_friction_N",
+    "side_force_total_N",
+    "twist_rad",
+    "stretch_m",
+];
+
+/// Numbers, or `null` where there is none.
+const DEPTHS: [&str; 2] = ["neutral_point_m", "cutoff_depth_m"];
+
+const STATISTIC: [&str; 6] = ["mean", "std", "min", "max", "p05", "p95"];
+
+const NUMERICS: [&str; 8] = [
+    "elements",
+    "time_step_s",
+    "steps",
+    "added_axial_mass_fraction",
+    "max_penetration_m",
+    "energy_residual",
+    "wall_time_s",
+    "real_time_factor",
+];
+
+/// A run of every operation with both models.
+fn solved() -> Desk {
+    let desk = Desk::new();
+    let kinds = format!("operation.kind={OPERATIONS:?}");
+    let output = desk.run(&[
+        "run",
+        "slant.toml",
+        "-o",
+        "results",
+        "--set",
+        &kinds,
+        "--set",
+        "dynamics.duration=0.1 s",
+        "--set",
+        "dynamics.settle=0.1 s",
+    ]);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{message}");
+    desk
+}
+
+fn keys(object: &Value) -> BTreeSet<&str> {
+    object
+        .as_object()
+        .expect("an object")
+        .keys()
+        .map(String::as_str)
+        .collect()
+}
+
+#[test]
+fn keys_of_the_summary() {
+    let desk = solved();
+    let text = fs::read(desk.path("results/summary.json")).unwrap();
+    let summary: Value = serde_json::from_slice(&text).unwrap();
+    let top = ["schema_version", "case", "settings", "operations"];
+    assert_eq!(keys(&summary), top.into());
+    assert_eq!(summary["schema_version"], 1);
+    assert_eq!(summary["case"], "Straight slant");
+    // A default that the case does not give.
+    assert_eq!(summary["settings"]["dynamics"]["seed"], 1);
+
+    let operations = summary["operations"].as_array().unwrap();
+    let found: Vec<(&str, &str)> = operations
+        .iter()
+        .map(|o| {
+            (
+                o["operation"].as_str().unwrap(),
+                o["model"].as_str().unwrap(),
+            )
+        })
+        .collect();
+    let expected: Vec<(&str, &str)> = OPERATIONS
+        .iter()
+        .flat_map(|name| [(*name, "soft"), (*name, "dynamic")])
+        .collect();
+    assert_eq!(found, expected);
+
+    for operation in operations {
+        let mut expected: BTreeSet<&str> = ["model", "operation", "status", "friction"].into();
+        expected.extend(SCALARS);
+        expected.extend(DEPTHS);
+        let dynamic = operation["model"] == "dynamic";
+        if dynamic {
+            expected.extend(["statistics", "numerics"]);
+        }
+        assert_eq!(keys(operation), expected);
+        assert_eq!(operation["status"], "complete");
+        assert_eq!(operation["friction"], 0.25);
+        assert_eq!(operation["bit_depth_m"], 600.0);
+        for key in SCALARS {
+            assert!(operation[key].is_number(), "{key}: {operation}");
+        }
+        for key in DEPTHS {
+            let value = &operation[key];
+            assert!(value.is_number() || value.is_null(), "{key}: {value}");
+        }
+        if dynamic {
+            check_dynamic(operation);
+        }
+    }
+}
+
+fn check_dynamic(operation: &Value) {
+    let numerics = &operation["numerics"];
+    for key in NUMERICS {
+        assert!(numerics[key].is_number(), "{key}: {numerics}");
+    }
+    for key in ["elements", "steps"] {
+        assert!(numerics[key].as_u64().unwrap() > 0, "{key}: {numerics}");
+    }
+    let statistics = &operation["statistics"];
+    // All that the operation holds means of.
+    for key in SCALARS.iter().filter(|key| **key != "bit_depth_m") {
+        let of = &statistics[key];
+        assert_eq!(keys(of), STATISTIC.into(), "{key}");
+        let value = |name: &str| of[name].as_f64().unwrap();
+        assert_eq!(of["mean"], operation[key], "{key}");
+        let order = ["min", "p05", "p95", "max"].map(value);
+        assert!(order.is_sorted(), "{key}: {of}");
+        // But for the rounding of a mean of equal numbers.
+        let rounding = 1e-9 * value("mean").abs();
+        assert!(value("mean") >= value("min") - rounding, "{key}: {of}");
+        assert!(value("mean") <= value("max") + rounding, "{key}: {of}");
+        assert!(value("std") >= 0.0, "{key}: {of}");
+    }
+}
+
+/// Checks that a table has these columns, each of them filled, and no number that is none.
+fn check_table(path: &Path, texts: &[&str], numbers: &[&str]) -> usize {
+    let table = Table::read_parquet(path).unwrap();
+    for name in texts {
+        let column = table.column(name).unwrap_or_else(|| panic!("no `{name}`"));
+        assert!(matches!(column.data, Data::Text(_)), "{name}");
+    }
+    for name in numbers {
+        let column = table.column(name).unwrap_or_else(|| panic!("no `{name}`"));
+        let Data::Number(values) = &column.data else {
+            panic!("`{name}` holds no numbers");
+        };
+        assert!(values.iter().all(Option::is_some), "gaps in `{name}`");
+    }
+    for column in table.columns() {
+        if let Data::Number(values) = &column.data {
+            let finite = values.iter().flatten().all(|value| value.is_finite());
+            assert!(finite, "`{}` holds a number that is none", column.name);
+        }
+    }
+    table.rows()
+}
+
+#[test]
+fn columns_of_the_tables() {
+    let desk = solved();
+    let nodes = check_table(
+        &desk.path("results/nodes.parquet"),
+        &["model", "operation"],
+        &[
+            "md_m",
+            "tension_N",
+            "torque_N_m",
+            "side_force_N_per_m",
+            "contact_fraction",
+        ],
+    );
+    assert!(nodes > 14 * 100, "{nodes} rows");
+    let mut scalars: Vec<&str> = SCALARS.to_vec();
+    scalars.push("time_s");
+    let rows = check_table(&desk.path("results/time.parquet"), &["operation"], &scalars);
+    assert!(rows >= 7 * 18, "{rows} rows");
+}
+
+/// Machine files are SI whatever people are shown.
+#[test]
+fn units_of_the_screen_leave_the_files_alone() {
+    let desk = Desk::new();
+    let run = |units: &str| {
+        let soft = ["--set", "model=soft", "--csv", "-o", units];
+        let output = desk.run(&[&["run", "slant.toml", "--units", units], &soft[..]].concat());
+        assert!(output.status.success());
+        ["summary.json", "nodes.csv", "nodes.parquet", "time.csv"]
+            .map(|name| fs::read(desk.path(units).join(name)).unwrap())
+    };
+    let si = run("si");
+    assert_eq!(run("field"), si);
+    assert_eq!(run("metric"), si);
+}
+
+/// Where nobody hears an error, the exit status still tells it.
+#[cfg(target_os = "linux")]
+#[test]
+fn an_error_that_nobody_hears() {
+    let desk = Desk::new();
+    let full = fs::OpenOptions::new()
+        .write(true)
+        .open("/dev/full")
+        .unwrap();
+    let mut command = desk.command(&["check", "slant.toml", "--set", "frction=0.1"]);
+    assert_eq!(command.stderr(full).status().unwrap().code(), Some(2));
+}
