@@ -5,7 +5,7 @@ mod count;
 mod python;
 
 use std::{
-    env, fs,
+    env,
     path::{Path, PathBuf},
     process::{Command, ExitCode},
     time::Instant,
@@ -149,11 +149,13 @@ fn wasm() -> Result<Finding, Failure> {
     Ok(Finding::Done)
 }
 
-/// The root of the repository.
+/// The root of the repository: the folder of this package's.
 fn root() -> PathBuf {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    // Without it paths in messages read `xtask/../...`.
-    fs::canonicalize(&root).unwrap_or(root)
+    // Cargo says it at run time too: a target folder that two checkouts share may hold the program of
+    // the other one.
+    let package = env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
+    let package = package.unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
+    package.parent().map(Path::to_path_buf).unwrap_or(package)
 }
 
 /// The folder that cargo builds into.

@@ -277,8 +277,7 @@ fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
         if let Some(statistics) = &solved.statistics {
             let deviations = QUANTITIES
                 .iter()
-                .enumerate()
-                .map(|(row, quantity)| match statistics.get(quantity.key) {
+                .map(|quantity| match statistics.get(quantity.key) {
                     Some(statistic) => deviation(quantity.unit.shown(statistic.std, units)),
                     None => String::new(),
                 });

@@ -1,15 +1,14 @@
 //! Quantities against measured depth, side by side, depth down the page.
 
-use plotters::{
-    coord::Shift,
-    prelude::*,
-    style::{
-        FontTransform, RGBColor,
-        text_anchor::{HPos, Pos, VPos},
-    },
-};
+use plotters::{prelude::*, style::text_anchor::HPos};
 
-use crate::{axis::Axis, colours};
+use crate::{
+    axis::Axis,
+    canvas::{Canvas, Drawn, FINE, LETTER, fitting},
+    colours,
+    legend::Legend,
+    line::thinned,
+};
 
 /// A picture of profiles: panels side by side over one depth axis that points down.
 ///
@@ -94,26 +93,16 @@ pub enum IntervalKind {
     Open,
 }
 
-/// The backend draws on whole pixels: a canvas ten times as large keeps curves smooth.
-const FINE: f64 = 10.0;
-
 const WIDTH: f64 = 960.0;
 const PANELS: f64 = 760.0;
 const LEFT: f64 = 76.0;
 const RIGHT: f64 = 62.0;
 const GAP: f64 = 22.0;
 const BOTTOM: f64 = 28.0;
-const LEGEND_ROW: f64 = 20.0;
-const LEGEND_ENTRY: f64 = 36.0;
-/// The backend takes a font's size as the height of its line and divides by this to get the em.
-const EM: f64 = 1.24;
-/// Mean width of a letter over its size; generous, so that entries never touch.
-const LETTER: f64 = 0.6;
-
 /// The picture as the text of an SVG file.
 pub fn profile_svg(profile: &Profile) -> String {
-    let legend = Legend::of(&profile.legend);
-    let top = 120.0 + LEGEND_ROW * legend.rows() as f64;
+    let legend = Legend::of(&profile.legend, WIDTH - LEFT);
+    let top = 120.0 + legend.height();
     let height = top + PANELS + BOTTOM;
     let mut svg = String::new();
     {
@@ -137,8 +126,6 @@ fn natural_size(svg: &str, height: f64) -> String {
     svg.replacen(&large, &format!("width=\"{WIDTH}\" height=\"{height}\""), 1)
 }
 
-type Drawn = Result<(), Box<dyn std::error::Error>>;
-
 fn draw(canvas: &Canvas, profile: &Profile, legend: &Legend, top: f64) -> Drawn {
     canvas.area.fill(&WHITE)?;
     let room = WIDTH - LEFT - RIGHT;
@@ -146,7 +133,7 @@ fn draw(canvas: &Canvas, profile: &Profile, legend: &Legend, top: f64) -> Drawn 
     canvas.text(&title, LEFT, 34.0, 19.0, colours::TEXT, HPos::Left)?;
     let subtitle = fitting(&profile.subtitle, 12.5, room);
     canvas.text(&subtitle, LEFT, 56.0, 12.5, colours::NOTE, HPos::Left)?;
-    legend.draw(canvas, 80.0)?;
+    legend.draw(canvas, LEFT, 80.0)?;
 
     let hole = profile
         .hole
@@ -307,212 +294,6 @@ fn draw_hole(canvas: &Canvas, hole: &[Interval], depth: &Axis, top: f64) -> Draw
     Ok(())
 }
 
-/// The legend in aligned columns under the title.
-struct Legend<'a> {
-    entries: &'a [Entry],
-    width: f64,
-    columns: usize,
-}
-
-const LEGEND_SIZE: f64 = 12.5;
-
-impl<'a> Legend<'a> {
-    fn of(entries: &'a [Entry]) -> Self {
-        let letters = entries.iter().map(|entry| entry.name.chars().count()).max();
-        let width = LEGEND_ENTRY + LETTER * LEGEND_SIZE * letters.unwrap_or(0) as f64 + 14.0;
-        Self {
-            entries,
-            width,
-            columns: ((WIDTH - LEFT) / width).floor().max(1.0) as usize,
-        }
-    }
-
-    fn rows(&self) -> usize {
-        self.entries.len().div_ceil(self.columns)
-    }
-
-    fn draw(&self, canvas: &Canvas, top: f64) -> Drawn {
-        for (index, entry) in self.entries.iter().enumerate() {
-            let x = LEFT + self.width * (index % self.columns) as f64;
-            let y = top + LEGEND_ROW * (index / self.columns) as f64;
-            let colour = entry.colour.map_or(colours::NOTE, colours::line);
-            canvas.curve(&[(x, y), (x + LEGEND_ENTRY - 8.0, y)], colour, entry.stroke)?;
-            let x = x + LEGEND_ENTRY;
-            canvas.text(&entry.name, x, y, LEGEND_SIZE, colours::TEXT, HPos::Left)?;
-        }
-        Ok(())
-    }
-}
-
-/// The page in points of the finished picture.
-struct Canvas<'a, 'b> {
-    area: &'a DrawingArea<SVGBackend<'b>, Shift>,
-}
-
-impl Canvas<'_, '_> {
-    fn fine(points: &[(f64, f64)]) -> Vec<(i32, i32)> {
-        let fine = |value: f64| (value * FINE).round() as i32;
-        points.iter().map(|(x, y)| (fine(*x), fine(*y))).collect()
-    }
-
-    fn line(&self, points: &[(f64, f64)], colour: RGBColor, width: f64) -> Drawn {
-        let style = colour.stroke_width((width * FINE) as u32);
-        self.area
-            .draw(&PathElement::new(Self::fine(points), style))?;
-        Ok(())
-    }
-
-    fn dashed(&self, points: &[(f64, f64)], colour: RGBColor, width: f64, dash: f64) -> Drawn {
-        for piece in dashes(points, dash, dash) {
-            self.line(&piece, colour, width)?;
-        }
-        Ok(())
-    }
-
-    fn curve(&self, points: &[(f64, f64)], colour: RGBColor, stroke: Stroke) -> Drawn {
-        match stroke {
-            Stroke::Solid => self.line(points, colour, 1.6),
-            Stroke::Dashed => {
-                for piece in dashes(points, 6.0, 4.0) {
-                    self.line(&piece, colour, 1.6)?;
-                }
-                Ok(())
-            }
-        }
-    }
-
-    fn fill(&self, corners: &[(f64, f64)], colour: RGBColor) -> Drawn {
-        self.area
-            .draw(&Polygon::new(Self::fine(corners), colour.filled()))?;
-        Ok(())
-    }
-
-    fn text(&self, text: &str, x: f64, y: f64, size: f64, colour: RGBColor, at: HPos) -> Drawn {
-        self.styled_text(text, x, y, size, colour, at, FontTransform::None)
-    }
-
-    /// Text that reads from the bottom up, centred on the point.
-    fn upright(&self, text: &str, x: f64, y: f64, size: f64, colour: RGBColor) -> Drawn {
-        self.styled_text(
-            text,
-            x,
-            y,
-            size,
-            colour,
-            HPos::Center,
-            FontTransform::Rotate270,
-        )
-    }
-
-    #[allow(
-        clippy::too_many_arguments,
-        reason = "the two above are its short forms"
-    )]
-    fn styled_text(
-        &self,
-        text: &str,
-        x: f64,
-        y: f64,
-        size: f64,
-        colour: RGBColor,
-        at: HPos,
-        turned: FontTransform,
-    ) -> Drawn {
-        let style = ("sans-serif", size * FINE * EM)
-            .into_font()
-            .transform(turned)
-            .color(&colour)
-            .pos(Pos::new(at, VPos::Center));
-        let place = Self::fine(&[(x, y)])[0];
-        self.area.draw(&Text::new(text, place, style))?;
-        Ok(())
-    }
-}
-
-/// The text, cut off where it is too long for the width.
-fn fitting(text: &str, size: f64, width: f64) -> String {
-    let letters = (width / (LETTER * size)) as usize;
-    if text.chars().count() <= letters {
-        return text.to_owned();
-    }
-    text.chars().take(letters - 1).chain(['\u{2026}']).collect()
-}
-
-/// The curve without the points that lie on the line between those kept, within a twentieth of a
-/// point (Ramer, Douglas and Peucker): a fine mesh makes no finer picture.
-fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    const WITHIN: f64 = 0.05;
-    let mut keep = vec![false; points.len()];
-    let mut spans = Vec::new();
-    if let Some(last) = points.len().checked_sub(1) {
-        keep[0] = true;
-        keep[last] = true;
-        spans.push((0, last));
-    }
-    while let Some((first, last)) = spans.pop() {
-        let ((x0, y0), (x1, y1)) = (points[first], points[last]);
-        let length = (x1 - x0).hypot(y1 - y0);
-        let off = |&(x, y): &(f64, f64)| {
-            if length > 0.0 {
-                ((x - x0) * (y1 - y0) - (y - y0) * (x1 - x0)).abs() / length
-            } else {
-                (x - x0).hypot(y - y0)
-            }
-        };
-        let between = (first + 1..last).map(|index| (index, off(&points[index])));
-        if let Some((farthest, distance)) = between.max_by(|a, b| a.1.total_cmp(&b.1))
-            && distance > WITHIN
-        {
-            keep[farthest] = true;
-            spans.extend([(first, farthest), (farthest, last)]);
-        }
-    }
-    let kept = points.iter().zip(keep);
-    kept.filter_map(|(point, keep)| keep.then_some(*point))
-        .collect()
-}
-
-/// The pieces of a dashed line.
-fn dashes(points: &[(f64, f64)], dash: f64, gap: f64) -> Vec<Vec<(f64, f64)>> {
-    let mut pieces = Vec::new();
-    let mut piece = Vec::new();
-    // What is left of the dash or gap that the pen is in.
-    let (mut drawing, mut left) = (true, dash);
-    for pair in points.windows(2) {
-        let ((x0, y0), (x1, y1)) = (pair[0], pair[1]);
-        let length = (x1 - x0).hypot(y1 - y0);
-        let at = |along: f64| {
-            (
-                x0 + (x1 - x0) * along / length,
-                y0 + (y1 - y0) * along / length,
-            )
-        };
-        if drawing && piece.is_empty() {
-            piece.push((x0, y0));
-        }
-        let mut along = 0.0;
-        while length - along > left {
-            along += left;
-            if drawing {
-                piece.push(at(along));
-                pieces.push(std::mem::take(&mut piece));
-            } else {
-                piece.push(at(along));
-            }
-            drawing = !drawing;
-            left = if drawing { dash } else { gap };
-        }
-        left -= length - along;
-        if drawing && length > 0.0 {
-            piece.push((x1, y1));
-        }
-    }
-    if piece.len() > 1 {
-        pieces.push(piece);
-    }
-    pieces
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -639,44 +420,5 @@ mod tests {
         broken.panels.clear();
         broken.hole.clear();
         assert!(profile_svg(&broken).ends_with("</svg>\n"));
-    }
-
-    #[test]
-    fn thinning_moves_no_point_of_the_curve_visibly() {
-        let point = |i: i32| {
-            let y = f64::from(i) * 0.1;
-            (
-                100.0 + 50.0 * (y / 30.0).sin() + if i == 3000 { 20.0 } else { 0.0 },
-                y,
-            )
-        };
-        let curve: Vec<_> = (0..7600).map(point).collect();
-        let thin = thinned(&curve);
-        assert!(thin.len() < 300, "{}", thin.len());
-        assert!(thin.contains(&point(3000)));
-        assert_eq!((thin[0], thin[thin.len() - 1]), (point(0), point(7599)));
-        for pair in thin.windows(2) {
-            let ((x0, y0), (x1, y1)) = (pair[0], pair[1]);
-            for (x, y) in curve.iter().filter(|point| point.1 > y0 && point.1 < y1) {
-                let line = x0 + (x1 - x0) * (y - y0) / (y1 - y0);
-                // Across the curve it is within 0.05; along x a slope of 5/3 doubles that.
-                assert!((line - x).abs() < 0.1, "{y}: {}", line - x);
-            }
-        }
-        assert_eq!(thinned(&[]), []);
-        assert_eq!(thinned(&[(1.0, 2.0)]), [(1.0, 2.0)]);
-    }
-
-    #[test]
-    fn dashes_keep_their_rhythm_over_corners() {
-        let pieces = dashes(&[(0.0, 0.0), (4.0, 0.0), (4.0, 20.0)], 6.0, 4.0);
-        assert_eq!(
-            pieces,
-            [
-                vec![(0.0, 0.0), (4.0, 0.0), (4.0, 2.0)],
-                vec![(4.0, 6.0), (4.0, 12.0)],
-                vec![(4.0, 16.0), (4.0, 20.0)],
-            ]
-        );
     }
 }

@@ -11,6 +11,8 @@ mod simulation;
 mod start;
 mod step;
 mod summary;
+#[cfg(test)]
+mod tests;
 
 pub use outcome::{DynamicOutcome, NodeProfile, Numerics, Statistic, TimeSeries};
 pub use settings::{

@@ -93,6 +93,10 @@ pub struct NodeProfile {
     pub contact_force_max_N: Vec<f64>,
     /// Part of the samples in which the node touched the wall.
     pub contact_fraction: Vec<f64>,
+    /// Angle of the node's mean contact force from the low side, rad, from −π to π, positive to the right
+    /// looking down the hole; none where it never touched. A pipe that turns clockwise climbs to the
+    /// right.
+    pub climb_rad: Vec<Option<f64>>,
     /// Mean axial friction per metre, N/m; positive adds to hook load.
     pub axial_friction_N_per_m: Vec<f64>,
     /// Mean friction torque per metre, N.

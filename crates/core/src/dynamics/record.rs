@@ -20,6 +20,9 @@ struct SumBlock {
     normal_max: Lane,
     touched: Lane,
     signed: Lane,
+    /// Contact force towards the high side and towards the right of it, looking down the hole.
+    up: Lane,
+    right: Lane,
     axial: Lane,
     rub: Lane,
     offset: Lane,
@@ -33,6 +36,8 @@ const EMPTY: SumBlock = SumBlock {
     normal_max: [0.0; LANES],
     touched: [0.0; LANES],
     signed: [0.0; LANES],
+    up: [0.0; LANES],
+    right: [0.0; LANES],
     axial: [0.0; LANES],
     rub: [0.0; LANES],
     offset: [0.0; LANES],
@@ -100,7 +105,7 @@ impl Record {
         let first = self.samples == 0;
         for (block, nodes) in chain.node_blocks.iter_mut().enumerate() {
             let elements = &chain.element_blocks[block];
-            let mut place = Placement::of(
+            let place = Placement::of(
                 nodes,
                 &chain.state.u,
                 block,
@@ -117,9 +122,6 @@ impl Record {
                     0.0
                 };
                 totals.penetration_m = totals.penetration_m.max(deep);
-                if normal <= 0.0 {
-                    place.side[lane] = 0.0;
-                }
             }
             add(
                 &mut self.sums[block],
@@ -183,6 +185,15 @@ impl Record {
     pub fn signed(&self, index: usize) -> f64 {
         self.mean_of(index, |s| &s.signed)
     }
+    /// Angle of a node's mean contact force from the low side, rad, positive to the right of it looking
+    /// down the hole; none if it never touched.
+    pub fn climb_rad(&self, index: usize) -> Option<f64> {
+        let (up, right) = (
+            self.mean_of(index, |s| &s.up),
+            self.mean_of(index, |s| &s.right),
+        );
+        (up != 0.0 || right != 0.0).then(|| right.atan2(-up))
+    }
     /// Mean axial friction of a node on the wall, N, along the hole.
     pub fn axial(&self, index: usize) -> f64 {
         self.mean_of(index, |s| &s.axial)
@@ -201,16 +212,19 @@ impl Record {
 struct Placement {
     offset: Lane,
     penetration: Lane,
-    /// +1 on the high side, −1 on the low side.
-    side: Lane,
+    /// Cosines of the direction in which it lies with the high side and with the right side.
+    up: Lane,
+    right: Lane,
 }
 
 impl Placement {
     fn of(nodes: &NodeBlock, u: &[Field; 3], block: usize, high: &[[f64; 3]]) -> Self {
+        let none = [0.0; LANES];
         let mut place = Self {
-            offset: [0.0; LANES],
-            penetration: [0.0; LANES],
-            side: [0.0; LANES],
+            offset: none,
+            penetration: none,
+            up: none,
+            right: none,
         };
         for (lane, high) in high.iter().enumerate().take(LANES) {
             let get = |rows: &[super::chain::Row; 3]| [0, 1, 2].map(|axis| rows[axis].0[lane]);
@@ -222,8 +236,18 @@ impl Placement {
             let square: f64 = across.iter().map(|x| x * x).sum();
             place.offset[lane] = square.sqrt();
             place.penetration[lane] = place.offset[lane] - nodes.clearance.0[lane];
-            let up: f64 = across.iter().zip(high).map(|(x, h)| x * h).sum();
-            place.side[lane] = if up < 0.0 { -1.0 } else { 1.0 };
+            let h = *high;
+            let right = [
+                t[1] * h[2] - t[2] * h[1],
+                t[2] * h[0] - t[0] * h[2],
+                t[0] * h[1] - t[1] * h[0],
+            ];
+            let per_offset = 1.0 / place.offset[lane].max(f64::MIN_POSITIVE);
+            let part = |side: [f64; 3]| -> f64 {
+                across.iter().zip(side).map(|(x, s)| x * s).sum::<f64>() * per_offset
+            };
+            place.up[lane] = part(h);
+            place.right[lane] = part(right);
         }
         place
     }
@@ -252,7 +276,13 @@ fn add(
         sums.normal[1][lane] += normal * normal;
         sums.normal_max[lane] = sums.normal_max[lane].max(normal);
         sums.touched[lane] += f64::from(u8::from(normal > 0.0));
-        sums.signed[lane] += normal * place.side[lane];
+        sums.signed[lane] += if place.up[lane] < 0.0 {
+            -normal
+        } else {
+            normal
+        };
+        sums.up[lane] += normal * place.up[lane];
+        sums.right[lane] += normal * place.right[lane];
         sums.axial[lane] += nodes.sum_axial.0[lane] * per_step;
         sums.rub[lane] += nodes.sum_torque.0[lane] * per_step;
         sums.offset[lane] += place.offset[lane];

@@ -54,7 +54,8 @@ pub enum HoistControl {
 }
 
 impl HoistControl {
-    /// The autodriller with its default gain and filter.
+    /// The autodriller with its default gain and filter, 1e-7 m/s/N and 1 s: 10 kN too little add
+    /// 1 mm/s.
     pub const AUTODRILLER: Self = Self::Autodriller {
         gain_m_per_s_per_N: 1e-7,
         filter_s: 1.0,
@@ -75,7 +76,8 @@ pub struct HoistLine {
 pub struct RodDamping {
     /// Proportional to mass, 1/s, on velocities relative to the rigid motion of the string.
     pub mass_per_s: f64,
-    /// Proportional to stiffness, s, on strain rates in the body frame.
+    /// Proportional to stiffness, s: on the rates of stretch, of twist and of the bend in space, so that
+    /// a bent string that spins in place loses nothing.
     pub stiffness_s: f64,
 }
 
@@ -121,6 +123,10 @@ pub struct DynamicsSettings {
 }
 
 impl Default for DynamicsSettings {
+    /// Elements of 3.2 m; 60 s after 20 s of settling, sampled every 10 ms; a prepared start; vector
+    /// friction; Hertz contact with 0.5 s/m; damping of 0.1 1/s by mass and 10 µs by stiffness; the hoist control
+    /// that the operation asks for on a line of 1e7 N/m and 1e5 N·s/m; rock of 1e8 N/m and 1e7 N/m across;
+    /// seed 1.
     fn default() -> Self {
         Self {
             element_length_m: 3.2,

@@ -574,3 +574,6 @@ impl Simulation {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

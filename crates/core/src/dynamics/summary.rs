@@ -132,6 +132,7 @@ fn profile(s: &Sources<'_>, from: usize) -> NodeProfile {
         p.contact_force_std_N.push(normal.std);
         p.contact_force_max_N.push(record.normal_max(i));
         p.contact_fraction.push(record.touched(i));
+        p.climb_rad.push(record.climb_rad(i));
         p.lateral_offset_m.push(record.offset(i));
     }
     let carries = carried_lengths(s);

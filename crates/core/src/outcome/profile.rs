@@ -6,15 +6,22 @@ const MEAN_LENGTH_M: f64 = 30.0;
 /// A side force below this fraction of the largest one is no contact: rounding, not load.
 const NO_CONTACT: f64 = 1e-9;
 
+/// A tension below this fraction of the largest one is neither tension nor compression.
+const SLACK: f64 = 1e-3;
+
 /// Measured depth of the shallowest change between tension and compression, m; `None` if there is
 /// none.
 ///
 /// `md_m` grows, `tension_N` is the effective tension there. A string that hangs free has no neutral
-/// point: its tension reaches zero at the bit, but does not pass it.
+/// point: its tension reaches zero at the bit, but does not pass it. Nor has a string that lies
+/// slack in a horizontal hole: tensions below a thousandth of the largest one are passed over.
 pub fn neutral_point_m(md_m: &[f64], tension_N: &[f64]) -> Option<f64> {
+    let largest = tension_N
+        .iter()
+        .fold(0.0_f64, |largest, tension| largest.max(tension.abs()));
     let mut previous: Option<(f64, f64)> = None;
     for (&md, &tension) in md_m.iter().zip(tension_N) {
-        if tension == 0.0 {
+        if tension.abs() <= SLACK * largest {
             continue;
         }
         if let Some((md_above, tension_above)) = previous

@@ -121,8 +121,9 @@ pub struct Reaction<N> {
 /// Forces of an element that stands as `pose`, its twist first carried on by `dt`, with
 /// stiffness-proportional damping of time constant `beta`.
 ///
-/// The damping acts on stretch, twist and relative rotation of the directors. None of them changes
-/// when a bent pipe spins in place, so it never drives whirl.
+/// The damping acts on the rates of the chord's length, of the twist and of the directors' rotation
+/// against one another, `w2 − w1`. None of them is there when a bent pipe spins in place, so the
+/// damping never drives whirl; a bent pipe that whirls as one rigid body loses a little by the last.
 #[inline(always)]
 pub fn react<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Reaction<N> {
     let one = N::splat(1.0);
@@ -148,10 +149,12 @@ pub fn react<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Reacti
     let strain = (k.bow_near * (half * near) - k.bow_far * far).mul_add(k.inverse_length, stretch);
     let strain_rate = t.dot(p.velocity) * k.inverse_length;
     let damping_tension = k.axial * (beta * strain_rate);
-    let tension = k.axial.mul_add(strain, damping_tension);
+    let elastic_tension = k.axial * strain;
+    let tension = elastic_tension + damping_tension;
 
-    let a = k.bow_near.mul_add(tension, k.bending_near);
-    let b = k.bow_far.neg_mul_add(tension, k.bending_far);
+    // The damping knows the chord alone: it neither stiffens the directors nor works on them.
+    let a = k.bow_near.mul_add(elastic_tension, k.bending_near);
+    let b = k.bow_far.neg_mul_add(elastic_tension, k.bending_far);
     let s1 = a.mul_add(c1, b * c2);
     let s2 = a.mul_add(c2, b * c1);
     let g1 = p.d2.scaled(b).minus(t, s1);

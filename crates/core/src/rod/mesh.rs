@@ -43,16 +43,19 @@ struct Mark {
 /// point, at its middle, m.
 const LONGEST_BLADE_M: f64 = 4.0;
 
-/// Marks nearer to one another than this part of the element length, or than [`CROWDED_M`], share a
-/// node.
+/// A joint nearer to the bit, the top, a stabiliser or the joint below than this part of the element
+/// length, and than [`CROWDED_M`], has no node of its own.
 const CROWDED: f64 = 0.5;
 
-/// Longest distance over which marks are merged, m.
+/// Longest distance over which joints give way, m.
 const CROWDED_M: f64 = 2.0;
 
 /// Part of an element that a stretch may lack and still be cut once more. Between marks the elements
 /// are rather longer than asked than shorter: short ones bound the step.
 const SLACK: f64 = 0.2;
+
+/// How much longer than asked an element may be.
+const LONGEST: f64 = 1.25;
 
 /// How far a blade stands out over its neighbours, m.
 const BLADE_HEIGHT_M: f64 = 1e-3;
@@ -66,7 +69,7 @@ impl Mesh {
         for pair in marks.windows(2) {
             let (low, high) = (&pair[0], &pair[1]);
             let span = high.from_bit_m - low.from_bit_m;
-            let parts = (span / element_length_m + SLACK).floor().max(1.0) as usize;
+            let parts = parts(span / element_length_m);
             nodes.push(MeshNode {
                 from_bit_m: low.from_bit_m,
                 contact_radius_m: low.contact_radius_m,
@@ -164,6 +167,17 @@ fn marks(string: &DrillString, element_length_m: f64) -> Vec<Mark> {
     }
     marks.sort_by(|a, b| a.from_bit_m.total_cmp(&b.from_bit_m));
     thin(marks, element_length_m)
+}
+
+/// Number of elements for a stretch of `lengths` times their length.
+fn parts(lengths: f64) -> usize {
+    let few = (lengths + SLACK).floor().max(1.0);
+    let parts = if lengths > LONGEST * few {
+        few + 1.0
+    } else {
+        few
+    };
+    parts as usize
 }
 
 /// Whether a component stands out over both its neighbours over a short length: a stabiliser, a

@@ -1,7 +1,7 @@
 //! The rod: the drill string as a chain of two-node beam elements.
 //!
 //! One element serves every solver. Its forces come from one energy ([`element`]), written once over
-//! a [`number::Number`] that is either a plain `f64` or eight of them side by side.
+//! a [`number::Number`]: an `f64` with or without fused multiply-add.
 
 pub mod element;
 pub mod lanes;

@@ -4,7 +4,7 @@ use super::{element::Stiffness, mesh::Mesh};
 
 /// Part of the stability limit that is used: the rest is for what the elements' own frequencies do
 /// not know (tension, large rotation).
-const SAFETY: f64 = 0.98;
+pub(crate) const SAFETY: f64 = 0.98;
 
 /// Largest part of the string's axial mass that short elements may be lent in sum.
 const MOST_ADDED_MASS: f64 = 0.003;
@@ -39,7 +39,8 @@ pub struct StepPlan {
     pub added_axial_mass_fraction: f64,
 }
 
-/// Chooses the longest step at which the string, lent no more than 0.3 % of its mass, is stable.
+/// Chooses the longest step at which the string is stable with no more than 0.3 % of its mass lent, and that
+/// to less than half of it: ordinary pipe keeps its mass and its wave speed.
 ///
 /// The highest frequency of a chain with lumped masses lies below the highest of its elements taken
 /// alone (Irons and Treharne 1971), so each element is asked for its own: axial `ω² = 4 EA/(L m)`,
@@ -73,12 +74,18 @@ pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> 
         |inertia: &[ElementInertia]| inertia.iter().map(|i| i.axial_kg).sum::<f64>() / total - 1.0;
     let fits = |dt: f64| lend_all(dt).is_some_and(|i| added(&i) <= MOST_ADDED_MASS);
 
-    // The slowest element bounds the step from above, a thousandth of it from below.
-    let slowest = bare
+    // Only the few are lent to: no longer a step than half of the string's mass carries by itself.
+    let mut own: Vec<(f64, f64)> = bare
         .iter()
-        .map(|(k, i)| 2.0 / (4.0 * k.axial * k.inverse_length / i.axial_kg).sqrt())
-        .fold(0.0, f64::max);
-    let (mut low, mut high) = (0.0, 2.0 * slowest);
+        .map(|(k, i)| (own_step(k, i, stiffness_damping_s), i.axial_kg))
+        .collect();
+    own.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut carried = 0.0;
+    let most = own.iter().find(|(_, kg)| {
+        carried += kg;
+        carried >= 0.5 * total
+    });
+    let (mut low, mut high) = (0.0, most.map_or(0.0, |(dt, _)| *dt));
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
         if fits(middle) {
@@ -94,6 +101,13 @@ pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> 
         inertia,
         added_axial_mass_fraction,
     }
+}
+
+/// Longest step of an element that is lent nothing, by its axial frequency, s.
+fn own_step(k: &Stiffness<f64>, bare: &ElementInertia, beta: f64) -> f64 {
+    let omega = (4.0 * k.axial * k.inverse_length / bare.axial_kg).sqrt();
+    let xi = 0.5 * beta * omega;
+    2.0 * SAFETY / omega * ((1.0 + xi * xi).sqrt() - xi)
 }
 
 /// Highest angular frequency that a step carries, rad/s.

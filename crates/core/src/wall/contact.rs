@@ -1,7 +1,10 @@
 //! Normal contact between string and wall, solved implicitly within a step.
 //!
-//! Penetration is geometry: `α = u + r − R`. Both laws are evaluated at the end of the step, which
-//! makes any stiffness stable and the mean forces independent of it.
+//! Penetration is geometry: `α = u + r − R`. Both laws take it at the end of the step, which makes any
+//! stiffness stable and the mean forces independent of it. The price is restitution: a blow shorter than
+//! a few steps loses most of its energy. At 0.55 ms, about the step of 3.2 m elements, a node of 120 kg on rock
+//! with the default dissipation rebounds with 0.47 of 0.01 m/s, 0.33 of 0.1, 0.22 of 0.5 and 0.12 of 2 m/s;
+//! the law itself gives 0.997, 0.97, 0.86 and 0.59.
 
 use crate::rod::number::Number;
 
@@ -22,7 +25,8 @@ pub fn hertz_stiffness(modulus_Pa: f64, hole_radius_m: f64, pipe_radius_m: f64) 
 }
 
 /// `N = K α^1.5 (1 + d v_n)` at the end of a step that, without contact, would end at penetration
-/// `alpha`. One newton takes `dt²/m` of it away; `inertia` is `m/dt²`.
+/// `alpha`, approaching at `v_n`. One newton takes `dt²/m` of `alpha` away; `inertia` is `m/dt²`. The
+/// approach is the one without contact, not that of the step's end.
 ///
 /// With `y = √α` the law is the cubic `y² + G y³ = α_free`, `G = K (1 + d v_n) dt²/m`; in `z = G y` it is
 /// `z²(1 + z) = G² α_free = r²`, one curve for every contact. A rational function within 2 % of it for
@@ -35,19 +39,19 @@ pub fn hertz<N: Number>(alpha: N, v_n: N, stiffness: N, dissipation: N, inertia:
     let tiny = N::splat(1e-300);
     let alpha = alpha.max(N::zero());
     let k = stiffness * dissipation.mul_add(v_n, one).max(N::zero());
-    let r = k * alpha.sqrt() / inertia;
-    let square = r * r;
-    let start = N::splat(0.229).mul_add(r, one) * r
-        / N::splat(0.006_43).mul_add(square, N::splat(0.6016).mul_add(r, one));
-    // Newton for z²(1 + z) − r²: z → (z²(1 + 2z) + r²)/(z(2 + 3z)).
-    let newton = |z: N| {
-        let above = (z * z).mul_add(two.mul_add(z, one), square);
-        (above, z.mul_add(three.mul_add(z, two), tiny))
-    };
-    let (above, below) = newton(start);
-    let (above, below) = newton(above / below);
+    // r = s/I. Powers of I are multiplied through, which leaves two divisions of five.
+    let (s, i) = (k * alpha.sqrt(), inertia);
+    let (s2, i2) = (s * s, i * i);
+    let p = s * N::splat(0.229).mul_add(s, i);
+    let q = N::splat(0.006_43).mul_add(s2, N::splat(0.6016).mul_add(s * i, i2));
+    // Newton for z²(1 + z) − r²: z → (z²(1 + 2z) + r²)/(z(2 + 3z)), first from z = p/q.
+    let above = (i2 * p * p).mul_add(two.mul_add(p, q), s2 * (q * q * q));
+    let below = (i2 * p * q).mul_add(three.mul_add(p, two * q), tiny);
+    let z = above / below;
+    let above = (i2 * z * z).mul_add(two.mul_add(z, one), s2);
+    let below = (i2 * z).mul_add(three.mul_add(z, two), tiny);
     // N = (m/dt²) α z/(1 + z): what is left of the penetration carries the force.
-    inertia * alpha * (above / (above + below))
+    i * alpha * (above / (above + below))
 }
 
 /// `N = max(0, k α + c v_n)` while the surfaces overlap, at the end of the step `dt` of a node of

@@ -25,6 +25,10 @@ pub fn coefficient<N: Number>(kinetic: N, rise: N, speed2: N) -> N {
 /// `|f| = limit` gives `λ = |u|/limit − Σ g u²/Σ u²`, to second order in `g/λ`, and so the direction
 /// of `f`; its length is the limit, or what stops the motion if that is less. A contact that can stick
 /// (`|u_i/g_i| ≤ limit`) always has `λ = 0` by this formula, the exact stop.
+///
+/// For `g` that differ by no more than 4 the direction is within 7e-8 rad of the exact one where
+/// `λ > 100 g`, within 6e-5 where `λ > 10 g` and within 0.02 where `λ > g`. In a step that all but stops
+/// the contact, 0.2 rad (`λ = g/5`).
 #[inline(always)]
 pub fn vector<N: Number>(limit: N, axial: N, around: N, g_axial: N, g_around: N) -> (N, N) {
     let (a2, t2) = (axial * axial, around * around);
@@ -57,13 +61,13 @@ mod tests {
     use super::*;
 
     /// Where it slides, the friction is on Coulomb's cone and against the remaining velocity; where
-    /// it can stick, nothing remains. 1e-2 is the neglected second order at the closest approach to
-    /// sticking; far from it (`λ/g > 100`) the direction holds to 1e-4.
+    /// it can stick, nothing remains. Far from sticking (`λ/g > 100`) the direction holds to 1e-4 by
+    /// its cosine, the rounding of which is no finer.
     #[test]
     fn vector_friction_obeys_coulomb() {
         let (ga, gt) = (4e-6, 9e-6);
         for speed in [1e-6, 1e-4, 1e-3, 1e-2, 1.0, 30.0] {
-            for angle in [0.0f64, 0.01, 0.3, 0.8, 1.2, 1.5707] {
+            for angle in [0.0f64, 0.01, 0.3, 0.8, 1.2, std::f64::consts::FRAC_PI_2] {
                 for limit in [0.0, 1.0, 100.0, 3000.0] {
                     let (ua, ut) = (speed * angle.sin(), speed * angle.cos());
                     let (fa, ft) = vector(limit, ua, ut, ga, gt);

@@ -1,0 +1,205 @@
+//! A straight vertical rod, weightless in air, that a test supports and loads as it likes.
+
+use crate::{
+    dynamics::{
+        assembly,
+        chain::{Chain, node},
+        step::{StepInput, Stepper},
+    },
+    model::Model,
+    mud::Mud,
+    rig::Rig,
+    rod::{
+        mesh::Mesh,
+        stability::{self, StepPlan},
+        vector::Vector,
+    },
+    string::{ComponentLength, ComponentSpec, Material, StringSpec},
+    well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Station, TieIn, Well},
+};
+
+/// The steel of D09 and D10.
+pub const STEEL: Material = Material {
+    density_kg_per_m3: 7850.0,
+    youngs_modulus_Pa: 206.84e9,
+    shear_modulus_Pa: 79.3e9,
+};
+
+/// Their pipe: outside and inside diameter, m.
+pub const PIPE_M: [f64; 2] = [0.127, 0.1086];
+
+/// Their collar.
+pub const COLLAR_M: [f64; 2] = [0.1715, 0.0714];
+
+/// What a node may do.
+#[derive(Clone, Copy)]
+pub struct Support {
+    pub axial: bool,
+    pub lateral: bool,
+    pub tilt: bool,
+    pub spin: bool,
+}
+
+impl Support {
+    pub const FREE: Self = Self {
+        axial: true,
+        lateral: true,
+        tilt: true,
+        spin: true,
+    };
+    pub const PINNED: Self = Self {
+        axial: false,
+        lateral: false,
+        tilt: true,
+        spin: false,
+    };
+    pub const ROLLER: Self = Self {
+        axial: true,
+        ..Self::PINNED
+    };
+    pub const CLAMPED: Self = Self {
+        axial: false,
+        lateral: false,
+        tilt: false,
+        spin: false,
+    };
+}
+
+/// The rod.
+pub struct Bench {
+    pub chain: Chain,
+    pub mesh: Mesh,
+    pub plan: StepPlan,
+    pub input: StepInput,
+    stepper: Stepper,
+}
+
+impl Bench {
+    /// A rod of `parts` (outside and inside diameter, length, m) from the lower end up, free at both
+    /// ends and at rest.
+    pub fn new(parts: &[([f64; 2], f64)], element_length_m: f64, stiffness_damping_s: f64) -> Self {
+        let length_m: f64 = parts.iter().map(|(_, length)| length).sum();
+        let components = parts
+            .iter()
+            .map(|&([od, id], length)| {
+                ComponentSpec::uniform("rod", od, id, ComponentLength::Metres(length), STEEL)
+            })
+            .collect();
+        let station = |md_m| Station {
+            md_m,
+            inclination_rad: 0.0,
+            azimuth_rad: 0.0,
+        };
+        let hole = HoleSection {
+            kind: HoleKind::Open,
+            from_md_m: 0.0,
+            to_md_m: length_m,
+            diameter_m: 2.0,
+            friction: Friction {
+                kinetic: 0.0,
+                at_rest: 0.0,
+            },
+            youngs_modulus_Pa: 50e9,
+            poisson_ratio: 0.3,
+        };
+        let stations = [station(0.0), station(length_m)];
+        let model = Model {
+            well: Well {
+                path: Path::new(&stations, Interpolation::MinimumCurvature, TieIn::default())
+                    .expect("a sound survey"),
+                hole: Hole::new(vec![hole]).expect("a sound hole"),
+            },
+            string: StringSpec { components }
+                .assemble(length_m)
+                .expect("a sound string"),
+            mud: Mud {
+                density_kg_per_m3: 0.0,
+                linear_drag_Pa_s: 0.0,
+                drag_coefficient: 0.0,
+            },
+            rig: Rig::default(),
+        };
+        let mesh = Mesh::new(&model.string, element_length_m);
+        let lateral = assembly::lateral_mass_kg_per_m(&model, &mesh, length_m);
+        let plan = stability::plan(&mesh, &lateral, stiffness_damping_s);
+        let mut chain = assembly::chain(&model, &mesh, &plan);
+        for index in 0..chain.elements() {
+            chain.set_anchor_chord(index, Vector(0.0, 0.0, mesh.elements[index].length_m));
+        }
+        for index in 0..chain.nodes() {
+            chain.set_weight(index, Vector::zero());
+        }
+        let input = StepInput {
+            dt: plan.dt_s,
+            stiffness_damping: stiffness_damping_s,
+            mass_damping: 0.0,
+            rigid_velocity: 0.0,
+            rigid_spin: 0.0,
+            dissipation: 0.0,
+        };
+        let mut bench = Self {
+            chain,
+            mesh,
+            plan,
+            input,
+            stepper: Stepper::new(true, true, false),
+        };
+        bench.support(0, Support::FREE);
+        bench
+    }
+
+    /// Moment of inertia of a node across its director, kg·m².
+    pub fn rotary_kg_m2(&self, index: usize) -> f64 {
+        let of =
+            |element: Option<&stability::ElementInertia>| element.map_or(0.0, |e| e.rotary_kg_m2);
+        let above = index.checked_sub(1).and_then(|i| self.plan.inertia.get(i));
+        of(above) + of(self.plan.inertia.get(index))
+    }
+
+    /// Lets a node move so and not otherwise.
+    pub fn support(&mut self, index: usize, support: Support) {
+        let rotary = self.rotary_kg_m2(index);
+        let inverse = |free: bool, inertia: f64| if free { 1.0 / inertia } else { 0.0 };
+        let chain = &mut self.chain;
+        node!(chain, index, inv_mass_axial) =
+            inverse(support.axial, node!(chain, index, mass_axial));
+        node!(chain, index, inv_mass_lateral) =
+            inverse(support.lateral, node!(chain, index, mass_lateral));
+        node!(chain, index, inv_polar) = inverse(support.spin, node!(chain, index, polar));
+        node!(chain, index, inv_rotary) = inverse(support.tilt, rotary);
+        node!(chain, index, gyroscopic) = if support.tilt {
+            node!(chain, index, polar) / rotary
+        } else {
+            0.0
+        };
+    }
+
+    /// Distance of a node from the upper end of the unloaded rod, m.
+    pub fn z_m(&self, index: usize) -> f64 {
+        self.mesh.length_m() - self.mesh.nodes[index].from_bit_m
+    }
+
+    /// Goes on by a step.
+    pub fn step(&mut self) {
+        self.stepper.step(&mut self.chain, &self.input);
+    }
+
+    /// Frequency, Hz, of what `measure` gives: over `periods` from its first zero. Zeros are
+    /// interpolated between steps, of which a period has thousands.
+    pub fn frequency_Hz(&mut self, periods: usize, measure: impl Fn(&Self) -> f64) -> f64 {
+        let mut zeros = Vec::new();
+        let mut before = measure(self);
+        let mut step = 0u32;
+        while zeros.len() < 2 * periods + 1 {
+            self.step();
+            step += 1;
+            assert!(step < 4_000_000, "it does not swing");
+            let now = measure(self);
+            if before * now < 0.0 {
+                zeros.push((f64::from(step) - now / (now - before)) * self.input.dt);
+            }
+            before = now;
+        }
+        periods as f64 / (zeros[2 * periods] - zeros[0])
+    }
+}

@@ -1,0 +1,147 @@
+//! The three ways in which the hoist is controlled, on a string whose answer is known in closed form.
+
+use wholestring::{
+    dynamics::{HoistControl, RodDamping},
+    operation::{Operation, OperationKind},
+};
+
+use crate::{
+    common::{assert_close, operation},
+    wells::{Case, between, go, line, mean_between, straight},
+};
+
+const LENGTH_M: f64 = 1000.0;
+const WEIGHT_N: f64 = 20e3;
+const RATE_M_PER_S: f64 = 5.0 / 3600.0;
+
+/// Drilling with 20 kN at 5 m/h in a straight hole without friction: nothing but the string's stretch
+/// stands between the block and the rock.
+fn drilling() -> Case {
+    let drill = Operation {
+        weight_on_bit_N: WEIGHT_N,
+        rate_of_penetration_m_per_s: RATE_M_PER_S,
+        ..operation(OperationKind::Drill, LENGTH_M)
+    };
+    let mut case = Case::new(straight(LENGTH_M, 0.0), drill);
+    case.settings.damping = RodDamping {
+        mass_per_s: 0.0,
+        ..case.settings.damping
+    };
+    case
+}
+
+/// Stiffness between block and rock front, N/m: pipe, hoist line and rock in series.
+fn stiffness_N_per_m(case: &Case) -> f64 {
+    let pipe: f64 = case
+        .model
+        .string
+        .components()
+        .iter()
+        .map(|c| c.length_m / c.axial_stiffness_N())
+        .sum();
+    let line = 1.0 / case.settings.hoist_line.stiffness_N_per_m;
+    let rock = 1.0 / case.settings.bit.rock_stiffness_N_per_m;
+    1.0 / (pipe + line + rock)
+}
+
+/// With the block stopped, the bit drills off: the string stretches as the front advances at
+/// `v = v₀ W/W₀`, so `dW/dt = −k v₀ W/W₀` and the weight decays with the time constant `W₀/(k v₀)`.
+///
+/// `k` is that of pipe, line and rock in series. Within 0.2 %: the string follows the bit as a spring
+/// without mass up to `(L/c)²/τ²` = 1e-4, `L/c` = 0.19 s the travel of an axial wave, τ = 18 s; the rest is its
+/// ringing after the stop.
+#[test]
+fn a_stopped_block_drills_off() {
+    let case = drilling();
+    let mut simulation = case.start();
+    go(&mut simulation, 10.0);
+    simulation.set_hoist(HoistControl::BlockVelocity(0.0));
+    go(&mut simulation, 30.0);
+    let series = simulation.outcome().series;
+    let time = between(&series.time_s, &series.time_s, 12.0, 40.0);
+    let weight = between(&series.time_s, &series.weight_on_bit_N, 12.0, 40.0);
+    let logarithm: Vec<f64> = weight.iter().map(|w| w.ln()).collect();
+    let found = -1.0 / line(&time, &logarithm).0;
+    let expected = WEIGHT_N / (stiffness_N_per_m(&case) * RATE_M_PER_S);
+    eprintln!(
+        "control: drill-off {found} s for {expected} s, {:.2e}",
+        found / expected - 1.0
+    );
+    assert_close("time constant of the drill-off", found, expected, 2e-3);
+    assert!(weight[weight.len() - 1] < 0.2 * WEIGHT_N);
+}
+
+/// Under a constant hook load the bit carries what the hook does not: 5 kN more above are 5 kN less below.
+/// Without friction that is a balance of forces. The string rings on its bit after the change, damped by
+/// 0.1/s and by the rock's own rate; after 40 s less than 1 % of the 5 kN is left of it, and less than 20 N (0.1 %
+/// of the weight on bit) in a mean over 5 s.
+#[test]
+fn a_constant_hook_load_sets_the_weight_on_bit() {
+    let mut case = drilling();
+    case.settings.damping.mass_per_s = 0.1;
+    let mut simulation = case.start();
+    go(&mut simulation, 10.0);
+    let series = simulation.outcome().series;
+    let hook = mean_between(&series.time_s, &series.hook_load_N, 8.0, 10.0);
+    let weight = mean_between(&series.time_s, &series.weight_on_bit_N, 8.0, 10.0);
+    simulation.set_hoist(HoistControl::HookLoad(hook));
+    go(&mut simulation, 15.0);
+    simulation.set_hoist(HoistControl::HookLoad(hook + 5e3));
+    go(&mut simulation, 45.0);
+    let series = simulation.outcome().series;
+    let of = |from, to| mean_between(&series.time_s, &series.weight_on_bit_N, from, to);
+    let (same, less) = (of(20.0, 25.0), of(65.0, 70.0));
+    eprintln!("control: hook load {hook}: wob {weight} then {same} then {less}");
+    assert!(
+        (same - weight).abs() < 20.0,
+        "{same} N for {weight} N at the same hook load"
+    );
+    assert!(
+        (weight - less - 5e3).abs() < 20.0,
+        "{less} N for {weight} N less 5 kN"
+    );
+}
+
+/// The autodriller brings a bit that has too little weight back to its target, at the rate of the slower
+/// root of `(s + k v₀/W₀)(1 + τ s) + k g = 0`: the drill-off of a stopped block, closed by a gain `g` on a
+/// weight that is filtered over `τ`.
+///
+/// Within 0.5 %: as above, and the faster root is down to `e⁻⁶` of the slower one where the fit begins.
+#[test]
+fn the_autodriller_recovers_its_weight() {
+    let case = drilling();
+    let mut simulation = case.start();
+    go(&mut simulation, 10.0);
+    let series = simulation.outcome().series;
+    let hook = mean_between(&series.time_s, &series.hook_load_N, 8.0, 10.0);
+    simulation.set_hoist(HoistControl::HookLoad(hook + 5e3));
+    go(&mut simulation, 20.0);
+    simulation.set_hoist(HoistControl::AUTODRILLER);
+    go(&mut simulation, 60.0);
+    let series = simulation.outcome().series;
+    let time = between(&series.time_s, &series.time_s, 38.0, 52.0);
+    let missing: Vec<f64> = between(&series.time_s, &series.weight_on_bit_N, 38.0, 52.0)
+        .iter()
+        .map(|w| (WEIGHT_N - w).ln())
+        .collect();
+    let found = -line(&time, &missing).0;
+    let HoistControl::Autodriller {
+        gain_m_per_s_per_N: gain,
+        filter_s: tau,
+    } = HoistControl::AUTODRILLER
+    else {
+        panic!("an autodriller")
+    };
+    let k = stiffness_N_per_m(&case);
+    let open = k * RATE_M_PER_S / WEIGHT_N;
+    // τ s² + (1 + open τ) s + open + k g = 0.
+    let (b, c) = (1.0 + open * tau, open + k * gain);
+    let expected = (b - (b * b - 4.0 * tau * c).sqrt()) / (2.0 * tau);
+    eprintln!(
+        "control: recovery {found} 1/s for {expected} 1/s, {:.2e}",
+        found / expected - 1.0
+    );
+    assert_close("rate of recovery", found, expected, 5e-3);
+    let end = mean_between(&series.time_s, &series.weight_on_bit_N, 80.0, 90.0);
+    assert_close("weight on bit in the end", end, WEIGHT_N, 1e-3);
+}

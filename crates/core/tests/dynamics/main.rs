@@ -1,0 +1,17 @@
+//! Verification of the dynamics as a whole: what a run of a string in its well must show.
+//!
+//! "Quiet" means constant speed, smooth wall, vector friction, nothing that excites: what such a run
+//! settles to is known from statics.
+
+#[path = "../common/mod.rs"]
+mod common;
+mod wells;
+
+mod climb;
+mod control;
+mod energy;
+mod hold;
+mod np13;
+mod numerics;
+mod operations;
+mod steadiness;

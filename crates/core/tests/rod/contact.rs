@@ -1,0 +1,266 @@
+//! Normal contact: Hertz's constants, and blows against the wall step by step.
+
+use serde_json::Value;
+use wholestring::wall::contact::{contact_modulus_Pa, hertz, hertz_stiffness, linear};
+
+use crate::common::{assert_close, verification};
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
+/// F01: effective modulus and stiffness of four pairs of pipe and hole, and the penetration under a
+/// force at rest. The source's tolerance is 1e-6.
+#[test]
+fn hertz_constants_of_pipe_and_hole() {
+    let steel = (210e9, 0.3);
+    let rock = (51.5e9, 0.33);
+    let data = verification("F01_hertz_contact.json");
+    for row in data["rows"].as_array().expect("rows") {
+        let name = row["geom"].as_str().expect("a name");
+        let wall = if name.contains("steel/steel") {
+            steel
+        } else {
+            rock
+        };
+        let modulus = contact_modulus_Pa(steel.0, steel.1, wall.0, wall.1);
+        assert_close(name, modulus, number(&row["Estar_Pa"]), 1e-6);
+        let k = hertz_stiffness(modulus, number(&row["R1"]), number(&row["R2"]));
+        assert_close(name, k, number(&row["K_hertz_N_m1p5"]), 1e-6);
+        for point in row["table"].as_array().expect("a table") {
+            let force = number(&point["N"]);
+            let alpha = number(&point["alpha_m"]);
+            assert_close(name, k * alpha.powf(1.5), force, 1e-6);
+            assert_close(
+                name,
+                1.5 * k * alpha.sqrt(),
+                number(&point["tangent_N_m"]),
+                1e-6,
+            );
+            // At rest under that force: the step would end deeper by what the force takes away. The
+            // force is that of the law's end of the step, to the two Newton steps' 1e-6.
+            for inertia in [150.0 / 3e-7, 30.0 / 1e-8, 1e12] {
+                let found = hertz(alpha + force / inertia, 0.0, k, 0.5, inertia);
+                assert_close(name, found, force, 2e-6);
+            }
+        }
+    }
+}
+
+/// The law's cubic, solved by bisection, over all stiffnesses: 1e-6 below `r = 60`, as its documentation
+/// says; beyond, where all of the force is the penetration's, between zero and that.
+#[test]
+fn hertz_is_within_its_stated_error() {
+    let (mut worst, mut beyond): (f64, f64) = (0.0, 0.0);
+    for i in 0..4000 {
+        let r = 10f64.powf(-6.0 + 12.0 * f64::from(i) / 4000.0);
+        // α = 1, K = r, m/dt² = 1: y² + r y³ = 1.
+        let (mut low, mut high) = (0.0f64, 1.0f64);
+        for _ in 0..200 {
+            let y = 0.5 * (low + high);
+            if y * y + r * y * y * y < 1.0 {
+                low = y
+            } else {
+                high = y
+            }
+        }
+        let exact = r * low.powi(3);
+        let found = hertz(1.0, 0.0, r, 0.0, 1.0);
+        assert!((0.0..=1.0).contains(&found));
+        let error = (found / exact - 1.0).abs();
+        if r < 60.0 {
+            worst = worst.max(error)
+        } else {
+            beyond = beyond.max(error)
+        }
+    }
+    println!("hertz: {worst:.1e} for r < 60, {beyond:.1e} beyond");
+    assert!(worst < 1e-6, "{worst:e}");
+}
+
+/// What a blow gave.
+struct Blow {
+    restitution: f64,
+    deepest_m: f64,
+    contact_s: f64,
+    strongest_N: f64,
+}
+
+/// A mass meets the wall at `speed`, `phase` of a step before a step's end, stepped as a node is.
+/// Energy, that of the spring included, never grows: the law is taken at the step's end.
+fn blow(m: f64, speed: f64, k: f64, dissipation: f64, dt: f64, phase: f64) -> Blow {
+    let inertia = m / (dt * dt);
+    let (mut x, mut v) = ((phase - 1.0) * speed * dt, speed);
+    let (mut deepest_m, mut strongest_N, mut contact_s): (f64, f64, f64) = (0.0, 0.0, 0.0);
+    let energy = |x: f64, v: f64| 0.5 * m * v * v + 0.4 * k * x.max(0.0).powf(2.5);
+    let mut before = energy(x, v);
+    loop {
+        let force = hertz(x + dt * v, v, k, dissipation, inertia);
+        v -= dt / m * force;
+        x += dt * v;
+        deepest_m = deepest_m.max(x);
+        strongest_N = strongest_N.max(force);
+        if force > 0.0 {
+            contact_s += dt;
+        }
+        let after = energy(x, v);
+        // The force is right to 1e-6, and so is what it takes.
+        let rounding = 1e-6 * force * dt * speed;
+        assert!(
+            after <= before * (1.0 + 1e-12) + rounding,
+            "energy grew: {before} {after}"
+        );
+        before = after;
+        if x < 0.0 && v <= 0.0 {
+            return Blow {
+                restitution: -v / speed,
+                deepest_m,
+                contact_s,
+                strongest_N,
+            };
+        }
+    }
+}
+
+/// E06: Hertz's impact at a resolved step. The implicit step loses in proportion to its length; at a
+/// two-thousandth of the contact the source's 1 % holds for depth, time and force.
+#[test]
+fn a_resolved_blow_is_hertzs() {
+    let data = verification("E06_hertz_impact.json");
+    let k = number(&data["K_N_per_m1p5"]);
+    for row in data["rows"].as_array().expect("rows") {
+        let [m, v, depth, time, force] =
+            ["m", "v", "alpha_max_m", "contact_time_s", "F_max_N"].map(|key| number(&row[key]));
+        let dt = time / 2000.0;
+        let found = blow(m, v, k, 0.0, dt, 0.6);
+        assert_close("depth", found.deepest_m, depth, 0.01);
+        assert_close("time", found.contact_s, time, 0.01);
+        assert_close("force", found.strongest_N, force, 0.01);
+        // First order in the step: halving it halves what is lost.
+        let lost = |dt: f64| 1.0 - blow(m, v, k, 0.0, dt, 0.6).restitution;
+        let ratio = lost(dt) / lost(dt / 2.0);
+        println!(
+            "m {m} v {v}: restitution {:.4}, halving {ratio:.3}",
+            found.restitution
+        );
+        assert!((ratio - 2.0).abs() < 0.05, "{ratio}");
+        assert!(found.restitution > 0.995);
+    }
+}
+
+/// Restitution under `N = K α^1.5 (1 + d α')`. In `m v dv = −N dα` speed and depth part; integrated
+/// into the wall and out again, `x − ln(1 + x) = −e x − ln(1 − e x)` with `x = d v₀`. For small `x` that is
+/// `e = 1 − (2/3) x`.
+fn hunt_crossley(dv: f64) -> f64 {
+    let lost = dv - dv.ln_1p();
+    let (mut low, mut high) = (0.0f64, 1.0f64.min(1.0 / dv));
+    for _ in 0..100 {
+        let e = 0.5 * (low + high);
+        if -e * dv - (-e * dv).ln_1p() < lost {
+            low = e
+        } else {
+            high = e
+        }
+    }
+    low
+}
+
+/// The limits of a resolved step: what the law itself restores.
+#[test]
+fn a_resolved_blow_restores_what_hunt_and_crossley_say() {
+    let k = 2.7415e10;
+    // The closed form against its own first term.
+    assert!((hunt_crossley(1e-3) - (1.0 - 2e-3 / 3.0)).abs() < 1e-6);
+    for dv in [0.01, 0.05, 0.2, 0.5, 1.0] {
+        for (m, v) in [(35.8f64, 0.5f64), (358.0, 0.1)] {
+            let time = 3.2 * (m / k).powf(0.4) * v.powf(-0.2);
+            let at = |dt: f64| blow(m, v, k, dv / v, dt, 0.6).restitution;
+            // First order in the step: extrapolated.
+            let (coarse, fine) = (at(time / 2000.0), at(time / 4000.0));
+            let found = 2.0 * fine - coarse;
+            println!("d v {dv}: {found:.5} for {:.5}", hunt_crossley(dv));
+            assert!((found - hunt_crossley(dv)).abs() < 1e-3, "{dv}: {found}");
+        }
+    }
+}
+
+/// Restitution of a blow whose law is solved by bisection, the mean over where it falls in its step.
+fn implicit_restitution(m: f64, speed: f64, k: f64, dissipation: f64, dt: f64) -> f64 {
+    let one = |phase: f64| {
+        let (mut x, mut v) = ((phase - 1.0) * speed * dt, speed);
+        loop {
+            let free = x + dt * v;
+            let stiffness = k * (1.0 + dissipation * v).max(0.0);
+            let (mut low, mut high) = (free.min(0.0), free);
+            while high - low > 1e-15 {
+                let end = 0.5 * (low + high);
+                let taken = dt * dt / m * stiffness * end.max(0.0).powf(1.5);
+                if free - taken > end {
+                    low = end
+                } else {
+                    high = end
+                }
+            }
+            v = (low - x) / dt;
+            x = low;
+            if x < 0.0 && v <= 0.0 {
+                return -v / speed;
+            }
+        }
+    };
+    (0..PHASES)
+        .map(|i| one((f64::from(i) + 0.5) / f64::from(PHASES)))
+        .sum::<f64>()
+        / f64::from(PHASES)
+}
+
+const PHASES: u32 = 20;
+
+/// At the step of a run with default elements a blow is over within a few steps, and the implicit law
+/// takes most of it, whatever the dissipation: a node of 120 kg on rock is given back 0.5 to 0.15 of its
+/// speed where Hertz gives it all, and 0.12 of 2 m/s with the default 0.5 s/m, where the law gives 0.59.
+/// That is the implicit law, not its solution: bisection gives the same.
+#[test]
+fn at_the_default_step_a_blow_hardly_rebounds() {
+    let (m, k, dt) = (120.0, 2.7415e10, 5.5e-4);
+    for v in [0.01, 0.1, 0.5, 2.0] {
+        for d in [0.0, 0.5] {
+            let found = (0..PHASES)
+                .map(|i| blow(m, v, k, d, dt, (f64::from(i) + 0.5) / f64::from(PHASES)).restitution)
+                .sum::<f64>()
+                / f64::from(PHASES);
+            let exact = implicit_restitution(m, v, k, d, dt);
+            println!(
+                "{v} m/s, d {d} s/m: {found:.3}; the law {:.3}",
+                hunt_crossley((d * v).max(1e-9))
+            );
+            assert!((found - exact).abs() < 1e-4, "{found} {exact}");
+            assert!(found < 0.55);
+        }
+    }
+}
+
+/// The linear law's blow at a resolved step: half a period of the damped spring, cut where it would
+/// pull. The damped oscillator gives `e = exp(−ζ/√(1−ζ²) · atan2(2ζ√(1−ζ²), 2ζ²−1))`, the time at which the force vanishes.
+#[test]
+fn a_linear_blow_restores_what_its_damper_leaves() {
+    let (m, k, v0) = (120.0, 2e7, 0.3);
+    for zeta in [0.05, 0.2, 0.5] {
+        let c = 2.0 * zeta * f64::sqrt(k * m);
+        let dt = 1e-4 / f64::sqrt(k / m);
+        let (mut x, mut v) = (0.0f64, v0);
+        loop {
+            let force = linear(x + dt * v, v, k, c, m, dt);
+            v -= dt / m * force;
+            x += dt * v;
+            if v < 0.0 && force == 0.0 {
+                break;
+            }
+        }
+        let root = f64::sqrt(1.0 - zeta * zeta);
+        let expected =
+            (-zeta / root * f64::atan2(2.0 * zeta * root, 2.0 * zeta * zeta - 1.0)).exp();
+        // First order in ω dt = 1e-4.
+        assert_close("restitution", -v / v0, expected, 5e-4);
+    }
+}

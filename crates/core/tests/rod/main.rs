@@ -1,0 +1,15 @@
+//! Verification of the rod's elements, of its mesh and of the wall against closed forms, published
+//! numbers and independent solutions.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod bore;
+mod contact;
+mod element;
+mod friction;
+mod mesh;
+mod plane;
+mod random;
+mod stability;
+mod statics;

@@ -1,0 +1,257 @@
+//! The cut of the string: where nodes stand, what elements are made of.
+
+use proptest::prelude::*;
+use wholestring::{
+    rod::mesh::Mesh,
+    string::{ComponentLength, ComponentSpec, DrillString, StringSpec, ToolJoints},
+};
+
+use crate::common::{assert_close, steel};
+
+fn tube(od_m: f64, length: ComponentLength) -> ComponentSpec {
+    ComponentSpec::uniform("tube", od_m, 0.4 * od_m, length, steel())
+}
+
+fn jointed(od_m: f64, joint_od_m: f64, spacing_m: f64, length: ComponentLength) -> ComponentSpec {
+    ComponentSpec {
+        joints: Some(ToolJoints {
+            od_m: joint_od_m,
+            spacing_m,
+        }),
+        ..tube(od_m, length)
+    }
+}
+
+fn string(components: Vec<ComponentSpec>, length_m: f64) -> DrillString {
+    StringSpec { components }
+        .assemble(length_m)
+        .expect("a sound string")
+}
+
+use ComponentLength::{Metres, ToSurface};
+
+/// The bottom-hole assembly and the pipe of `cases/np13-x1042.toml`.
+pub fn np13() -> DrillString {
+    string(
+        vec![
+            tube(0.2159, Metres(0.34)),
+            tube(0.172, Metres(7.69)),
+            tube(0.165, Metres(0.50)),
+            tube(0.206, Metres(1.53)),
+            tube(0.165, Metres(9.09)),
+            tube(0.165, Metres(2.17)),
+            tube(0.165, Metres(9.47)),
+            jointed(0.1397, 0.1778, 9.39, Metres(84.53)),
+            tube(0.178, Metres(3.57)),
+            jointed(0.1397, 0.1778, 9.39, Metres(84.53)),
+            jointed(0.1397, 0.1778, 9.6, ToSurface),
+        ],
+        4305.0,
+    )
+}
+
+fn node_at(mesh: &Mesh, from_bit_m: f64) -> Option<f64> {
+    mesh.nodes
+        .iter()
+        .find(|n| (n.from_bit_m - from_bit_m).abs() < 1e-6)
+        .map(|n| n.contact_radius_m)
+}
+
+/// Stabiliser, jar and every joint of the heavy-weight and of the drill pipe carry a node with
+/// their own radius; between them the body's.
+#[test]
+fn nodes_of_a_bottom_hole_assembly_stand_where_it_touches() {
+    let string = np13();
+    for element_length in [1.6, 3.2, 4.8] {
+        let mesh = Mesh::new(&string, element_length);
+        assert_eq!(node_at(&mesh, 0.0), Some(0.10795));
+        assert_eq!(node_at(&mesh, 0.34 + 7.69 + 0.5 + 0.765), Some(0.103));
+        let jar = 0.34 + 7.69 + 0.5 + 1.53 + 9.09 + 2.17 + 9.47 + 84.53;
+        // The jar is no thicker than the joint above it by a millimetre: it has no node of its own,
+        // the joint at its upper end has.
+        let above = jar + 3.57;
+        assert_eq!(node_at(&mesh, above), Some(0.0889));
+        for joint in 0..9 {
+            assert_eq!(
+                node_at(&mesh, jar - 84.53 + 9.39 * f64::from(joint)),
+                Some(0.0889)
+            );
+            assert_eq!(
+                node_at(&mesh, above + 9.39 * f64::from(joint)),
+                Some(0.0889)
+            );
+        }
+        // The uppermost joint of the heavy-weight, 0.02 m below the first of the drill pipe, shares its
+        // node.
+        let pipe = above + 84.53;
+        for joint in 1..420 {
+            assert_eq!(node_at(&mesh, pipe + 9.6 * f64::from(joint)), Some(0.0889));
+        }
+        let bodies = mesh
+            .nodes
+            .iter()
+            .filter(|n| n.contact_radius_m == 0.06985)
+            .count();
+        assert!(bodies * 3 > mesh.nodes.len());
+    }
+}
+
+/// An element over several components is as soft as its parts in a row, and as heavy as all of them.
+#[test]
+fn an_element_of_several_components_is_their_row() {
+    // None stands out over both its neighbours: that would be a stabiliser, with a node.
+    let parts = [(0.20, 0.3), (0.10, 0.9), (0.12, 0.5), (0.15, 4.5)];
+    let length: f64 = 6.2;
+    let components = parts
+        .iter()
+        .map(|&(od, length)| tube(od, Metres(length)))
+        .collect();
+    let string = string(components, length);
+    let mesh = Mesh::new(&string, length);
+    assert_eq!(mesh.elements.len(), 1);
+    let section = &mesh.elements[0].section;
+    let sum = |f: &dyn Fn(f64, f64) -> f64| parts.iter().map(|&(od, l)| f(od, l)).sum::<f64>();
+    let area = |od: f64| std::f64::consts::PI / 4.0 * od * od * (1.0 - 0.16);
+    let second = |od: f64| std::f64::consts::PI / 64.0 * od.powi(4) * (1.0 - 0.0256);
+    let (e, g) = (210e9, 80e9);
+    let row = |stiffness: f64| length / stiffness;
+    assert_close(
+        "EA",
+        row(section.axial_stiffness_N),
+        sum(&|od, l| l / (e * area(od))),
+        1e-12,
+    );
+    assert_close(
+        "EI",
+        row(section.bending_stiffness_N_m2),
+        sum(&|od, l| l / (e * second(od))),
+        1e-12,
+    );
+    assert_close(
+        "GJ",
+        row(section.torsional_stiffness_N_m2),
+        sum(&|od, l| l / (2.0 * g * second(od))),
+        1e-12,
+    );
+    assert_close(
+        "steel",
+        section.steel_kg_per_m * length,
+        sum(&|od, l| 7850.0 * area(od) * l),
+        1e-12,
+    );
+    let polar = sum(&|od, l| 7850.0 * 2.0 * second(od) * l);
+    assert_close("polar", section.polar_inertia_kg_m * length, polar, 1e-12);
+    // Archimedes: the buoyed weight is that of the steel less that of the mud in its place.
+    let weight = 9.80665 * sum(&|od, l| (7850.0 - 1200.0) * area(od) * l);
+    assert_close(
+        "weight",
+        section.buoyed_weight_N_per_m(1200.0) * length,
+        weight,
+        1e-12,
+    );
+}
+
+/// Everything that any string must fulfil.
+fn is_sound(string: &DrillString, element_length: f64) -> Result<(), TestCaseError> {
+    let mesh = Mesh::new(string, element_length);
+    let length = string.length_m();
+    prop_assert_eq!(mesh.nodes.len(), mesh.elements.len() + 1);
+    prop_assert_eq!(mesh.nodes[mesh.elements.len()].from_bit_m, 0.0);
+    prop_assert!((mesh.length_m() - length).abs() < 1e-9 * length);
+    let sum: f64 = mesh.elements.iter().map(|e| e.length_m).sum();
+    prop_assert!((sum - length).abs() < 1e-9 * length);
+    let (mut steel, mut tributary) = (0.0, 0.0);
+    for (i, e) in mesh.elements.iter().enumerate() {
+        prop_assert!(e.length_m > 0.0);
+        // A stretch of more than 1.25 elements is cut.
+        prop_assert!(
+            e.length_m <= 1.25 * element_length * (1.0 + 1e-9),
+            "{}",
+            e.length_m
+        );
+        let s = &e.section;
+        for value in [
+            s.axial_stiffness_N,
+            s.shear_stiffness_N,
+            s.bending_stiffness_N_m2,
+            s.torsional_stiffness_N_m2,
+            s.polar_inertia_kg_m,
+        ] {
+            prop_assert!(value.is_finite() && value > 0.0);
+        }
+        steel += s.steel_kg_per_m * e.length_m;
+        prop_assert!(mesh.nodes[i].from_bit_m > mesh.nodes[i + 1].from_bit_m);
+    }
+    for i in 0..mesh.nodes.len() {
+        tributary += mesh.tributary_length_m(i);
+    }
+    prop_assert!((tributary - length).abs() < 1e-9 * length);
+    prop_assert!((steel - string.mass_kg()).abs() < 1e-9 * steel);
+
+    // Every joint has a node, or one closer than half an element and two metres.
+    let near = (0.5 * element_length).min(2.0) * (1.0 + 1e-9);
+    let mut bottom = 0.0;
+    for component in string.components() {
+        let top = bottom + component.length_m;
+        if let Some(joints) = component.joints {
+            let mut at = bottom;
+            while at < top {
+                prop_assert!(mesh.nodes.iter().any(|n| (n.from_bit_m - at).abs() <= near));
+                at += joints.spacing_m;
+            }
+        }
+        bottom = top;
+    }
+    // Every node touches with the radius of a component at it or beside it.
+    for node in &mesh.nodes {
+        let mut bottom = 0.0;
+        let known = string.components().iter().any(|c| {
+            let top = bottom + c.length_m;
+            let within = (bottom - 1e-6..=top + 1e-6).contains(&node.from_bit_m);
+            bottom = top;
+            within && [c.contact_radius_m(), c.od_m / 2.0].contains(&node.contact_radius_m)
+        });
+        prop_assert!(known, "{node:?}");
+    }
+    Ok(())
+}
+
+fn component() -> impl Strategy<Value = ComponentSpec> {
+    let joints = prop_oneof![
+        Just(None),
+        (1.0..1.5, prop_oneof![0.05..1.0, 1.0..50.0]).prop_map(Some),
+    ];
+    let length = prop_oneof![0.001..0.1, 0.1..5.0, 5.0..400.0];
+    (0.05..0.4, 0.0..0.95, length, joints).prop_map(|(od_m, bore, length_m, joints)| {
+        ComponentSpec {
+            joints: joints.map(|(part, spacing_m)| ToolJoints {
+                od_m: part * od_m,
+                spacing_m,
+            }),
+            ..ComponentSpec::uniform("any", od_m, bore * od_m, Metres(length_m), steel())
+        }
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_string_is_cut_soundly(
+        components in proptest::collection::vec(component(), 1..12),
+        element_length in prop_oneof![0.2..2.0, 2.0..10.0, 10.0..2000.0],
+    ) {
+        let length = components.iter().map(|c| match c.length {
+            Metres(length) => length,
+            ToSurface => 0.0,
+        }).sum();
+        is_sound(&string(components, length), element_length)?;
+    }
+}
+
+#[test]
+fn the_shipped_string_is_cut_soundly() {
+    for element_length in [0.8, 1.6, 3.2, 4.8, 9.6, 1e4] {
+        is_sound(&np13(), element_length).unwrap();
+    }
+}
