@@ -53,11 +53,6 @@ fn load(args: &CaseArgs, quiet: bool) -> Result<wholestring_case::Case, Failure>
     Ok(case)
 }
 
-/// Prints to standard error. Where nobody reads it there is nobody left to tell.
-fn tell(text: &str) {
-    let _ = io::stderr().lock().write_all(text.as_bytes());
-}
-
 /// Whether diagnostics are coloured: on a terminal whose user has not said no.
 fn color() -> bool {
     io::stderr().is_terminal() && env::var_os("NO_COLOR").is_none_or(|no| no.is_empty())

@@ -35,10 +35,10 @@ fn middle(outcome: &DynamicOutcome) -> [f64; 3] {
 /// E05: a plain pipe that turns clockwise in a straight inclined hole climbs to `atan μ` on the right of
 /// the low side; there it is pressed with `w sin i cos ψ` and rubs `r w sin i sin ψ` per metre.
 ///
-/// Expected values: the rows of the file, which are the balance of a rigid cylinder in a trough. They
-/// hold exactly wherever the pipe lies straight. The file asks for 1 %; 0.1 % is held, because the
-/// steady state knows of neither element length nor step, and what is left is the motion that the
-/// damping has not yet taken away.
+/// Expected values: the rows of the file, the balance of a rigid cylinder in a trough, exact wherever the
+/// pipe lies straight. The file asks for 1 %; 2e-4 is held. Found: less than 8e-5 for both element lengths,
+/// which is what the pipe's slow rolling has left after ten seconds; the steady state itself knows of neither
+/// element length nor step.
 #[test]
 fn a_turning_pipe_climbs_to_the_angle_of_friction() {
     let data = verification("E05_rotating_pipe_climb_angle.json");
@@ -68,15 +68,11 @@ fn a_turning_pipe_climbs_to_the_angle_of_friction() {
         ];
         let what = ["side force", "torque per metre", "climb"];
         for ((what, found), expected) in what.iter().zip([force, torque, climb]).zip(expected) {
-            eprintln!(
-                "climb: mu {mu} L {element} {what} {:.2e}",
-                found / expected - 1.0
-            );
             assert_close(
                 &format!("{what} at friction {mu}, elements of {element} m"),
                 found,
                 expected,
-                1e-3,
+                2e-4,
             );
         }
     }

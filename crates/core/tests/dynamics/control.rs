@@ -63,10 +63,6 @@ fn a_stopped_block_drills_off() {
     let logarithm: Vec<f64> = weight.iter().map(|w| w.ln()).collect();
     let found = -1.0 / line(&time, &logarithm).0;
     let expected = WEIGHT_N / (stiffness_N_per_m(&case) * RATE_M_PER_S);
-    eprintln!(
-        "control: drill-off {found} s for {expected} s, {:.2e}",
-        found / expected - 1.0
-    );
     assert_close("time constant of the drill-off", found, expected, 2e-3);
     assert!(weight[weight.len() - 1] < 0.2 * WEIGHT_N);
 }
@@ -91,7 +87,6 @@ fn a_constant_hook_load_sets_the_weight_on_bit() {
     let series = simulation.outcome().series;
     let of = |from, to| mean_between(&series.time_s, &series.weight_on_bit_N, from, to);
     let (same, less) = (of(20.0, 25.0), of(65.0, 70.0));
-    eprintln!("control: hook load {hook}: wob {weight} then {same} then {less}");
     assert!(
         (same - weight).abs() < 20.0,
         "{same} N for {weight} N at the same hook load"
@@ -137,10 +132,6 @@ fn the_autodriller_recovers_its_weight() {
     // τ s² + (1 + open τ) s + open + k g = 0.
     let (b, c) = (1.0 + open * tau, open + k * gain);
     let expected = (b - (b * b - 4.0 * tau * c).sqrt()) / (2.0 * tau);
-    eprintln!(
-        "control: recovery {found} 1/s for {expected} 1/s, {:.2e}",
-        found / expected - 1.0
-    );
     assert_close("rate of recovery", found, expected, 5e-3);
     let end = mean_between(&series.time_s, &series.weight_on_bit_N, 80.0, 90.0);
     assert_close("weight on bit in the end", end, WEIGHT_N, 1e-3);

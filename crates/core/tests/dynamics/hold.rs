@@ -9,7 +9,8 @@ use crate::wells::{between, go, np13};
 /// 0.1 kN.
 ///
 /// Expected: no drift at all, for Coulomb's friction at rest holds whatever it is asked for. 0.1 kN is a
-/// tenth of what weight indicators show; a law that creeps loses all of the drag, 200 kN here.
+/// tenth of what weight indicators show; a law that creeps loses all of the drag, 270 kN here. Found: 0.02 kN,
+/// the last of the axial ringing.
 #[test]
 fn a_stopped_string_keeps_its_hook_load() {
     let mut case = np13(0.3);
@@ -21,7 +22,6 @@ fn a_stopped_string_keeps_its_hook_load() {
     go(&mut simulation, 61.0);
     let outcome = simulation.outcome();
     let series = &outcome.series;
-    let moving = between(&series.time_s, &series.hook_load_N, stop_s - 5.0, stop_s);
     let held = between(
         &series.time_s,
         &series.hook_load_N,
@@ -31,21 +31,11 @@ fn a_stopped_string_keeps_its_hook_load() {
     let (low, high) = held
         .iter()
         .fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(*x), h.max(*x)));
-    eprintln!(
-        "hold: {low} to {high} N, moving {} N, soft {:?}",
-        moving[0],
-        case.soft().scalars
-    );
     let friction = between(
         &series.time_s,
         &series.axial_friction_N,
         stop_s + 10.0,
         stop_s + 60.0,
-    );
-    eprintln!(
-        "hold: friction {} .. {}",
-        friction[0],
-        friction[friction.len() - 1]
     );
     assert!(high - low < 100.0, "hook load between {low} and {high} N");
     // It was lowered against friction, and that has not been lost.

@@ -21,7 +21,6 @@ fn assert_agree(what: &str, a: &Scalars, b: &Scalars, tolerance: f64) {
         ),
     ] {
         let apart = relative_error(a, b);
-        eprintln!("np13: {what} {quantity} {a:.2} {b:.2} {:.2e}", a / b - 1.0);
         assert!(
             apart < tolerance,
             "{what}: {quantity} {a} for {b}, {apart:.2e} apart"
@@ -30,7 +29,8 @@ fn assert_agree(what: &str, a: &Scalars, b: &Scalars, tolerance: f64) {
 }
 
 /// Hook load and friction torque do not depend on the mesh: elements of 1.6, 3.2 and 4.8 m agree within
-/// 0.3 %.
+/// 0.1 %, a third of what a driller could notice. Found: 1e-5 and 4e-4, the torque falling evenly as elements
+/// grow, for longer chords bend less well into the ends of the build.
 #[test]
 fn element_length_does_not_matter() {
     let lengths = [3.2, 1.6, 4.8];
@@ -40,13 +40,14 @@ fn element_length_does_not_matter() {
         case.run().scalars
     });
     for (length, scalars) in lengths.iter().zip(&found).skip(1) {
-        assert_agree(&format!("elements of {length} m"), scalars, &found[0], 3e-3);
+        assert_agree(&format!("elements of {length} m"), scalars, &found[0], 1e-3);
     }
-    assert_agree("longest against shortest", &found[2], &found[1], 3e-3);
+    assert_agree("longest against shortest", &found[2], &found[1], 1e-3);
 }
 
-/// Nor on the stiffness of the wall: linear contact of 2e7, 2e9 and 2e11 N/m agree within 0.1 %.
-/// The wall gives way by 0.1 mm at most where it is softest, out of 20 mm of clearance.
+/// Nor on the stiffness of the wall: linear contact of 2e7, 2e9 and 2e11 N/m agree within 2e-4. The softest
+/// wall gives way by 0.15 mm under a joint of 3 kN, a hundredth of the clearance of 20 mm; only where the string
+/// bridges its change of sides does that count. Found: 1e-6 for the hook load, 5e-5 for the torque.
 #[test]
 fn wall_stiffness_does_not_matter() {
     let stiffnesses = [2e9, 2e7, 2e11];
@@ -63,13 +64,21 @@ fn wall_stiffness_does_not_matter() {
             &format!("a wall of {stiffness:e} N/m"),
             scalars,
             &found[0],
-            1e-3,
+            2e-4,
         );
     }
 }
 
-/// A quiet string carries what the soft string says: its hook load within 1 %; its friction torque,
-/// lowered by the climb of a turning pipe, within 2 % of `1/√(1 + μ²)` of the soft string's.
+/// A quiet string carries what the soft string says: its hook load within 0.1 %; its friction torque,
+/// lowered by the climb of a turning pipe, within 0.6 % of `1/√(1 + μ²)` of the soft string's.
+///
+/// Found: the hook load 0.02 to 0.04 % higher, the torque 0.41 to 0.42 % lower, whatever the friction factor.
+/// Of the torque, 0.35 % are missing within 30 m of the end of the build and 0.08 % at the kick-off, where the
+/// string's stiffness bridges what is a sudden change of load to a soft string; 0.17 % at the bottom-hole
+/// assembly, where the bit, held by its hole without friction, carries the motor up to the stabiliser;
+/// 0.16 % are gained in the build, where bending adds to the load. Along the tangent the two agree to 0.02 %.
+/// The hook load gains from the stretch, which leaves 0.9 m more of the string above the build, in steeper hole
+/// (150 N), and from the axial part of the missing friction (60 N).
 #[test]
 fn quiet_rotation_agrees_with_the_soft_string() {
     let frictions = [0.1, 0.2, 0.3, 0.4];
@@ -79,19 +88,13 @@ fn quiet_rotation_agrees_with_the_soft_string() {
         let hook = relative_error(scalars.hook_load_N, soft.hook_load_N);
         let climbed = soft.friction_torque_N_m / (1.0 + mu * mu).sqrt();
         let torque = relative_error(scalars.friction_torque_N_m, climbed);
-        eprintln!(
-            "np13: mu {mu} hook {:.2e} torque {:.2e} side {:.2e}",
-            scalars.hook_load_N / soft.hook_load_N - 1.0,
-            scalars.friction_torque_N_m / climbed - 1.0,
-            scalars.side_force_total_N / soft.side_force_total_N * (1.0 + mu * mu).sqrt() - 1.0
-        );
         assert!(
-            hook < 0.01,
+            hook < 1e-3,
             "friction {mu}: hook load {} N, {hook:.2e} off",
             scalars.hook_load_N
         );
         assert!(
-            torque < 0.02,
+            torque < 6e-3,
             "friction {mu}: friction torque {} N·m for {climbed}, {torque:.2e} off",
             scalars.friction_torque_N_m
         );
@@ -108,7 +111,6 @@ fn it_touches_where_it_must() {
     let [kick_off, build_end] = NP13_BUILD_M;
     let cutoff = outcome.scalars.cutoff_depth_m.expect("a cut-off");
     let soft = case.soft().scalars.cutoff_depth_m.expect("a cut-off");
-    eprintln!("np13: cutoff {cutoff} soft {soft}");
     // One spacing of tool joints: the string touches nowhere between.
     assert!(
         (cutoff - soft).abs() < 10.0,
@@ -147,9 +149,10 @@ fn it_touches_where_it_must() {
     assert!(touched(kick_off, cutoff) && touched(build_end, build_end + 100.0));
 }
 
-/// While it turns, vector friction leaves the axial drag next to nothing whatever the friction factor;
-/// the article's independent law drags in full: from 0.1 to 0.3 the hook load falls by the drag of a
-/// sliding string, 200 kN here.
+/// While it turns, vector friction leaves the axial drag next to nothing whatever the friction factor: from
+/// 0.1 to 0.3 the hook load falls by less than 0.5 % (the share of the speed of drilling in that of the
+/// surface is 1/230, and so is that of the drag: 1 kN). The article's independent law drags in full: the
+/// hook load falls by more than 30 % (188 kN of 538 kN found), as that of a sliding string does.
 #[test]
 fn hook_load_spreads_with_friction_only_in_the_independent_law() {
     let laws = [FrictionLaw::Vector, FrictionLaw::Independent];
@@ -163,27 +166,15 @@ fn hook_load_spreads_with_friction_only_in_the_independent_law() {
         case.run()
     });
     let hook = |i: usize| found[i].scalars.hook_load_N;
-    for i in 0..4 {
-        eprintln!(
-            "np13: {:?} hook {} axial {} torque {}",
-            cases[i],
-            hook(i),
-            found[i].scalars.axial_friction_N,
-            found[i].scalars.friction_torque_N_m
-        );
-        let mut c = np13(cases[i].1);
-        c.operation.kind = wholestring::operation::OperationKind::Slide;
-        eprintln!("   slide soft {:?}", c.soft().scalars);
-    }
     let spread = |a: usize, b: usize| (hook(b) - hook(a)) / hook(a);
     assert!(
-        spread(0, 1).abs() < 0.01,
+        spread(0, 1).abs() < 5e-3,
         "vector law: {} to {} N",
         hook(0),
         hook(1)
     );
     assert!(
-        spread(2, 3) < -0.2,
+        spread(2, 3) < -0.3,
         "independent law: {} to {} N",
         hook(2),
         hook(3)

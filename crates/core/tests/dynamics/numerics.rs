@@ -84,11 +84,11 @@ fn cases() -> Vec<Case> {
 }
 
 /// A run answers in finite numbers; it lends less than 0.5 % of the axial mass to short elements; its
-/// energy balance closes; it penetrates the wall by less than a thousandth of the hole's diameter.
+/// energy balance closes; it penetrates the wall by less than 0.2 mm.
 ///
-/// The leapfrog does the same work on both sides of its ledger: the balance closes to rounding (1e-9) and to
-/// the energy that comes and goes within a step (1e-7 of what a settled string exchanges). A force, a damping or
-/// a moving anchor that were not accounted for would show at 1e-4 or more.
+/// The balance closes to the energy that comes and goes within a step: found are 5e-9 to 3e-7 of what was
+/// exchanged, 1e-6 is held. A force, a damping or a moving anchor that were not accounted for show at 1e-4 or
+/// more. 0.2 mm of penetration are a hundredth of the clearance.
 #[test]
 fn a_run_is_sound() {
     for outcome in each(&cases(), Case::run) {
@@ -99,7 +99,6 @@ fn a_run_is_sound() {
             );
         }
         let numerics = outcome.numerics;
-        eprintln!("numerics: {numerics:?}");
         assert!(numerics.added_axial_mass_fraction < 0.005, "{numerics:?}");
         assert!(numerics.energy_residual.abs() < 1e-6, "{numerics:?}");
         assert!(numerics.max_penetration_m < 2e-4, "{numerics:?}");
@@ -120,10 +119,6 @@ fn the_same_case_gives_the_same_bits() {
     assert_eq!(found[0], found[1]);
     assert_ne!(found[0], found[2]);
     let (a, b) = (found[0].scalars, found[2].scalars);
-    eprintln!(
-        "seed: {} {} / {} {}",
-        a.hook_load_N, b.hook_load_N, a.surface_torque_N_m, b.surface_torque_N_m
-    );
     assert!((a.hook_load_N - b.hook_load_N).abs() < 10.0);
     assert!((a.surface_torque_N_m / b.surface_torque_N_m - 1.0).abs() < 1e-3);
 }

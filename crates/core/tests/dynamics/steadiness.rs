@@ -8,8 +8,8 @@ use crate::{
 /// Ten seconds after the prepared start of a quiet run the string has settled: torque and hook load
 /// stand still to 0.1 kN·m and 0.1 kN, the weight on bit is within 3 % of its target.
 ///
-/// Expected: nothing varies in a quiet run. The limits are a few thousandths of the torque (37 kN·m), of
-/// the hook load (650 kN) and of what the autodriller has to hold.
+/// Expected: nothing varies in a quiet run. The limits are a few thousandths of the torque (38 kN·m) and
+/// less of the hook load (660 kN). Found: 0.013 kN·m, 0.006 kN, and 0.1 % for the weight on bit.
 #[test]
 fn a_prepared_start_is_settled_in_ten_seconds() {
     let mut case = np13(0.3);
@@ -25,10 +25,6 @@ fn a_prepared_start_is_settled_in_ten_seconds() {
     };
     let (torque, hook) = (of("surface_torque_N_m"), of("hook_load_N"));
     let weight = of("weight_on_bit_N");
-    eprintln!(
-        "settled: torque std {} hook std {} wob {} of {} ({}..{})",
-        torque.std, hook.std, weight.mean, case.operation.weight_on_bit_N, weight.min, weight.max
-    );
     assert!(torque.std < 100.0, "torque varies by {} N·m", torque.std);
     assert!(hook.std < 100.0, "hook load varies by {} N", hook.std);
     for (what, found) in [
@@ -68,11 +64,6 @@ fn ten_minutes_of_quiet_rotation_do_not_drift() {
     let last = mean(&series.friction_torque_N_m, 19);
     let anew = drilling(mean(&series.bit_depth_m, 19), 100.0, 30.0).run();
     let expected = anew.scalars.friction_torque_N_m;
-    eprintln!(
-        "drift: {first} first {} last {last} anew {expected} {:.2e}",
-        mean(&series.friction_torque_N_m, 0),
-        last / expected - 1.0
-    );
     assert_close("torque after ten minutes", last, expected, 1e-5);
 }
 

@@ -142,7 +142,7 @@ impl Stepper {
 }
 
 /// Blocks of eight elements in a tile.
-const TILE: usize = 8;
+const TILE: usize = 4;
 
 /// Energy lost by each lane.
 #[derive(Default)]
