@@ -58,6 +58,11 @@ fn color() -> bool {
     io::stderr().is_terminal() && env::var_os("NO_COLOR").is_none_or(|no| no.is_empty())
 }
 
+/// Prints to standard error. Where that is closed or full there is nobody left to tell.
+fn tell(text: &str) {
+    let _ = io::stderr().lock().write_all(text.as_bytes());
+}
+
 /// Prints to standard output. A reader that has seen enough (`| head`) is no failure.
 fn say(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
