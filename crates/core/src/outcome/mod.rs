@@ -2,7 +2,7 @@
 
 mod profile;
 
-pub use profile::{cutoff_depth_m, neutral_point_m};
+pub use profile::{cutoff_depth_m, cutoff_in_build_m, neutral_point_m};
 
 /// The models that answer with [`Scalars`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
