@@ -58,7 +58,8 @@ pub(crate) fn check_effort(
             number_text(format!("{shortest_s:.1e}").parse().unwrap_or(shortest_s))
         )
     } else if elements as f64 * steps > MOST_ELEMENT_STEPS {
-        format!("{elements} elements over {steps:.1e} steps would take weeks")
+        let time_s = dynamics.settle_s + dynamics.duration_s;
+        format!("{elements} elements over {time_s:.0} s would take weeks")
     } else {
         return Some(());
     };

@@ -1,6 +1,6 @@
 //! The model that every solver shares: one well, one string, one mud, one rig.
 
-use crate::{mud::Mud, rig::Rig, string::DrillString, well::Well};
+use crate::{GRAVITY_M_PER_S2, mud::Mud, rig::Rig, string::DrillString, well::Well};
 
 /// Everything about the drill string and its surroundings that does not depend on what the driller
 /// is doing. All solvers read the same one, so that their answers can be held against each other.
@@ -14,4 +14,28 @@ pub struct Model {
     pub mud: Mud,
     /// Hoist and top drive.
     pub rig: Rig,
+}
+
+/// The mud at rest in the well.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MudColumn {
+    weight_N_per_m3: f64,
+    surface_m: f64,
+}
+
+impl Model {
+    /// The mud at rest, its surface where measured depth begins.
+    pub fn mud_column(&self) -> MudColumn {
+        MudColumn {
+            weight_N_per_m3: self.mud.density_kg_per_m3 * GRAVITY_M_PER_S2,
+            surface_m: self.well.path.at(0.0).position_m.z,
+        }
+    }
+}
+
+impl MudColumn {
+    /// Pressure at a true vertical depth, Pa; zero at the surface and above.
+    pub fn pressure_Pa(&self, tvd_m: f64) -> f64 {
+        self.weight_N_per_m3 * (tvd_m - self.surface_m).max(0.0)
+    }
 }

@@ -269,7 +269,7 @@ fn a_profile_without_window() {
         "--set",
         "model=dynamic",
         "--set",
-        "dynamics.settle=3600 s",
+        "dynamics.settle=100 s",
         "--set",
         "hoist.control=hook-load",
         "--set",

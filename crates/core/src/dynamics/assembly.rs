@@ -7,7 +7,6 @@ use super::{
     settings::ContactLaw,
 };
 use crate::{
-    GRAVITY_M_PER_S2,
     model::Model,
     rod::{element::Stiffness, mesh::Mesh, stability::StepPlan},
     wall::{Bore, contact},
@@ -43,6 +42,10 @@ pub struct Surroundings {
     reach_m: f64,
 }
 
+/// A bit with less clearance than this fills its hole, m: contact and friction of its body would be those
+/// of a pipe that whirls in half a millimetre.
+const SNUG_M: f64 = 2e-3;
+
 /// A node takes up a new anchor when it has slid this far, m. The wall is then known to the third
 /// order in it: for a dogleg that changes by 3 deg/30 m within 30 m, to 1e-10 m.
 const REACH_M: f64 = 0.02;
@@ -70,7 +73,6 @@ pub fn lateral_mass_kg_per_m(model: &Model, mesh: &Mesh, bit_md_m: f64) -> Vec<f
 impl Surroundings {
     /// The surroundings of a chain made of `mesh`.
     pub fn new(model: &Model, mesh: &Mesh, law: ContactLaw) -> Self {
-        let last = mesh.nodes.len() - 1;
         let steel = mesh
             .nodes
             .iter()
@@ -82,9 +84,20 @@ impl Surroundings {
                 )
             })
             .collect();
-        // The top is clamped in the rotary, the bit is held by its own hole.
-        let touches = (0..=last)
-            .map(|i| (i != 0 && i != last).then_some(mesh.nodes[i].contact_radius_m))
+        // The top is clamped in the rotary; the bit is held by the hole that it cuts, with all of its length if
+        // it fills it.
+        let bit = &model.string.components()[0];
+        let drilled = 0.5 * model.well.hole.at(model.string.length_m()).diameter_m;
+        let held_m = if drilled - 0.5 * bit.od_m < SNUG_M {
+            bit.length_m
+        } else {
+            f64::MIN_POSITIVE
+        };
+        let touches = mesh
+            .nodes
+            .iter()
+            .enumerate()
+            .map(|(i, n)| (i != 0 && n.from_bit_m >= held_m).then_some(n.contact_radius_m))
             .collect();
         Self {
             path: model.well.path.clone(),
@@ -98,10 +111,7 @@ impl Surroundings {
 
     /// Clearance of a node at a measured depth, m.
     pub fn clearance_m(&self, index: usize, md_m: f64) -> f64 {
-        match (self.touches[index], self.bore.radius_m(md_m)) {
-            (Some(radius), Some(hole)) => hole - radius,
-            _ => NO_WALL_M,
-        }
+        self.touches[index].map_or(NO_WALL_M, |radius| self.bore.radius_m(md_m) - radius)
     }
 
     /// Puts a node's anchor at `md_m`, the node itself staying where it is.
@@ -127,9 +137,10 @@ impl Surroundings {
     /// Gives a node the wall at `md_m`.
     fn meet_wall(&self, chain: &mut Chain, index: usize, md_m: f64) {
         node!(chain, index, clearance) = self.clearance_m(index, md_m);
-        let (Some(radius), Some(hole)) = (self.touches[index], self.bore.radius_m(md_m)) else {
+        let Some(radius) = self.touches[index] else {
             return;
         };
+        let hole = self.bore.radius_m(md_m);
         let section = self.bore.section(md_m);
         node!(chain, index, radius) = radius;
         node!(chain, index, friction) = section.friction.kinetic;
@@ -157,8 +168,9 @@ impl Surroundings {
         }
     }
 
-    /// Moves the anchors of nodes that slid beyond their reach, and the chords between them.
-    pub fn follow(&self, chain: &mut Chain, anchors: &mut [Anchor]) {
+    /// Moves the anchors of nodes that slid beyond their reach, the chords between them, and the nodes' high
+    /// sides.
+    pub fn follow(&self, chain: &mut Chain, anchors: &mut [Anchor], high: &mut [[f64; 3]]) {
         let mut moved_above = false;
         for index in 0..chain.nodes() {
             let along = chain.tangent(index).dot(chain.displacement(index));
@@ -166,6 +178,7 @@ impl Surroundings {
             if moved {
                 let md = anchors[index].md_m + along;
                 self.anchor(chain, anchors, index, md);
+                high[index] = anchors[index].high_side.into();
             }
             if index > 0 && (moved || moved_above) {
                 span(chain, anchors, index - 1);
@@ -300,12 +313,7 @@ fn potential_energy_J(chain: &Chain, anchors: &[Anchor], dt: f64) -> f64 {
     sum
 }
 
-/// Weight of the node at the top of the chain, N: part of the hook load.
+/// Weight of the node at the top of the chain along the hole, N: part of the hook load.
 pub fn top_weight_N(chain: &Chain) -> f64 {
-    chain.weight(0).2
-}
-
-/// Mud pressure at a true vertical depth, Pa.
-pub fn mud_pressure_Pa(model: &Model, tvd_m: f64) -> f64 {
-    model.mud.density_kg_per_m3 * GRAVITY_M_PER_S2 * tvd_m.max(0.0)
+    chain.weight(0).dot(chain.tangent(0))
 }

@@ -312,6 +312,13 @@ impl Chain {
         chord, set_chord, element_blocks, chord, "Chord between the anchors of an element, m.";
     }
 
+    /// Curvature of the hole at a node's anchor, 1/m.
+    pub fn curvature(&self, index: usize) -> Vector<f64> {
+        let rows = &self.node_blocks[index / LANES].curvature;
+        let lane = index % LANES;
+        Vector(rows[0].0[lane], rows[1].0[lane], rows[2].0[lane])
+    }
+
     /// Sets the curvature of the hole at a node's anchor, 1/m.
     pub fn set_curvature(&mut self, index: usize, value: Vector<f64>) {
         let rows = &mut self.node_blocks[index / LANES].curvature;
@@ -365,7 +372,7 @@ impl Chain {
     }
 
     /// Takes out what rounding has added to the directors' lengths and to the angular velocities along
-    /// them. The step preserves both to rounding: once in a few hundred steps is plenty.
+    /// them. The step preserves both but for the damping of bending: once in a hundred steps is plenty.
     pub fn square_up(&mut self) {
         for index in 0..self.nodes {
             let d = self.director(index);
@@ -373,6 +380,15 @@ impl Chain {
             let w = self.turning(index);
             self.set_director(index, unit);
             self.set_turning(index, w.minus(unit, w.dot(unit)));
+        }
+    }
+
+    /// Clears what is summed up between samples.
+    pub fn clear_sums(&mut self) {
+        for block in &mut self.node_blocks {
+            block.sum_normal.0.fill(0.0);
+            block.sum_axial.0.fill(0.0);
+            block.sum_torque.0.fill(0.0);
         }
     }
 

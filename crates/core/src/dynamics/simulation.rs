@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::{
-    assembly::{self, Anchor, Surroundings, mud_pressure_Pa},
+    assembly::{self, Anchor, Surroundings},
     bit::{Bit, BitStep},
     chain::{Chain, element, node},
     hoist::Hoist,
@@ -15,7 +15,7 @@ use super::{
     summary,
 };
 use crate::{
-    model::Model,
+    model::{Model, MudColumn},
     operation::Operation,
     rod::{
         mesh::{Mesh, MeshNode},
@@ -32,6 +32,12 @@ const FADING_S: f64 = 5.0;
 
 /// Time in which a centred start brings the top to its speed, s.
 const RAMP_S: f64 = 1.0;
+
+/// Steps after which anchors follow their nodes: at 3.2 m elements some 10 ms.
+const FOLLOW_STEPS: u64 = 16;
+
+/// Steps after which the numbers are looked at.
+const CHECK_STEPS: u64 = 128;
 
 /// Speed beyond which a run has diverged, m/s: no drill string moves at that of a bullet.
 const DIVERGED_M_PER_S: f64 = 1e3;
@@ -82,6 +88,7 @@ struct Ledger {
 #[derive(Debug, Clone)]
 pub struct Simulation {
     model: Model,
+    mud: MudColumn,
     operation: Operation,
     settings: DynamicsSettings,
     mesh: Mesh,
@@ -162,10 +169,24 @@ fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
     Ok(())
 }
 
+/// What the hoist does, and the axial velocity that the string so has, m/s.
+fn hoisting(operation: &Operation, settings: &DynamicsSettings) -> (HoistControl, f64) {
+    let velocity = operation.axial_velocity_m_per_s();
+    let usual = if operation.kind.on_bottom() {
+        HoistControl::AUTODRILLER
+    } else {
+        HoistControl::BlockVelocity(velocity)
+    };
+    match settings.hoist_control.unwrap_or(usual) {
+        control @ HoistControl::BlockVelocity(velocity) => (control, velocity),
+        control => (control, velocity),
+    }
+}
+
 /// Where the bit stands at time zero: half the run above or below the operation's depth, m.
 fn first_bit_md_m(operation: &Operation, settings: &DynamicsSettings) -> f64 {
     let middle_s = settings.settle_s + 0.5 * settings.duration_s;
-    operation.bit_depth_m - operation.axial_velocity_m_per_s() * middle_s
+    operation.bit_depth_m - hoisting(operation, settings).1 * middle_s
 }
 
 fn mesh_and_plan(model: &Model, bit_md_m: f64, settings: &DynamicsSettings) -> (Mesh, StepPlan) {
@@ -224,7 +245,7 @@ impl Simulation {
         settings: &DynamicsSettings,
     ) -> Result<Self, SetupError> {
         check(settings)?;
-        let velocity = operation.axial_velocity_m_per_s();
+        let (control, velocity) = hoisting(operation, settings);
         let bit_md_m = first_bit_md_m(operation, settings);
         let (mesh, plan) = mesh_and_plan(model, bit_md_m, settings);
         let chain = assembly::chain(model, &mesh, &plan);
@@ -263,14 +284,6 @@ impl Simulation {
             &input,
             bit_md_m,
         )?;
-        let control = settings
-            .hoist_control
-            .unwrap_or(if operation.kind.on_bottom() {
-                HoistControl::AUTODRILLER
-            } else {
-                HoistControl::BlockVelocity(velocity)
-            });
-        let prepared = settings.start == Start::Prepared;
         let (chain, anchors) = (initial.chain, initial.anchors);
         let last = anchors.len() - 1;
         let top = anchors[0].md_m + chain.displacement(0).dot(chain.tangent(0));
@@ -279,7 +292,7 @@ impl Simulation {
             settings.hoist_line,
             control,
             operation.weight_on_bit_now_N(),
-            if prepared { velocity } else { 0.0 },
+            velocity,
             top,
             initial.hook_load_N,
         );
@@ -288,6 +301,7 @@ impl Simulation {
         let steps_per_sample = (settings.sample_interval_s / plan.dt_s).round().max(1.0) as u64;
         Ok(Self {
             model: model.clone(),
+            mud: model.mud_column(),
             operation: *operation,
             settings: *settings,
             mesh,
@@ -367,6 +381,14 @@ impl Simulation {
         for _ in 0..samples {
             for _ in 0..self.steps_per_sample {
                 self.step();
+                if self.steps.is_multiple_of(FOLLOW_STEPS) {
+                    let (chain, anchors) = (&mut self.chain, &mut self.anchors);
+                    self.surroundings.follow(chain, anchors, &mut self.high);
+                }
+                if self.steps.is_multiple_of(CHECK_STEPS) {
+                    self.check_numbers()?;
+                    self.chain.square_up();
+                }
             }
             self.check_numbers()?;
             self.sample();
@@ -405,6 +427,7 @@ impl Simulation {
             weight,
             dt,
         );
+        self.clamp_top();
         self.bit_step = bit;
         let surface_torque = -element!(self.chain, 0, torque);
         let drive = surface_torque * node!(self.chain, 0, spin) * dt;
@@ -418,6 +441,19 @@ impl Simulation {
         sum.weight_on_bit += bit.weight_on_bit_N;
         sum.bit_torque += bit.torque_N_m;
         self.steps += 1;
+    }
+
+    /// Keeps the top on the hole's axis and along it, wherever it has slid to.
+    fn clamp_top(&mut self) {
+        let chain = &mut self.chain;
+        let (tangent, curvature) = (chain.tangent(0), chain.curvature(0));
+        let z = chain.displacement(0).dot(tangent);
+        let along = tangent.plus(curvature, z);
+        let along = along.scaled(1.0 / along.dot(along).sqrt());
+        let speed = chain.velocity(0).dot(along);
+        chain.set_velocity(0, along.scaled(speed));
+        chain.set_displacement(0, tangent.scaled(z).plus(curvature, 0.5 * z * z));
+        chain.set_director(0, along);
     }
 
     fn step_input(&self, time: f64) -> StepInput {
@@ -462,11 +498,17 @@ impl Simulation {
                     .max_by(|a, b| speed(*a).total_cmp(&speed(*b)))
                     .unwrap_or(0)
             });
+        let spin = node!(self.chain, worst, spin);
+        let (quantity, value) = if spin.is_finite() {
+            ("velocity (m/s)", speed(worst))
+        } else {
+            ("spin (rad/s)", spin)
+        };
         Err(Diverged {
             time_s: self.time_s(),
             md_m: self.anchors[worst].md_m,
-            quantity: "velocity (m/s)",
-            value: speed(worst),
+            quantity,
+            value,
         })
     }
 
@@ -508,22 +550,17 @@ impl Simulation {
         series
             .bit_rotary_speed_rad_per_s
             .push(node!(self.chain, last, spin));
-
-        self.surroundings.follow(&mut self.chain, &mut self.anchors);
-        self.chain.square_up();
-        for (high, anchor) in self.high.iter_mut().zip(&self.anchors) {
-            *high = anchor.high_side.into();
-        }
     }
 
     /// Elongation against the unloaded string, m: by effective tension, less what the mud's pressure
     /// takes, `(1 − 2ν)p/E`.
     fn elongation_m(&self) -> f64 {
+        let mud = self.mud;
         let mut sum = 0.0;
         for (i, e) in self.mesh.elements.iter().enumerate() {
             let tvd = 0.5 * (self.anchors[i].position_m.z + self.anchors[i + 1].position_m.z);
             let section = &e.section;
-            let squeeze = section.pressure_strain_per_Pa * mud_pressure_Pa(&self.model, tvd);
+            let squeeze = section.pressure_strain_per_Pa * mud.pressure_Pa(tvd);
             sum += e.length_m
                 * (element!(self.chain, i, tension) / section.axial_stiffness_N - squeeze);
         }
@@ -541,7 +578,7 @@ impl Simulation {
     }
 
     /// What the integration itself gained or lost since the window began, over the largest of the
-    /// work put in, the losses and the change of energy.
+    /// work put in, the losses, the change of energy and the kinetic energy.
     fn energy_residual(&self) -> f64 {
         if !self.window_open {
             return 0.0;
@@ -552,7 +589,11 @@ impl Simulation {
             losses,
         } = self.ledger;
         let change = self.energy_J() - energy_at_start;
-        let largest = change.abs().max(work.abs()).max(losses.abs());
+        let largest = change
+            .abs()
+            .max(work.abs())
+            .max(losses.abs())
+            .max(self.kinetic_energy_J());
         if largest > 0.0 {
             (work - losses - change) / largest
         } else {

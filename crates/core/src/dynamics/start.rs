@@ -78,15 +78,13 @@ pub fn lay(
         string.set_motion(0.0, operation.rotation_rad_per_s());
         string.settle(stepper, input, operation);
         string.stretch_in_place();
-        string.set_motion(
-            operation.axial_velocity_m_per_s(),
-            operation.rotation_rad_per_s(),
-        );
+        string.set_motion(input.rigid_velocity, operation.rotation_rad_per_s());
         for index in 0..mesh.elements.len() {
             element!(string.chain, index, twist) =
                 -guide.torque_N_m[index] / element!(string.chain, index, torsion);
         }
     }
+    string.chain.clear_sums();
     let hook_load_N = guide.tension_N[0] + assembly::top_weight_N(&string.chain);
     Ok(Initial {
         chain: string.chain,

@@ -41,7 +41,8 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
             .map_or(0.0, |(_, s)| s.mean)
     };
     let nodes = profile(s, from);
-    let path = &s.model.well.path;
+    let bit_depths_m = &series.bit_depth_m[from..];
+    let mean_bit_depth_m = bit_depths_m.iter().sum::<f64>() / bit_depths_m.len().max(1) as f64;
     let scalars = Scalars {
         hook_load_N: mean("hook_load_N"),
         surface_torque_N_m: mean("surface_torque_N_m"),
@@ -53,17 +54,12 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
         twist_rad: mean("twist_rad"),
         stretch_m: mean("stretch_m"),
         neutral_point_m: crate::outcome::neutral_point_m(&nodes.md_m, &nodes.tension_N),
-        cutoff_depth_m: path
-            .kick_off_md_m()
-            .zip(path.build_end_md_m())
-            .and_then(|(top, end)| {
-                crate::outcome::cutoff_depth_m(
-                    &nodes.md_m,
-                    &nodes.side_force_N_per_m,
-                    top,
-                    end + 30.0,
-                )
-            }),
+        cutoff_depth_m: crate::outcome::cutoff_in_build_m(
+            &s.model.well.path,
+            mean_bit_depth_m,
+            &nodes.md_m,
+            &nodes.side_force_N_per_m,
+        ),
     };
     DynamicOutcome {
         scalars,
@@ -135,6 +131,13 @@ fn profile(s: &Sources<'_>, from: usize) -> NodeProfile {
         p.climb_rad.push(record.climb_rad(i));
         p.lateral_offset_m.push(record.offset(i));
     }
+    // At the ends the neighbours are half an element off; hoist and bit are there.
+    let end =
+        |values: &[f64]| Statistic::of(&values[from..]).map_or((0.0, 0.0), |e| (e.mean, e.std));
+    let (hook, hook_std) = end(&s.record.series.hook_load_N);
+    let (weight, weight_std) = end(&s.record.series.weight_on_bit_N);
+    (p.tension_N[0], p.tension_std_N[0]) = (hook, hook_std);
+    (p.tension_N[n - 1], p.tension_std_N[n - 1]) = (-weight, weight_std);
     let carries = carried_lengths(s);
     p.side_force_N_per_m = spread(&carries, n, |i| record.signed(i));
     p.axial_friction_N_per_m = spread(&carries, n, |i| -record.axial(i));

@@ -2,7 +2,7 @@
 
 mod profile;
 
-pub use profile::{cutoff_depth_m, neutral_point_m};
+pub use profile::{cutoff_depth_m, cutoff_in_build_m, neutral_point_m};
 
 /// Torque and drag of one operation: the quantities that every solver reports under the same names,
 /// so that their answers can be compared. A dynamic solver reports means over its window.

@@ -1,5 +1,7 @@
 //! What a profile along the string says in one number.
 
+use crate::well::Path;
+
 /// Length of contact over which the side force is averaged before its side is read, m.
 const MEAN_LENGTH_M: f64 = 30.0;
 
@@ -32,6 +34,22 @@ pub fn neutral_point_m(md_m: &[f64], tension_N: &[f64]) -> Option<f64> {
         previous = Some((md, tension));
     }
     None
+}
+
+/// How far below the build the cut-off is looked for, m.
+const BELOW_BUILD_M: f64 = 30.0;
+
+/// The cut-off of a string in its well: [`cutoff_depth_m`] from the kick-off to 30 m below the build, or to
+/// the bit where that is shallower.
+pub fn cutoff_in_build_m(
+    path: &Path,
+    bit_depth_m: f64,
+    md_m: &[f64],
+    signed_side_force_N_per_m: &[f64],
+) -> Option<f64> {
+    let from_md_m = path.kick_off_md_m()?;
+    let to_md_m = (path.build_end_md_m()? + BELOW_BUILD_M).min(bit_depth_m);
+    cutoff_depth_m(md_m, signed_side_force_N_per_m, from_md_m, to_md_m)
 }
 
 /// Measured depth of the deepest change from the high to the low side of the mean signed side force

@@ -116,14 +116,7 @@ impl Mesh {
 }
 
 fn body_radius_m(string: &DrillString, from_bit_m: f64) -> f64 {
-    let mut top = 0.0;
-    for component in string.components() {
-        top += component.length_m;
-        if from_bit_m < top {
-            return component.od_m / 2.0;
-        }
-    }
-    string.components().last().map_or(0.0, |c| c.od_m / 2.0)
+    string.component_at(from_bit_m).1.od_m / 2.0
 }
 
 fn marks(string: &DrillString, element_length_m: f64) -> Vec<Mark> {

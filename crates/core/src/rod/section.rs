@@ -65,7 +65,7 @@ impl Section {
                 component.material.shear_modulus_Pa,
             );
             let area = component.area_m2();
-            let nu = (e / (2.0 * g) - 1.0).clamp(0.0, 0.5);
+            let nu = component.material.poisson_ratio();
             let kappa = super::element::shear_factor(nu, component.id_m / component.od_m);
             mean.axial_stiffness_N += part / component.axial_stiffness_N();
             mean.shear_stiffness_N += part / (kappa * g * area);

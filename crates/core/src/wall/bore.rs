@@ -26,12 +26,10 @@ impl Bore {
         self.hole.at(md_m)
     }
 
-    /// Radius at a measured depth, m; none above the top of the hole, where the string hangs free.
-    pub fn radius_m(&self, md_m: f64) -> Option<f64> {
+    /// Radius at a measured depth, m. Above its first section and below its last the hole goes on as it
+    /// begins and ends.
+    pub fn radius_m(&self, md_m: f64) -> f64 {
         let sections = self.hole.sections();
-        if md_m < sections[0].from_md_m {
-            return None;
-        }
         let mut radius = 0.5 * sections[0].diameter_m;
         for pair in sections.windows(2) {
             let change = 0.5 * (pair[1].diameter_m - pair[0].diameter_m);
@@ -45,7 +43,7 @@ impl Bore {
                 change * 0.5 * (1.0 + from_step / half_width)
             };
         }
-        Some(radius)
+        radius
     }
 }
 
@@ -70,12 +68,12 @@ mod tests {
         };
         let hole = Hole::new(vec![section(0.0, 100.0, 0.3), section(100.0, 200.0, 0.2)]).unwrap();
         let bore = Bore::new(&hole);
-        assert_eq!(bore.radius_m(-1.0), None);
-        assert_eq!(bore.radius_m(50.0), Some(0.15));
-        assert!((bore.radius_m(150.0).unwrap() - 0.1).abs() < 1e-15);
-        assert!((bore.radius_m(100.0).unwrap() - 0.125).abs() < 1e-12);
+        assert_eq!(bore.radius_m(-1.0), 0.15);
+        assert_eq!(bore.radius_m(50.0), 0.15);
+        assert!((bore.radius_m(150.0) - 0.1).abs() < 1e-15);
+        assert!((bore.radius_m(100.0) - 0.125).abs() < 1e-12);
         // 5 cm of radius at 1:100 take 5 m.
-        assert!((bore.radius_m(98.0).unwrap() - 0.145).abs() < 1e-12);
-        assert_eq!(bore.radius_m(97.4), Some(0.15));
+        assert!((bore.radius_m(98.0) - 0.145).abs() < 1e-12);
+        assert_eq!(bore.radius_m(97.4), 0.15);
     }
 }

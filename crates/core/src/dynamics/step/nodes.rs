@@ -238,6 +238,7 @@ pub(super) fn turn<N: Number>(
     let moment_below = eights(&pull.moment1, above + 1);
     let splat = N::splat;
     let (one, half, dt) = (splat(1.0), splat(0.5), splat(input.dt));
+    // The energy of lateral rotation is a millionth of the whole: its damping is not booked.
     let calm = splat(1.0 - (input.dt * input.mass_damping).min(0.5));
     let (old_d, old_w) = (nine(&state.d, block), nine(&state.w, block));
     let spin = state.spin.nine(block);
@@ -247,8 +248,8 @@ pub(super) fn turn<N: Number>(
         let moment = from::<N, 8>(&moment_above, lane) + from(&moment_below, lane);
         let kicked = w0.scaled(calm).plus(moment, dt * at(&n.inv_rotary, lane));
         let p = half * dt * at(&n.gyroscopic, lane) * splat(spin[lane]);
-        // Cayley's rotation by the precession: (1 − p²)/(1 + p²) and 2p/(1 + p²), to rounding, for p,
-        // half the precession in a step, is below 1e-2.
+        // Cayley's rotation by the precession: (1 − p²)/(1 + p²) and 2p/(1 + p²), to the fifth power of p, half
+        // the precession in a step; what is left out brakes by 2p⁶.
         let p2 = p * p;
         let sine = (p + p) * (one - p2);
         let cosine = (p2 + p2).mul_add(p2 - one, one);

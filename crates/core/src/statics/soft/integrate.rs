@@ -6,8 +6,7 @@ use nalgebra::Vector3;
 
 use super::{SoftError, SoftSettings, motion::Sliding};
 use crate::{
-    GRAVITY_M_PER_S2,
-    model::Model,
+    model::{Model, MudColumn},
     operation::Operation,
     string::Component,
     well::{Path, PathPoint},
@@ -66,10 +65,7 @@ struct Stretch {
     torsional_stiffness_N_m2: f64,
     /// `(1 - 2ν)/E`, 1/Pa.
     pressure_strain_per_Pa: f64,
-    /// Weight of mud per volume, N/m³.
-    mud_weight_N_per_m3: f64,
-    /// True vertical depth of the mud's surface, m.
-    mud_surface_m: f64,
+    mud: MudColumn,
 }
 
 /// Load on the wall at one point.
@@ -107,7 +103,7 @@ impl Stretch {
     /// Change per metre upwards.
     fn rate(&self, point: &PathPoint, at: &Totals) -> Totals {
         let load = self.load(point, at.tension_N);
-        let pressure_Pa = self.mud_weight_N_per_m3 * (point.position_m.z - self.mud_surface_m);
+        let pressure_Pa = self.mud.pressure_Pa(point.position_m.z);
         Totals {
             tension_N: self.weight_N_per_m * point.tangent.z + load.axial_friction_N_per_m,
             torque_N_m: load.friction_torque_N_m_per_m,
@@ -181,8 +177,7 @@ fn stretch(
         axial_stiffness_N: component.axial_stiffness_N(),
         torsional_stiffness_N_m2: component.torsional_stiffness_N_m2(),
         pressure_strain_per_Pa: (1.0 - 2.0 * material.poisson_ratio()) / material.youngs_modulus_Pa,
-        mud_weight_N_per_m3: mud_density * GRAVITY_M_PER_S2,
-        mud_surface_m: model.well.path.at(0.0).position_m.z,
+        mud: model.mud_column(),
     }
 }
 

@@ -6,11 +6,8 @@ use super::integrate::{Row, Totals};
 use crate::{
     model::Model,
     operation::Operation,
-    outcome::{Scalars, cutoff_depth_m, neutral_point_m},
+    outcome::{Scalars, cutoff_in_build_m, neutral_point_m},
 };
-
-/// How far below the build the cut-off is looked for, m.
-const BELOW_BUILD_M: f64 = 30.0;
 
 /// Loads along the string, from the surface to the bit, and their scalars.
 ///
@@ -71,7 +68,12 @@ impl SoftProfile {
             twist_rad: totals.twist_rad,
             stretch_m: totals.stretch_m,
             neutral_point_m: neutral_point_m(&md_m, &tension_N),
-            cutoff_depth_m: cutoff(model, operation, &md_m, &side_force_N_per_m),
+            cutoff_depth_m: cutoff_in_build_m(
+                &model.well.path,
+                operation.bit_depth_m,
+                &md_m,
+                &side_force_N_per_m,
+            ),
         };
         Self {
             torque_N_m: column(|row| row.totals.torque_N_m),
@@ -122,19 +124,6 @@ impl SoftProfile {
         let nearer_above = md_m - self.md_m[above] < self.md_m[below] - md_m;
         self.contact_direction[if nearer_above { above } else { below }]
     }
-}
-
-fn cutoff(
-    model: &Model,
-    operation: &Operation,
-    md_m: &[f64],
-    side_force_N_per_m: &[f64],
-) -> Option<f64> {
-    let path = &model.well.path;
-    let from_md_m = path.kick_off_md_m()?;
-    let to_md_m = path.build_end_md_m()? + BELOW_BUILD_M;
-    let to_md_m = to_md_m.min(operation.bit_depth_m);
-    cutoff_depth_m(md_m, side_force_N_per_m, from_md_m, to_md_m)
 }
 
 fn interpolate(md: &[f64], values: &[f64], at_m: f64) -> f64 {
