@@ -15,7 +15,7 @@ fn d09() -> Value {
 }
 
 /// A beam that does not shear, as the closed forms have it.
-fn beam(length_m: f64, parts: usize) -> Bench {
+pub fn beam(length_m: f64, parts: usize) -> Bench {
     let mut rod = Bench::new(&[(PIPE_M, length_m)], length_m / parts as f64, 0.0);
     assert_eq!(rod.chain.elements(), parts);
     for i in 0..parts {
@@ -32,7 +32,7 @@ fn beam(length_m: f64, parts: usize) -> Bench {
 }
 
 /// Swings `rod` in the shape `mode` (deflection and slope, by z) and gives the frequency.
-fn swing(rod: &mut Bench, mode: impl Fn(f64) -> (f64, f64)) -> f64 {
+pub fn swing(rod: &mut Bench, mode: impl Fn(f64) -> (f64, f64)) -> f64 {
     // Small: 1e-6 m/s, so that the deflection does not stretch the rod.
     for i in 0..rod.chain.nodes() {
         let (shape, slope) = mode(rod.z_m(i));

@@ -76,8 +76,24 @@ pub struct Bench {
 
 impl Bench {
     /// A rod of `parts` (outside and inside diameter, length, m) from the lower end up, free at both
-    /// ends and at rest.
+    /// ends and at rest, in air.
     pub fn new(parts: &[([f64; 2], f64)], element_length_m: f64, stiffness_damping_s: f64) -> Self {
+        let air = Mud {
+            density_kg_per_m3: 0.0,
+            linear_drag_Pa_s: 0.0,
+            drag_coefficient: 0.0,
+        };
+        Self::in_mud(parts, element_length_m, stiffness_damping_s, air, 2.0)
+    }
+
+    /// The same full of `mud` and in it, in a hole of a diameter.
+    pub fn in_mud(
+        parts: &[([f64; 2], f64)],
+        element_length_m: f64,
+        stiffness_damping_s: f64,
+        mud: Mud,
+        hole_m: f64,
+    ) -> Self {
         let length_m: f64 = parts.iter().map(|(_, length)| length).sum();
         let components = parts
             .iter()
@@ -94,7 +110,7 @@ impl Bench {
             kind: HoleKind::Open,
             from_md_m: 0.0,
             to_md_m: length_m,
-            diameter_m: 2.0,
+            diameter_m: hole_m,
             friction: Friction {
                 kinetic: 0.0,
                 at_rest: 0.0,
@@ -112,11 +128,7 @@ impl Bench {
             string: StringSpec { components }
                 .assemble(length_m)
                 .expect("a sound string"),
-            mud: Mud {
-                density_kg_per_m3: 0.0,
-                linear_drag_Pa_s: 0.0,
-                drag_coefficient: 0.0,
-            },
+            mud,
             rig: Rig::default(),
         };
         let mesh = Mesh::new(&model.string, element_length_m);

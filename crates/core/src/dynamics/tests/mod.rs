@@ -3,6 +3,9 @@
 mod beams;
 mod bench;
 mod bit;
+mod gyroscope;
 mod hoist;
+mod mud;
+mod rest;
 mod step_limit;
 mod waves;
