@@ -79,7 +79,6 @@ fn mud_drags_on_lateral_motion() {
             left.0.hypot(left.1) / expected - 1.0
         };
         let (coarse, fine) = (error(steps), error(2.0 * steps));
-        println!("{linear} Pa s, {coefficient}: {coarse:.2e} {fine:.2e}");
         assert!(coarse.abs() < 8e-4, "{coarse:e}");
         assert!((coarse / fine - 2.0).abs() < 0.05, "{coarse:e} {fine:e}");
     }
@@ -174,7 +173,6 @@ fn mud_takes_part_in_lateral_motion_only() {
         let (steel, mass) = masses_kg_per_m(&rod(mud), density_kg_per_m3);
         let expected = (steel / mass).sqrt();
         let found = lateral(mud) / lateral(air);
-        println!("{found} for {expected}");
         assert!(
             (found / expected - 1.0).abs() < 1.5e-4,
             "{found} for {expected}"
