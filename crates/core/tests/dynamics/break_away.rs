@@ -30,7 +30,7 @@ fn case() -> Case {
                 kinetic: KINETIC,
                 at_rest: AT_REST,
             },
-            ..s.clone()
+            ..*s
         })
         .collect();
     model.well.hole = Hole::new(sections).expect("a sound hole");
