@@ -2,7 +2,9 @@
 
 use std::path::Path as FilePath;
 
-use wholestring::{dynamics::DynamicsSettings, model::Model, operation::Operation, well::Well};
+use wholestring::{
+    dynamics::DynamicsSettings, model::Model, operation::Operation, outcome::ModelKind, well::Well,
+};
 use wholestring_units::UnitSet;
 
 use crate::{
@@ -18,7 +20,7 @@ use crate::{
     overrides::{self, Override},
     reader::Reader,
     rig::{HoistTable, RigTable},
-    rule::{At, Choice, List, Rule, Section, Table, Text},
+    rule::{At, Choice, List, Rule, Section, Table, Text, once_each},
     settings,
     source::{Disk, Files, Place, read_bounded},
     string::{ComponentTable, SteelTable},
@@ -27,25 +29,10 @@ use crate::{
 };
 
 /// The models that can solve a case.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum ModelKind {
-    /// Soft string: statics without bending stiffness.
-    Soft,
-    /// The whole string in time.
-    Dynamic,
-}
-
-impl ModelKind {
-    const WORDS: &[(&str, Self)] = &[("soft", Self::Soft), ("dynamic", Self::Dynamic)];
-
-    /// Name in case files and results.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Soft => "soft",
-            Self::Dynamic => "dynamic",
-        }
-    }
-}
+const MODELS: &[(&str, ModelKind)] = &[
+    (ModelKind::Soft.name(), ModelKind::Soft),
+    (ModelKind::Dynamic.name(), ModelKind::Dynamic),
+];
 
 /// A model by name; the stiff string is known, but not built.
 pub(crate) struct ModelRule;
@@ -54,7 +41,7 @@ impl ModelRule {
     fn choice() -> Choice<ModelKind> {
         Choice {
             noun: "a model",
-            words: ModelKind::WORDS,
+            words: MODELS,
         }
     }
 }
@@ -93,7 +80,7 @@ table! {
         /// "soft" (statics without bending stiffness), "dynamic" (the whole string in time), or a
         /// list that is solved one by one.
         model: Vec<At<ModelKind>> = default(
-            List { item: ModelRule, or_one: true, noun: "models", most: ModelKind::WORDS.len() },
+            List { item: ModelRule, or_one: true, noun: "models", most: MODELS.len() },
             vec![At { value: ModelKind::Soft, place: Place::default() }],
         );
         /// Units that people are shown: "si" (m, kN, kN.m, mm, kg/m3), "metric" (m, t, kN.m, mm,
@@ -109,7 +96,7 @@ table! {
             },
             UnitSet::Si,
         );
-        /// Where the hole runs and how wide and rough it is.
+        /// Where the hole runs and how wide it is and how it rubs.
         well: WellTable = required(Section::<WellTable>::RULE);
         /// Drilling fluid, the same inside the string and in the annulus.
         mud: MudTable = required(Section::<MudTable>::RULE);
@@ -352,15 +339,6 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
 
 fn models(case: &CaseTable, reader: &mut Reader) -> Option<Vec<ModelKind>> {
     let models = case.model.get()?;
-    for (i, at) in models.iter().enumerate() {
-        if let Some(first) = models[..i].iter().find(|first| first.value == at.value) {
-            reader.report(
-                Diagnostic::error(format!("`{}` is listed twice", at.value.name()))
-                    .at(at.place, "again here")
-                    .at(first.place, "first here"),
-            );
-            return None;
-        }
-    }
+    once_each(models, ModelKind::name, reader)?;
     Some(models.iter().map(|at| at.value).collect())
 }

@@ -21,7 +21,7 @@ const MOST_SAMPLES: f64 = 2e6;
 table! {
     /// How finely the string is cut.
     MeshTable in "[mesh]" {
-        /// Length of the elements, at most a fifth longer where joints ask for it: a node stands on
+        /// Length of the elements, at most a quarter longer where joints ask for it: a node stands on
         /// tool joints and stabilisers. Halving it makes a dynamic run four times slower.
         element_length: f64 = default(
             Quantity::si(Dimension::Length, Range::from_to(0.2, 30.0), "3.2 m"),

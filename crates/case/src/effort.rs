@@ -4,14 +4,10 @@ use wholestring::{
     dynamics::{DynamicsSettings, Effort},
     model::Model,
     operation::Operation,
+    outcome::ModelKind,
 };
 
-use crate::{
-    case::{CaseTable, ModelKind},
-    diagnostic::Diagnostic,
-    range::number_text,
-    reader::Reader,
-};
+use crate::{case::CaseTable, diagnostic::Diagnostic, range::number_text, reader::Reader};
 
 /// More elements than this make no sense in the longest of wells.
 const MOST_ELEMENTS: usize = 110_000;

@@ -43,7 +43,7 @@ pub mod survey;
 mod table;
 mod well;
 
-pub use case::{Case, ModelKind, load, parse};
+pub use case::{Case, load, parse};
 pub use diagnostic::{Diagnostic, Label, Report, Severity};
 pub use overrides::{Override, OverrideError};
 pub use schema::schema;

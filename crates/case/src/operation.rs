@@ -2,17 +2,19 @@
 
 use std::f64::consts::PI;
 
-use wholestring::operation::{Operation, OperationKind};
+use wholestring::{
+    operation::{Operation, OperationKind},
+    outcome::ModelKind,
+};
 use wholestring_units::Dimension;
 
 use crate::{
     bit::BitTable,
-    case::ModelKind,
     diagnostic::Diagnostic,
     quantity::Quantity,
     range::Range,
     reader::Reader,
-    rule::{At, Choice, List},
+    rule::{At, Choice, List, once_each},
     source::Place,
     table::{Field, default, optional, required, table},
 };
@@ -111,16 +113,7 @@ impl OperationTable {
         reader: &mut Reader,
     ) -> Option<Vec<Operation>> {
         let kinds = self.kind.get()?;
-        for (i, at) in kinds.iter().enumerate() {
-            if let Some(first) = kinds[..i].iter().find(|first| first.value == at.value) {
-                reader.report(
-                    Diagnostic::error(format!("`{}` is listed twice", at.value.name()))
-                        .at(at.place, "again here")
-                        .at(first.place, "first here"),
-                );
-                return None;
-            }
-        }
+        once_each(kinds, OperationKind::name, reader)?;
         let find = |wanted: fn(OperationKind) -> bool| kinds.iter().find(|at| wanted(at.value));
         let rotating = find(OperationKind::rotates);
         let on_bottom = find(OperationKind::on_bottom);

@@ -16,7 +16,7 @@ use crate::{
 };
 
 table! {
-    /// Limits of the rig. They change no result; results are held against them.
+    /// Limits of the rig. They change no result; a run warns of an operation that exceeds them.
     RigTable in "[rig]" {
         /// Weight of travelling block and top drive. Never part of the reported hook load.
         block_weight: f64 = optional(force("20 tf"));

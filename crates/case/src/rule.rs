@@ -123,6 +123,25 @@ pub(crate) struct At<T> {
     pub(crate) place: Place,
 }
 
+/// Refuses a list that names one thing twice.
+pub(crate) fn once_each<T: Copy + PartialEq>(
+    list: &[At<T>],
+    name: fn(T) -> &'static str,
+    reader: &mut Reader,
+) -> Option<()> {
+    for (i, at) in list.iter().enumerate() {
+        if let Some(first) = list[..i].iter().find(|first| first.value == at.value) {
+            reader.report(
+                Diagnostic::error(format!("`{}` is listed twice", name(at.value)))
+                    .at(at.place, "again here")
+                    .at(first.place, "first here"),
+            );
+            return None;
+        }
+    }
+    Some(())
+}
+
 /// A list, each item by the same rule.
 pub(crate) struct List<R> {
     pub(crate) item: R,

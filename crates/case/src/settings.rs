@@ -5,15 +5,13 @@ use wholestring::{
     dynamics::{ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, Start},
     model::Model,
     operation::Operation,
+    outcome::ModelKind,
     string::Component,
     well::{HoleKind, HoleSection, Interpolation, Well},
 };
 use wholestring_units::UnitSet;
 
-use crate::{
-    case::{CaseTable, ModelKind},
-    rig::HoistTable,
-};
+use crate::{case::CaseTable, rig::HoistTable};
 
 /// What the solvers were given, in SI, with units in the names of the keys.
 pub(crate) fn settings(

@@ -326,9 +326,9 @@ impl ComponentTable {
             }
             if known.is_none() && self.mass_per_length.given().is_none() {
                 reader.report(
-                    Diagnostic::warning("the mass of the tool joints is not counted")
+                    Diagnostic::warning("mass and stiffness of the tool joints are not counted")
                         .at(od.place, "joints of unknown length")
-                        .help("give mass_per_length, tool joints included"),
+                        .help("give mass_per_length, tool joints included; stiffness stays the body's"),
                 );
             }
         }

@@ -37,7 +37,7 @@ fn coordinate() -> Quantity {
 }
 
 table! {
-    /// Where the hole runs and how wide and rough it is.
+    /// Where the hole runs and how wide it is and how it rubs.
     WellTable in "[well]" {
         /// Survey file beside the case, CSV or Excel, with columns md, inc and azi.
         survey: String = optional(Text);

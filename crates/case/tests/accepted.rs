@@ -6,9 +6,9 @@ use common::{EXAMPLE, changed, read, read_with};
 use wholestring::{
     dynamics::{ContactLaw, DynamicsSettings, HoistControl},
     operation::OperationKind,
+    outcome::ModelKind,
     well::Interpolation,
 };
-use wholestring_case::ModelKind;
 
 #[test]
 fn the_documented_example_loads() {

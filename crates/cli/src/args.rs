@@ -9,7 +9,7 @@ use wholestring_units::{Dimension, UnitSet};
 
 /// Torque, drag and dynamics of a whole drill string in a deviated well.
 #[derive(Debug, Parser)]
-#[command(version, max_term_width = 100, after_help = EXIT_STATUS)]
+#[command(name = "wholestring", version, max_term_width = 100, after_help = EXIT_STATUS)]
 pub(crate) struct Cli {
     #[command(subcommand)]
     pub(crate) command: Command,
@@ -62,8 +62,8 @@ pub(crate) struct RunArgs {
     )]
     pub(crate) output: Option<PathBuf>,
 
-    /// Units on the screen: si, metric or field [default: the case's]
-    #[arg(long)]
+    /// Units on the screen [default: the case's]
+    #[arg(long, value_name = "si|metric|field")]
     pub(crate) units: Option<UnitSet>,
 
     /// Write the tables as CSV too

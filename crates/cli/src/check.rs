@@ -1,6 +1,7 @@
 //! `wholestring check`: is the case sound?
 
-use wholestring_case::{Case, ModelKind};
+use wholestring::outcome::ModelKind;
+use wholestring_case::Case;
 use wholestring_units::Dimension;
 
 use crate::{args::CheckArgs, failure::Failure, load, say};

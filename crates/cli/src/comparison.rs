@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use wholestring::outcome::Scalars;
-use wholestring_results::{ModelKind, Numerics, OperationSummary, Status, Summary};
+use wholestring::outcome::{ModelKind, Scalars};
+use wholestring_results::{Numerics, OperationSummary, Status, Summary};
 use wholestring_units::{Dimension, UnitSet};
 
 /// A row: what people call the quantity, how it is read, and its key in the statistics.

@@ -28,6 +28,22 @@ impl Interrupt {
         Self { asked }
     }
 
+    /// A user who asked before anything began.
+    #[cfg(test)]
+    pub(crate) fn already_asked() -> Self {
+        Self {
+            asked: Arc::new(AtomicBool::new(true)),
+        }
+    }
+
+    /// A user who never asks.
+    #[cfg(test)]
+    pub(crate) fn never() -> Self {
+        Self {
+            asked: Arc::default(),
+        }
+    }
+
     /// Whether the user asked to stop.
     pub(crate) fn asked(&self) -> bool {
         self.asked.load(Ordering::Relaxed)

@@ -8,6 +8,7 @@ mod interrupt;
 mod picture;
 mod progress;
 mod record;
+mod rig;
 mod run;
 mod survey;
 

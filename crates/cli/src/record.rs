@@ -3,13 +3,16 @@
 use std::time::Duration;
 
 use wholestring::{
-    dynamics::DynamicOutcome, operation::Operation, outcome::Scalars, statics::soft::SoftProfile,
+    dynamics::DynamicOutcome,
+    operation::Operation,
+    outcome::{ModelKind, Scalars},
+    statics::soft::SoftProfile,
     well::Hole,
 };
 use wholestring_case::Case;
 use wholestring_results::{
-    Friction, ModelKind, NODES, Numerics, OperationSummary, ResultsFolder, SCHEMA_VERSION,
-    Statistic, Status, Summary, TIME, Table,
+    Friction, NODES, Numerics, OperationSummary, ResultsFolder, SCHEMA_VERSION, Statistic, Status,
+    Summary, TIME, Table,
 };
 use wholestring_units::{Dimension, UnitSet};
 
@@ -116,6 +119,12 @@ impl Record {
         };
         self.summary.operations.push(solved);
         let operation = operation.kind.name();
+        // The table writes what is not finite as `null`.
+        let climb_rad: Vec<f64> = nodes
+            .climb_rad
+            .iter()
+            .map(|climb| climb.unwrap_or(f64::NAN))
+            .collect();
         self.nodes.append(
             &[("model", "dynamic"), ("operation", operation)],
             &[
@@ -129,6 +138,7 @@ impl Record {
                 ("contact_force_N", &nodes.contact_force_N),
                 ("contact_force_std_N", &nodes.contact_force_std_N),
                 ("contact_force_max_N", &nodes.contact_force_max_N),
+                ("climb_rad", &climb_rad),
                 ("lateral_offset_m", &nodes.lateral_offset_m),
                 ("axial_friction_N_per_m", &nodes.axial_friction_N_per_m),
                 (

@@ -8,9 +8,10 @@ use std::{
 use wholestring::{
     dynamics::Simulation,
     operation::Operation,
+    outcome::ModelKind,
     statics::soft::{self, SoftSettings},
 };
-use wholestring_case::{Case, ModelKind};
+use wholestring_case::Case;
 use wholestring_results::{ResultsFolder, Status};
 
 use crate::{
@@ -21,7 +22,7 @@ use crate::{
     load,
     progress::Progress,
     record::{self, Record},
-    say,
+    rig, say,
 };
 
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
@@ -41,12 +42,13 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         let title = format!("{}: {}", case.name, record::subtitle(&case, units));
         let table = comparison::table(&record.summary, units, width);
         let notes = comparison::notes(&record.summary);
+        let warnings = rig::warnings(&record.summary, &case.model.rig, units);
         let place = folder.path().display();
         say(&format!(
             "{title}
 
 {table}
-{notes}Results in {place}
+{notes}{warnings}Results in {place}
 "
         ))?;
     }
@@ -68,8 +70,8 @@ fn solve(
                 return Err(interrupted(folder.path()));
             }
             let stopped = match model {
-                ModelKind::Soft => solve_soft(case, operation, record)?,
-                ModelKind::Dynamic => solve_dynamic(case, operation, args, interrupt, record)?,
+                ModelKind::Soft => solve_soft(case, operation, record),
+                ModelKind::Dynamic => solve_dynamic(case, operation, args.quiet, interrupt, record),
             };
             record.write(folder, args.csv)?;
             match stopped {
@@ -88,11 +90,14 @@ fn solve(
     Ok(())
 }
 
-fn solve_soft(case: &Case, operation: &Operation, record: &mut Record) -> Result<Status, Failure> {
-    let profile = soft::solve(&case.model, operation, &SoftSettings::default())
-        .map_err(|error| unsolvable("soft string", operation, &error))?;
-    record.add_soft(operation, &profile);
-    Ok(Status::Complete)
+fn solve_soft(case: &Case, operation: &Operation, record: &mut Record) -> Status {
+    match soft::solve(&case.model, operation, &SoftSettings::default()) {
+        Ok(profile) => {
+            record.add_soft(operation, &profile);
+            Status::Complete
+        }
+        Err(error) => unsolvable("soft string", &error),
+    }
 }
 
 /// Simulated time between two looks at Ctrl-C and two movements of the progress bar, s: a fraction of
@@ -102,15 +107,21 @@ const LOOK_INTERVAL_S: f64 = 0.2;
 fn solve_dynamic(
     case: &Case,
     operation: &Operation,
-    args: &RunArgs,
+    quiet: bool,
     interrupt: &Interrupt,
     record: &mut Record,
-) -> Result<Status, Failure> {
+) -> Status {
     let start = Instant::now();
-    let mut simulation = Simulation::new(&case.model, operation, &case.dynamics)
-        .map_err(|error| unsolvable("dynamic model", operation, &error))?;
+    let mut simulation = match Simulation::new(&case.model, operation, &case.dynamics) {
+        Ok(simulation) => simulation,
+        Err(error) => return unsolvable("dynamic model", &error),
+    };
+    // Laying the string takes seconds. Whoever has asked by now has nothing of this operation to keep.
+    if interrupt.asked() {
+        return Status::Interrupted;
+    }
     let end_s = simulation.end_time_s();
-    let progress = Progress::new(operation.kind.name(), end_s, args.quiet);
+    let progress = Progress::new(operation.kind.name(), end_s, quiet);
     // The run goes on by whole samples.
     let enough_s = end_s - 0.5 * case.dynamics.sample_interval_s;
     let status = loop {
@@ -133,14 +144,11 @@ fn solve_dynamic(
         status.clone(),
         start.elapsed(),
     );
-    Ok(status)
+    status
 }
 
-fn unsolvable(model: &str, operation: &Operation, error: &dyn std::error::Error) -> Failure {
-    Failure::Failed(format!(
-        "error: the {model} has no answer for {}: {error}",
-        operation.kind.name()
-    ))
+fn unsolvable(model: &str, error: &dyn std::error::Error) -> Status {
+    Status::Failed(format!("the {model} has no answer: {error}"))
 }
 
 fn interrupted(folder: &Path) -> Failure {
@@ -187,7 +195,73 @@ fn is_device(name: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use wholestring_units::UnitSet;
+
     use super::*;
+
+    /// A model that the CLI's own test data describe.
+    fn slant() -> Case {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/slant.toml");
+        wholestring_case::load(&path, &[]).expect("a sound case")
+    }
+
+    #[test]
+    fn who_interrupts_the_laying_does_not_wait_for_the_run() {
+        let case = slant();
+        let mut record = Record::new(&case, UnitSet::Si);
+        let status = solve_dynamic(
+            &case,
+            &case.operations[0],
+            true,
+            &Interrupt::already_asked(),
+            &mut record,
+        );
+        assert_eq!(status, Status::Interrupted);
+        assert!(record.summary.operations.is_empty());
+    }
+
+    /// An operation without an answer ends like one that diverged: what was solved before is kept, and
+    /// the message says where.
+    #[test]
+    fn an_operation_without_answer_keeps_what_was_solved() {
+        let mut case = slant();
+        // Deeper than the string is long, which no case file gets past its checks.
+        case.operations[1].bit_depth_m += 100.0;
+        let place = std::env::temp_dir().join(format!("wholestring-{}", std::process::id()));
+        let folder = ResultsFolder::create(&place).expect("a folder");
+        for (model, kept) in [(ModelKind::Soft, 1), (ModelKind::Dynamic, 0)] {
+            case.models = vec![model];
+            // What an earlier run left does not pass for this one's.
+            if model == ModelKind::Dynamic {
+                case.operations.remove(0);
+            }
+            let mut record = Record::new(&case, UnitSet::Si);
+            let asked = Interrupt::never();
+            let failure = solve(&case, &arguments(), &asked, &mut record, &folder).unwrap_err();
+            assert_eq!(failure.status(), 3);
+            let message = failure.to_string();
+            assert!(message.contains("has no answer: "), "{message}");
+            let end = format!("what was computed until then is in {}", place.display());
+            assert!(message.ends_with(&end), "{message}");
+            let summary = place.join("summary.json");
+            let summary = wholestring_results::Summary::read(&summary).expect("a summary");
+            assert_eq!(summary.operations.len(), kept);
+        }
+        std::fs::remove_dir_all(&place).expect("our own folder");
+    }
+
+    fn arguments() -> RunArgs {
+        RunArgs {
+            case: crate::args::CaseArgs {
+                case: "slant.toml".into(),
+                overrides: Vec::new(),
+            },
+            output: None,
+            units: None,
+            csv: false,
+            quiet: true,
+        }
+    }
 
     #[test]
     fn case_names_make_folders_on_every_system() {

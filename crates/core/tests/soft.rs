@@ -452,7 +452,7 @@ fn profile_runs_from_surface_to_bit_and_adds_up() {
     assert_eq!(profile.md_m[profile.md_m.len() - 1], 2500.0);
     assert!(profile.md_m.windows(2).all(|pair| pair[0] < pair[1]));
     assert_eq!(profile.tension_at_N(-5.0), scalars.hook_load_N);
-    assert_eq!(profile.torque_at_N_m(0.0), scalars.surface_torque_N_m);
+    assert_eq!(profile.torque_N_m[0], scalars.surface_torque_N_m);
     assert_eq!(profile.tension_at_N(2500.0), 0.0);
     assert_eq!(profile.tension_at_N(3000.0), 0.0);
     let middle = 0.5 * (profile.md_m[10] + profile.md_m[11]);

@@ -88,6 +88,11 @@ pub const NODES: &[ColumnSpec] = &[
         "Largest contact force of any sample",
     ),
     ColumnSpec::number(
+        "climb_rad",
+        "rad",
+        "Angle of the node's mean contact force from the low side, from −π to π; positive to the right looking down the hole, `null` where nothing touched and for the soft string",
+    ),
+    ColumnSpec::number(
         "lateral_offset_m",
         "m",
         "Distance between the string's axis and the hole's",

@@ -17,6 +17,6 @@ pub use columns::{ColumnSpec, NODES, TIME};
 pub use error::ResultsError;
 pub use folder::ResultsFolder;
 pub use summary::{
-    Friction, ModelKind, Numerics, OperationSummary, SCHEMA_VERSION, Statistic, Status, Summary,
+    Friction, Numerics, OperationSummary, SCHEMA_VERSION, Statistic, Status, Summary,
 };
 pub use table::{Column, Data, Table};

@@ -3,7 +3,7 @@
 use std::{collections::BTreeMap, fs::File, io::BufReader, io::Write, path::Path};
 
 use serde::{Deserialize, Serialize};
-use wholestring::outcome::Scalars;
+use wholestring::outcome::{ModelKind, Scalars};
 
 use crate::{ResultsError, file::write_whole};
 
@@ -21,26 +21,6 @@ pub struct Summary {
     pub settings: serde_json::Value,
     /// One entry per model and operation solved, in the order they were solved.
     pub operations: Vec<OperationSummary>,
-}
-
-/// The model that an operation was solved with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum ModelKind {
-    /// Soft string.
-    Soft,
-    /// Whole-string dynamics in time.
-    Dynamic,
-}
-
-impl ModelKind {
-    /// Name in case files and results.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Soft => "soft",
-            Self::Dynamic => "dynamic",
-        }
-    }
 }
 
 /// How far the solution of an operation got.
@@ -79,6 +59,7 @@ impl Friction {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct OperationSummary {
     /// The model.
+    #[serde(with = "ModelWords")]
     pub model: ModelKind,
     /// The operation, as in case files: `trip_out`, `drill`, ...
     pub operation: String,
@@ -140,7 +121,8 @@ pub struct Numerics {
     /// Deepest penetration of the wall, m.
     #[serde(with = "finite")]
     pub max_penetration_m: f64,
-    /// Energy that the balance does not account for, as a fraction of the work done.
+    /// What the integration gained or lost since the window began, over the largest of work, losses and
+    /// change of energy.
     #[serde(with = "finite")]
     pub energy_residual: f64,
     /// Instruction set that the time loop was compiled for.
@@ -151,6 +133,14 @@ pub struct Numerics {
     /// Simulated time over the time that it took.
     #[serde(with = "finite")]
     pub real_time_factor: f64,
+}
+
+/// The words for a [`ModelKind`] in the file.
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "ModelKind", rename_all = "snake_case")]
+enum ModelWords {
+    Soft,
+    Dynamic,
 }
 
 /// The keys of [`Scalars`] in the file.
@@ -179,12 +169,13 @@ struct ScalarKeys {
     cutoff_depth_m: Option<f64>,
 }
 
-/// JSON has no NaN: a number that is not finite is `null`, and `null` is read back as NaN.
+/// JSON has no NaN: a number that is not finite is `null`, and `null` is read back as NaN. Zero has no
+/// sign there.
 mod finite {
     use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
     pub(super) fn serialize<S: Serializer>(value: &f64, to: S) -> Result<S::Ok, S::Error> {
-        value.is_finite().then_some(*value).serialize(to)
+        value.is_finite().then_some(*value + 0.0).serialize(to)
     }
 
     pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {

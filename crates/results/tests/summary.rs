@@ -3,9 +3,9 @@
 use std::{collections::BTreeMap, fs};
 
 use serde_json::{Value, json};
-use wholestring::outcome::Scalars;
+use wholestring::outcome::{ModelKind, Scalars};
 use wholestring_results::{
-    Friction, ModelKind, Numerics, OperationSummary, SCHEMA_VERSION, Statistic, Status, Summary,
+    Friction, Numerics, OperationSummary, SCHEMA_VERSION, Statistic, Status, Summary,
 };
 
 const SCALARS: Scalars = Scalars {
@@ -131,6 +131,17 @@ fn what_is_not_finite_becomes_null_and_is_read_back() {
     let back = Summary::read(&path).unwrap();
     assert!(back.operations[0].scalars.twist_rad.is_nan());
     assert_eq!(back.operations[0].scalars.neutral_point_m, None);
+}
+
+#[test]
+fn zero_has_no_sign() {
+    let mut operation = soft();
+    operation.scalars.surface_torque_N_m = -0.0;
+    let file = written(&summary(vec![operation]));
+    let torque = file["operations"][0]["surface_torque_N_m"]
+        .as_f64()
+        .unwrap();
+    assert_eq!(torque.to_bits(), 0.0_f64.to_bits());
 }
 
 #[test]

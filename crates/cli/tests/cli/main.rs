@@ -5,4 +5,5 @@ mod contract;
 mod desk;
 mod documentation;
 mod run;
+mod shipped;
 mod survey;

@@ -4,7 +4,8 @@ use std::{collections::BTreeSet, f64::consts::PI, fs};
 
 use crate::desk::{Desk, masked, transcript};
 use insta::assert_snapshot;
-use wholestring_results::{Data, ModelKind, Status, Table};
+use wholestring::outcome::ModelKind;
+use wholestring_results::{Data, Status, Table};
 
 const SOFT: [&str; 2] = ["--set", "model=soft"];
 
@@ -113,6 +114,8 @@ fn soft_string_and_dynamics_side_by_side() {
     let hook_load = statistics["hook_load_N"];
     assert_eq!(hook_load.mean, summary.operations[1].scalars.hook_load_N);
 
+    check_climb(&Table::read_parquet(&desk.path("here/and/there/nodes.parquet")).unwrap());
+
     let time = Table::read_parquet(&desk.path("here/and/there/time.parquet")).unwrap();
     // Two operations of 2 s, a row every 10 ms: the sampling interval is a whole number of steps, so
     // that it is 10 ms within half a step.
@@ -121,6 +124,95 @@ fn soft_string_and_dynamics_side_by_side() {
         panic!("times are numbers");
     };
     assert!((times[time.rows() - 1].unwrap() - 2.0).abs() < 0.02);
+}
+
+/// A string that turns clockwise climbs to the right, to `atan 0.25`; one that is pulled stays on the low
+/// side; the soft string has no place to climb to.
+fn check_climb(nodes: &Table) {
+    let text = |name: &str| match &nodes.column(name).unwrap().data {
+        Data::Text(words) => words,
+        Data::Number(_) => panic!("`{name}` is text"),
+    };
+    let (models, operations) = (text("model"), text("operation"));
+    let Data::Number(climb) = &nodes.column("climb_rad").unwrap().data else {
+        panic!("angles are numbers");
+    };
+    let of = |model: &str, operation: &str| -> Vec<f64> {
+        (0..nodes.rows())
+            .filter(|row| models[*row] == model && operations[*row] == operation)
+            .filter_map(|row| climb[row])
+            .collect()
+    };
+    for operation in ["trip_out", "rotate_off_bottom"] {
+        assert!(of("soft", operation).is_empty(), "{operation}");
+    }
+    let median = |operation: &str| {
+        let mut values = of("dynamic", operation);
+        values.sort_by(f64::total_cmp);
+        values[values.len() / 2]
+    };
+    // After 2 s what is left of the start still moves it by some hundredths.
+    let (pulled, turned) = (median("trip_out"), median("rotate_off_bottom"));
+    assert!(pulled.abs() < 0.05, "{pulled}");
+    assert!((turned - 0.25_f64.atan()).abs() < 0.05, "{turned}");
+}
+
+/// Tripping out takes `w L (cos i + μ sin i)` and rotating `μ r w L sin i`, as in
+/// `the_numbers_are_the_closed_forms`. The limits lie 1 % to either side.
+#[test]
+fn what_the_rig_cannot_do_is_told() {
+    let desk = Desk::new();
+    let weight_N =
+        (7850.0 - 1200.0) * 9.80665 * PI / 4.0 * (0.12_f64.powi(2) - 0.08_f64.powi(2)) * 600.0;
+    let hook_N = weight_N * (0.5 + 0.25 * 0.75_f64.sqrt());
+    let torque_N_m = 0.25 * 0.06 * weight_N * 0.75_f64.sqrt();
+    let block_N = 50e3;
+    let warnings = |part: f64, more: &[&str]| -> Vec<String> {
+        let rig = [
+            format!("rig.block_weight={block_N} N"),
+            format!("rig.hoist_capacity={} N", part * (hook_N + block_N)),
+            format!("rig.top_drive_torque={} N.m", part * torque_N_m),
+        ];
+        let mut arguments = vec!["run", "slant.toml"];
+        arguments.extend(rig.iter().flat_map(|limit| ["--set", limit]));
+        arguments.extend(more);
+        let output = desk.run(&arguments);
+        assert!(output.status.success());
+        let text = String::from_utf8(output.stdout).unwrap();
+        let warnings = text.lines().filter(|line| line.starts_with("warning: "));
+        warnings.map(str::to_owned).collect()
+    };
+    assert!(warnings(1.01, &SOFT).is_empty());
+    let kilo = |value: f64| format!("{:.2} kN", value / 1e3);
+    let beyond = warnings(0.99, &SOFT);
+    assert_eq!(beyond.len(), 2, "{beyond:?}");
+    assert!(
+        beyond[0].starts_with(&format!(
+            "warning: trip out (soft): hook load with block of {}",
+            kilo(hook_N + block_N)
+        )),
+        "{beyond:?}"
+    );
+    assert!(
+        beyond[0].contains(&kilo(0.99 * (hook_N + block_N))),
+        "{beyond:?}"
+    );
+    assert!(
+        beyond[1].starts_with("warning: rotate off bottom (soft): surface torque of "),
+        "{beyond:?}"
+    );
+    // Of the dynamics, whose friction torque is 3 % lower, the largest sample counts: a string that is
+    // still finding its place swings by more.
+    let dynamic = warnings(0.9, &["--set", "model=dynamic"]);
+    let of = |what: &str| dynamic.iter().any(|line| line.contains(what));
+    assert!(
+        of("trip out (dynamic): hook load with block"),
+        "{dynamic:?}"
+    );
+    assert!(
+        of("rotate off bottom (dynamic): surface torque"),
+        "{dynamic:?}"
+    );
 }
 
 #[test]

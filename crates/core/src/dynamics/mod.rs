@@ -7,6 +7,7 @@ mod hoist;
 mod outcome;
 mod record;
 mod settings;
+mod setup;
 mod simulation;
 mod start;
 mod step;
@@ -19,4 +20,5 @@ pub use settings::{
     BitSettings, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping,
     Start,
 };
-pub use simulation::{Diverged, Effort, SetupError, Simulation};
+pub use setup::{Effort, SetupError};
+pub use simulation::{Diverged, Simulation};

@@ -10,7 +10,8 @@ use super::{
     outcome::DynamicOutcome,
     record::Record,
     settings::{ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, Start},
-    start,
+    setup::{self, SetupError},
+    start::{self, Scene},
     step::{StepInput, Stepper},
     summary,
 };
@@ -19,9 +20,8 @@ use crate::{
     operation::Operation,
     rod::{
         mesh::{Mesh, MeshNode},
-        stability::{self, StepPlan},
+        stability::StepPlan,
     },
-    statics::soft::SoftError,
 };
 
 /// Extra damping of the first seconds of a prepared start, relative to the rigid motion, 1/s.
@@ -41,24 +41,6 @@ const CHECK_STEPS: u64 = 128;
 
 /// Speed beyond which a run has diverged, m/s: no drill string moves at that of a bullet.
 const DIVERGED_M_PER_S: f64 = 1e3;
-
-/// Why a run cannot begin.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum SetupError {
-    /// The soft string, which the start is laid by, has no solution.
-    #[error("the string cannot be laid in the hole: {0}")]
-    Start(#[from] SoftError),
-    /// A setting that no run can use.
-    #[error("{name} is {value}, expected {expected}")]
-    Setting {
-        /// Which.
-        name: &'static str,
-        /// Its value.
-        value: f64,
-        /// What it should be.
-        expected: &'static str,
-    },
-}
 
 /// A run that left the range of numbers that mean anything.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -121,116 +103,6 @@ struct SinceSample {
     bit_torque: f64,
 }
 
-fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
-    let positive = [
-        ("element_length_m", settings.element_length_m),
-        ("duration_s", settings.duration_s),
-        ("sample_interval_s", settings.sample_interval_s),
-        (
-            "hoist_line.stiffness_N_per_m",
-            settings.hoist_line.stiffness_N_per_m,
-        ),
-        (
-            "bit.rock_stiffness_N_per_m",
-            settings.bit.rock_stiffness_N_per_m,
-        ),
-    ];
-    let not_negative = [
-        ("settle_s", settings.settle_s),
-        ("damping.mass_per_s", settings.damping.mass_per_s),
-        ("damping.stiffness_s", settings.damping.stiffness_s),
-        (
-            "hoist_line.damping_N_s_per_m",
-            settings.hoist_line.damping_N_s_per_m,
-        ),
-        (
-            "bit.lateral_stiffness_N_per_m",
-            settings.bit.lateral_stiffness_N_per_m,
-        ),
-    ];
-    for (name, value) in positive {
-        if !(value.is_finite() && value > 0.0) {
-            return Err(SetupError::Setting {
-                name,
-                value,
-                expected: "a positive number",
-            });
-        }
-    }
-    for (name, value) in not_negative {
-        if !(value.is_finite() && value >= 0.0) {
-            return Err(SetupError::Setting {
-                name,
-                value,
-                expected: "zero or a positive number",
-            });
-        }
-    }
-    Ok(())
-}
-
-/// What the hoist does, and the axial velocity that the string so has, m/s.
-fn hoisting(operation: &Operation, settings: &DynamicsSettings) -> (HoistControl, f64) {
-    let velocity = operation.axial_velocity_m_per_s();
-    let usual = if operation.kind.on_bottom() {
-        HoistControl::AUTODRILLER
-    } else {
-        HoistControl::BlockVelocity(velocity)
-    };
-    match settings.hoist_control.unwrap_or(usual) {
-        control @ HoistControl::BlockVelocity(velocity) => (control, velocity),
-        control => (control, velocity),
-    }
-}
-
-/// Where the bit stands at time zero: half the run above or below the operation's depth, m.
-fn first_bit_md_m(operation: &Operation, settings: &DynamicsSettings) -> f64 {
-    let middle_s = settings.settle_s + 0.5 * settings.duration_s;
-    operation.bit_depth_m - hoisting(operation, settings).1 * middle_s
-}
-
-fn mesh_and_plan(model: &Model, bit_md_m: f64, settings: &DynamicsSettings) -> (Mesh, StepPlan) {
-    let mesh = Mesh::new(&model.string, settings.element_length_m);
-    let lateral = assembly::lateral_mass_kg_per_m(model, &mesh, bit_md_m);
-    let plan = stability::plan(&mesh, &lateral, settings.damping.stiffness_s);
-    (mesh, plan)
-}
-
-/// What a run would cost.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Effort {
-    /// Number of elements.
-    pub elements: usize,
-    /// Step, s.
-    pub time_step_s: f64,
-    /// Steps from the laying of the string to the end of the window.
-    pub steps: f64,
-}
-
-impl Effort {
-    /// What the run would cost, found without laying the string.
-    ///
-    /// # Errors
-    /// A setting out of range.
-    pub fn of(
-        model: &Model,
-        operation: &Operation,
-        settings: &DynamicsSettings,
-    ) -> Result<Self, SetupError> {
-        check(settings)?;
-        let (mesh, plan) = mesh_and_plan(model, first_bit_md_m(operation, settings), settings);
-        let laying_s = match settings.start {
-            Start::Prepared => start::SETTLING_S,
-            Start::Centred => 0.0,
-        };
-        Ok(Self {
-            elements: mesh.elements.len(),
-            time_step_s: plan.dt_s,
-            steps: (laying_s + settings.settle_s + settings.duration_s) / plan.dt_s,
-        })
-    }
-}
-
 impl Simulation {
     /// Lays the string in its hole, ready to run.
     ///
@@ -244,10 +116,10 @@ impl Simulation {
         operation: &Operation,
         settings: &DynamicsSettings,
     ) -> Result<Self, SetupError> {
-        check(settings)?;
-        let (control, velocity) = hoisting(operation, settings);
-        let bit_md_m = first_bit_md_m(operation, settings);
-        let (mesh, plan) = mesh_and_plan(model, bit_md_m, settings);
+        setup::check(settings)?;
+        let (control, velocity) = setup::hoisting(operation, settings);
+        let bit_md_m = setup::first_bit_md_m(operation, settings);
+        let (mesh, plan) = setup::mesh_and_plan(model, bit_md_m, settings);
         let chain = assembly::chain(model, &mesh, &plan);
         let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
         let stepper = Stepper::new(
@@ -273,17 +145,16 @@ impl Simulation {
                 ContactLaw::Linear { .. } => 0.0,
             },
         };
-        let initial = start::lay(
+        let scene = Scene {
             model,
             operation,
             settings,
-            &mesh,
-            chain,
-            &surroundings,
-            &stepper,
-            &input,
-            bit_md_m,
-        )?;
+            mesh: &mesh,
+            surroundings: &surroundings,
+            stepper: &stepper,
+            input: &input,
+        };
+        let initial = start::lay(&scene, chain, bit_md_m)?;
         let (chain, anchors) = (initial.chain, initial.anchors);
         let last = anchors.len() - 1;
         let top = anchors[0].md_m + chain.displacement(0).dot(chain.tangent(0));

@@ -44,20 +44,37 @@ pub struct Initial {
     pub hook_load_N: f64,
 }
 
-/// Lays the string of `mesh` with its bit at `bit_md_m`.
-#[allow(clippy::too_many_arguments)]
-pub fn lay(
-    model: &Model,
-    operation: &Operation,
-    settings: &DynamicsSettings,
-    mesh: &Mesh,
-    chain: Chain,
-    surroundings: &Surroundings,
-    stepper: &Stepper,
-    input: &StepInput,
-    bit_md_m: f64,
-) -> Result<Initial, SoftError> {
-    let guide = Guide::new(model, operation, settings, mesh)?;
+/// What a string is laid by.
+#[derive(Debug, Clone, Copy)]
+pub struct Scene<'a> {
+    /// Well, string and mud.
+    pub model: &'a Model,
+    /// What the driller does.
+    pub operation: &'a Operation,
+    /// How the string starts.
+    pub settings: &'a DynamicsSettings,
+    /// The string cut into elements.
+    pub mesh: &'a Mesh,
+    /// The hole around it.
+    pub surroundings: &'a Surroundings,
+    /// What moves it while it settles.
+    pub stepper: &'a Stepper,
+    /// The step, and the rigid motion that the string is to have.
+    pub input: &'a StepInput,
+}
+
+/// Lays the string with its bit at `bit_md_m`.
+///
+/// # Errors
+/// A soft string without solution.
+pub fn lay(scene: &Scene<'_>, chain: Chain, bit_md_m: f64) -> Result<Initial, SoftError> {
+    let Scene {
+        operation,
+        settings,
+        mesh,
+        ..
+    } = *scene;
+    let guide = Guide::new(scene.model, operation, settings, mesh)?;
     let mut string = Laying {
         anchors: vec![
             Anchor {
@@ -68,7 +85,7 @@ pub fn lay(
             mesh.nodes.len()
         ],
         chain,
-        surroundings,
+        surroundings: scene.surroundings,
         guide: &guide,
         mesh,
     };
@@ -76,9 +93,9 @@ pub fn lay(
     string.disturb(settings.seed);
     if settings.start == Start::Prepared {
         string.set_motion(0.0, operation.rotation_rad_per_s());
-        string.settle(stepper, input, operation);
+        string.settle(scene.stepper, scene.input, operation);
         string.stretch_in_place();
-        string.set_motion(input.rigid_velocity, operation.rotation_rad_per_s());
+        string.set_motion(scene.input.rigid_velocity, operation.rotation_rad_per_s());
         for index in 0..mesh.elements.len() {
             element!(string.chain, index, twist) =
                 -guide.torque_N_m[index] / element!(string.chain, index, torsion);

@@ -4,6 +4,25 @@ mod profile;
 
 pub use profile::{cutoff_depth_m, cutoff_in_build_m, neutral_point_m};
 
+/// The models that answer with [`Scalars`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum ModelKind {
+    /// Soft string: statics without bending stiffness.
+    Soft,
+    /// Dynamics of the whole string in time.
+    Dynamic,
+}
+
+impl ModelKind {
+    /// Name in case files and results.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Soft => "soft",
+            Self::Dynamic => "dynamic",
+        }
+    }
+}
+
 /// Torque and drag of one operation: the quantities that every solver reports under the same names,
 /// so that their answers can be compared. A dynamic solver reports means over its window.
 #[derive(Debug, Clone, Copy, PartialEq)]

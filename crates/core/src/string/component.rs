@@ -132,11 +132,6 @@ impl Component {
             * (1.0 - mud_density_kg_per_m3 / self.material.density_kg_per_m3)
     }
 
-    /// Mass of the mud in the bore per length, kg/m.
-    pub fn mud_mass_inside_per_length_kg_per_m(&self, mud_density_kg_per_m3: f64) -> f64 {
-        mud_density_kg_per_m3 * self.inner_area_m2()
-    }
-
     /// Tension at which the body yields, `P = A Y`, N (API RP 7G); `None` where the yield strength
     /// is not known.
     pub fn tensile_yield_N(&self) -> Option<f64> {

@@ -11,7 +11,7 @@ pub use hole::{Friction, Hole, HoleError, HoleKind, HoleSection};
 pub use path::{Interpolation, Path, PathError, PathPoint, TieIn};
 pub use station::Station;
 
-/// A well: where the hole runs and how wide and rough it is.
+/// A well: where the hole runs and how wide it is and how it rubs.
 #[derive(Debug, Clone)]
 pub struct Well {
     /// Axis of the hole.

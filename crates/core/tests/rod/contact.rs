@@ -51,7 +51,7 @@ fn hertz_constants_of_pipe_and_hole() {
 /// says; beyond, where all of the force is the penetration's, between zero and that.
 #[test]
 fn hertz_is_within_its_stated_error() {
-    let (mut worst, mut beyond): (f64, f64) = (0.0, 0.0);
+    let mut worst: f64 = 0.0;
     for i in 0..4000 {
         let r = 10f64.powf(-6.0 + 12.0 * f64::from(i) / 4000.0);
         // α = 1, K = r, m/dt² = 1: y² + r y³ = 1.
@@ -70,11 +70,8 @@ fn hertz_is_within_its_stated_error() {
         let error = (found / exact - 1.0).abs();
         if r < 60.0 {
             worst = worst.max(error)
-        } else {
-            beyond = beyond.max(error)
         }
     }
-    println!("hertz: {worst:.1e} for r < 60, {beyond:.1e} beyond");
     assert!(worst < 1e-6, "{worst:e}");
 }
 
@@ -139,10 +136,6 @@ fn a_resolved_blow_is_hertzs() {
         // First order in the step: halving it halves what is lost.
         let lost = |dt: f64| 1.0 - blow(m, v, k, 0.0, dt, 0.6).restitution;
         let ratio = lost(dt) / lost(dt / 2.0);
-        println!(
-            "m {m} v {v}: restitution {:.4}, halving {ratio:.3}",
-            found.restitution
-        );
         assert!((ratio - 2.0).abs() < 0.05, "{ratio}");
         assert!(found.restitution > 0.995);
     }
@@ -178,7 +171,6 @@ fn a_resolved_blow_restores_what_hunt_and_crossley_say() {
             // First order in the step: extrapolated.
             let (coarse, fine) = (at(time / 2000.0), at(time / 4000.0));
             let found = 2.0 * fine - coarse;
-            println!("d v {dv}: {found:.5} for {:.5}", hunt_crossley(dv));
             assert!((found - hunt_crossley(dv)).abs() < 1e-3, "{dv}: {found}");
         }
     }
@@ -217,8 +209,8 @@ fn implicit_restitution(m: f64, speed: f64, k: f64, dissipation: f64, dt: f64) -
 const PHASES: u32 = 20;
 
 /// At the step of a run with default elements a blow is over within a few steps, and the implicit law
-/// takes most of it, whatever the dissipation: a node of 120 kg on rock is given back 0.5 to 0.15 of its
-/// speed where Hertz gives it all, and 0.12 of 2 m/s with the default 0.5 s/m, where the law gives 0.59.
+/// takes most of it, whatever the dissipation: with the default 0.5 s/m a node of 120 kg on rock is given back
+/// 0.47 of 0.01 m/s and 0.12 of 2 m/s, where the law gives 0.997 and 0.59.
 /// That is the implicit law, not its solution: bisection gives the same.
 #[test]
 fn at_the_default_step_a_blow_hardly_rebounds() {
@@ -230,10 +222,6 @@ fn at_the_default_step_a_blow_hardly_rebounds() {
                 .sum::<f64>()
                 / f64::from(PHASES);
             let exact = implicit_restitution(m, v, k, d, dt);
-            println!(
-                "{v} m/s, d {d} s/m: {found:.3}; the law {:.3}",
-                hunt_crossley((d * v).max(1e-9))
-            );
             assert!((found - exact).abs() < 1e-4, "{found} {exact}");
             assert!(found < 0.55);
         }

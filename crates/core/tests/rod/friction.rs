@@ -66,9 +66,6 @@ fn the_cone_is_exact_but_for_its_direction_near_rest() {
         (10.0, 10.0, 100.0, 1.4e-4),
     ] {
         let (direction, length) = worst(ratio, from, to);
-        println!(
-            "g ratio {ratio}, λ/g {from} to {to}: direction {direction:.1e} rad, length {length:.1e}"
-        );
         assert!(direction < bound, "{ratio} {from}: {direction:e}");
         assert!(length < 1e-12);
     }

@@ -16,12 +16,6 @@ fn ordinary_pipe_is_lent_nothing() {
             .map(|e| e.section.steel_kg_per_m)
             .collect();
         let plan = stability::plan(&mesh, &lateral, 1e-5);
-        println!(
-            "{element_length} m: {} elements, dt {:.4e} s, {:.2e} added",
-            mesh.elements.len(),
-            plan.dt_s,
-            plan.added_axial_mass_fraction
-        );
         assert!(plan.added_axial_mass_fraction <= 0.003);
         let (mut steel, mut axial) = (0.0, 0.0);
         for (element, inertia) in mesh.elements.iter().zip(&plan.inertia) {

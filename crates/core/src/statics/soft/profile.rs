@@ -100,20 +100,9 @@ impl SoftProfile {
         interpolate(&self.md_m, &self.tension_N, md_m)
     }
 
-    /// Torque at a measured depth, N·m, linear between the rows; the end's value beyond them.
-    pub fn torque_at_N_m(&self, md_m: f64) -> f64 {
-        interpolate(&self.md_m, &self.torque_N_m, md_m)
-    }
-
     /// Signed side force at a measured depth, N/m, linear between the rows; the end's value beyond them.
     pub fn side_force_at_N_per_m(&self, md_m: f64) -> f64 {
         interpolate(&self.md_m, &self.side_force_N_per_m, md_m)
-    }
-
-    /// Turn of the string at a measured depth against the bit, rad, linear between the rows; the end's
-    /// value beyond them.
-    pub fn twist_at_rad(&self, md_m: f64) -> f64 {
-        interpolate(&self.md_m, &self.twist_rad, md_m)
     }
 
     /// Direction of contact at a measured depth: that of the nearest row.

@@ -1,0 +1,149 @@
+//! What a run is before its string is laid: settings that can be used, the hoist, the mesh and the step.
+
+use super::{
+    assembly,
+    settings::{DynamicsSettings, HoistControl, Start},
+    start,
+};
+use crate::{
+    model::Model,
+    operation::Operation,
+    rod::{
+        mesh::Mesh,
+        stability::{self, StepPlan},
+    },
+    statics::soft::SoftError,
+};
+
+/// Why a run cannot begin.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SetupError {
+    /// The soft string, which the start is laid by, has no solution.
+    #[error("the string cannot be laid in the hole: {0}")]
+    Start(#[from] SoftError),
+    /// A setting that no run can use.
+    #[error("{name} is {value}, expected {expected}")]
+    Setting {
+        /// Which.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it should be.
+        expected: &'static str,
+    },
+}
+
+/// Refuses settings that no run can use.
+pub(super) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
+    let positive = [
+        ("element_length_m", settings.element_length_m),
+        ("duration_s", settings.duration_s),
+        ("sample_interval_s", settings.sample_interval_s),
+        (
+            "hoist_line.stiffness_N_per_m",
+            settings.hoist_line.stiffness_N_per_m,
+        ),
+        (
+            "bit.rock_stiffness_N_per_m",
+            settings.bit.rock_stiffness_N_per_m,
+        ),
+    ];
+    let not_negative = [
+        ("settle_s", settings.settle_s),
+        ("damping.mass_per_s", settings.damping.mass_per_s),
+        ("damping.stiffness_s", settings.damping.stiffness_s),
+        (
+            "hoist_line.damping_N_s_per_m",
+            settings.hoist_line.damping_N_s_per_m,
+        ),
+        (
+            "bit.lateral_stiffness_N_per_m",
+            settings.bit.lateral_stiffness_N_per_m,
+        ),
+    ];
+    for (name, value) in positive {
+        if !(value.is_finite() && value > 0.0) {
+            return Err(SetupError::Setting {
+                name,
+                value,
+                expected: "a positive number",
+            });
+        }
+    }
+    for (name, value) in not_negative {
+        if !(value.is_finite() && value >= 0.0) {
+            return Err(SetupError::Setting {
+                name,
+                value,
+                expected: "zero or a positive number",
+            });
+        }
+    }
+    Ok(())
+}
+
+/// What the hoist does, and the axial velocity that the string so has, m/s.
+pub(super) fn hoisting(operation: &Operation, settings: &DynamicsSettings) -> (HoistControl, f64) {
+    let velocity = operation.axial_velocity_m_per_s();
+    let usual = if operation.kind.on_bottom() {
+        HoistControl::AUTODRILLER
+    } else {
+        HoistControl::BlockVelocity(velocity)
+    };
+    match settings.hoist_control.unwrap_or(usual) {
+        control @ HoistControl::BlockVelocity(velocity) => (control, velocity),
+        control => (control, velocity),
+    }
+}
+
+/// Where the bit stands at time zero: half the run above or below the operation's depth, m.
+pub(super) fn first_bit_md_m(operation: &Operation, settings: &DynamicsSettings) -> f64 {
+    let middle_s = settings.settle_s + 0.5 * settings.duration_s;
+    operation.bit_depth_m - hoisting(operation, settings).1 * middle_s
+}
+
+pub(super) fn mesh_and_plan(
+    model: &Model,
+    bit_md_m: f64,
+    settings: &DynamicsSettings,
+) -> (Mesh, StepPlan) {
+    let mesh = Mesh::new(&model.string, settings.element_length_m);
+    let lateral = assembly::lateral_mass_kg_per_m(model, &mesh, bit_md_m);
+    let plan = stability::plan(&mesh, &lateral, settings.damping.stiffness_s);
+    (mesh, plan)
+}
+
+/// What a run would cost.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Effort {
+    /// Number of elements.
+    pub elements: usize,
+    /// Step, s.
+    pub time_step_s: f64,
+    /// Steps from the laying of the string to the end of the window.
+    pub steps: f64,
+}
+
+impl Effort {
+    /// What the run would cost, found without laying the string.
+    ///
+    /// # Errors
+    /// A setting out of range.
+    pub fn of(
+        model: &Model,
+        operation: &Operation,
+        settings: &DynamicsSettings,
+    ) -> Result<Self, SetupError> {
+        check(settings)?;
+        let (mesh, plan) = mesh_and_plan(model, first_bit_md_m(operation, settings), settings);
+        let laying_s = match settings.start {
+            Start::Prepared => start::SETTLING_S,
+            Start::Centred => 0.0,
+        };
+        Ok(Self {
+            elements: mesh.elements.len(),
+            time_step_s: plan.dt_s,
+            steps: (laying_s + settings.settle_s + settings.duration_s) / plan.dt_s,
+        })
+    }
+}
