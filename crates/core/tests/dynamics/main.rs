@@ -7,11 +7,15 @@
 mod common;
 mod wells;
 
+mod break_away;
+mod centred;
 mod climb;
 mod control;
 mod energy;
 mod hold;
+mod independent;
 mod np13;
 mod numerics;
 mod operations;
 mod steadiness;
+mod surroundings;

@@ -34,7 +34,7 @@ fn pushed(along_N: f64) -> Chain {
 }
 
 const STEP: StepInput = StepInput {
-    dt: 2e-4,
+    dt: 1e-5,
     stiffness_damping: 0.0,
     mass_damping: 0.0,
     rigid_velocity: 0.0,
@@ -47,17 +47,23 @@ const STEP: StepInput = StepInput {
 /// `x = v/v_s` that is
 /// `t = v_s [x/a + b/(a √(a (a − b))) atan(x √(a/(a − b)))]`.
 ///
-/// Within one part in 500 of `t`: the step, of first order, is a thousandth of the time to `v_s`.
+/// Within 0.2 % of `t`. The step takes the coefficient at the speed before friction, which is too fast by `F dt/m`,
+/// 8e-5 m/s here: that makes the acceleration at `v_s/2` 0.15 % too large.
 #[test]
 fn a_contact_breaks_away() {
     for law in [true, false] {
         let stepper = Stepper::new(true, law, true);
+        // A tenth of a second for the contact to find its force.
         let mut chain = pushed(0.999 * AT_REST * NORMAL_N);
         for _ in 0..10_000 {
             stepper.step(&mut chain, &STEP);
         }
-        let moved = chain.displacement(0).2;
-        assert!(moved.abs() < 1e-9, "held, it moved by {moved} m");
+        let before = chain.displacement(0).2;
+        for _ in 0..50_000 {
+            stepper.step(&mut chain, &STEP);
+        }
+        let moved = chain.displacement(0).2 - before;
+        assert!(moved.abs() < 1e-12, "held, it moved by {moved} m");
 
         let force = 1.05 * AT_REST * NORMAL_N;
         let mut chain = pushed(force);
@@ -68,14 +74,13 @@ fn a_contact_breaks_away() {
             while chain.velocity(0).2 < x * STRIBECK_SPEED_M_PER_S {
                 stepper.step(&mut chain, &STEP);
                 steps += 1;
-                assert!(steps < 100_000, "it does not slide");
+                assert!(steps < 1_000_000, "it does not slide");
             }
             let x = chain.velocity(0).2 / STRIBECK_SPEED_M_PER_S;
             let slow = (a * (a - b)).sqrt();
             let expected = STRIBECK_SPEED_M_PER_S
                 * (x / a + b / (a * slow) * (x * (a / (a - b)).sqrt()).atan());
             let found = f64::from(steps) * STEP.dt;
-            println!("{x:.2}: {found} for {expected} s");
             assert!(
                 (found / expected - 1.0).abs() < 2e-3,
                 "{found} for {expected} s to {x}"

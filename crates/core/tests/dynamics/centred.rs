@@ -1,0 +1,107 @@
+//! A run that starts on the hole's axis, untwisted.
+
+use wholestring::{
+    dynamics::Start,
+    operation::{Operation, OperationKind},
+};
+
+use crate::{
+    common::{assert_close, operation},
+    wells::{Case, STRAIGHT_DEG, between, go, line, mean_between, mud, straight},
+};
+
+/// At time zero the tension is that of a string without friction, `w cos i (L − s) − W`; nothing is twisted.
+///
+/// One step after the start: 0.2 % of the largest tension, which is what the blow of gravity across the
+/// axis and the elements' finite length make of it (half an element's weight is 0.1 % of it).
+#[test]
+fn it_starts_with_its_static_tension() {
+    let (length, weight) = (1000.0, 20e3);
+    let drill = Operation {
+        weight_on_bit_N: weight,
+        rate_of_penetration_m_per_s: 5.0 / 3600.0,
+        ..operation(OperationKind::Drill, length)
+    };
+    let mut case = Case::new(straight(length, 0.3), drill);
+    case.settings.start = Start::Centred;
+    case.settings.settle_s = 0.0;
+    case.settings.sample_interval_s = 1e-6;
+    let mut simulation = case.start();
+    go(&mut simulation, 1e-6);
+    let outcome = simulation.outcome();
+    let pipe = &case.model.string.components()[0];
+    let along = pipe.buoyed_weight_per_length_N_per_m(mud().density_kg_per_m3)
+        * STRAIGHT_DEG.to_radians().cos();
+    let largest = along * length - weight;
+    let nodes = &outcome.nodes;
+    let bit_md = nodes.md_m[nodes.md_m.len() - 1];
+    for i in 1..nodes.md_m.len() - 1 {
+        let expected = along * (bit_md - nodes.md_m[i]) - weight;
+        let error = (nodes.tension_N[i] - expected).abs() / largest;
+        assert!(error < 2e-3, "{error:e} at {} m", nodes.md_m[i]);
+        assert!(
+            nodes.torque_N_m[i].abs() < 1.0,
+            "{} N·m",
+            nodes.torque_N_m[i]
+        );
+    }
+    assert!(outcome.scalars.twist_rad.abs() < 1e-3);
+    assert_close("hook load", outcome.scalars.hook_load_N, largest, 2e-3);
+}
+
+/// Drilling from a centred start comes to its weight on bit: the block goes at the rate of penetration from
+/// the first, and the autodriller makes up for the rest at its slower rate, 0.15/s: after 40 s `e⁻⁶` of what was
+/// missing, 0.3 %, is left.
+#[test]
+fn a_centred_start_finds_its_weight_on_bit() {
+    let (length, weight) = (1000.0, 20e3);
+    let drill = Operation {
+        weight_on_bit_N: weight,
+        rate_of_penetration_m_per_s: 5.0 / 3600.0,
+        ..operation(OperationKind::Drill, length)
+    };
+    let mut case = Case::new(straight(length, 0.0), drill);
+    case.settings.start = Start::Centred;
+    case.settings.settle_s = 0.0;
+    let mut simulation = case.start();
+    go(&mut simulation, 50.0);
+    let series = simulation.outcome().series;
+    let found = mean_between(&series.time_s, &series.weight_on_bit_N, 40.0, 50.0);
+    assert_close("weight on bit", found, weight, 5e-3);
+}
+
+/// A front of slip runs down an untwisted string that lies on its wall and is turned at the top: with
+/// `q` the friction torque per metre it reaches `z = √(2 GJ Ω t/q)`, where the twist `q z²/(2 GJ)` is all that the top has
+/// turned, and the top feels `q z`. The square of the surface torque grows by `2 GJ Ω q` each second.
+///
+/// `q = μ r w sin i/√(1 + μ²)`: the pipe climbs. Within 3 %: the climb takes its time, and the inertia of what
+/// turns adds `½ ρJ Ω dz/dt`, 0.1 % of the torque.
+#[test]
+fn a_front_of_slip_winds_the_string_up() {
+    let (length, mu) = (2400.0, 0.3);
+    let mut operation = operation(OperationKind::RotateOffBottom, length);
+    operation.rotary_speed_rad_per_s = 1.0;
+    let mut case = Case::new(straight(length, mu), operation);
+    case.settings.start = Start::Centred;
+    case.settings.settle_s = 0.0;
+    case.settings.duration_s = 8.0;
+    let mut simulation = case.start();
+    go(&mut simulation, 8.0);
+    let series = simulation.outcome().series;
+    let pipe = &case.model.string.components()[0];
+    let across = pipe.buoyed_weight_per_length_N_per_m(mud().density_kg_per_m3)
+        * STRAIGHT_DEG.to_radians().sin();
+    let q = mu * pipe.contact_radius_m() * across / mu.hypot(1.0);
+    let expected = 2.0 * pipe.torsional_stiffness_N_m2() * q * operation.rotary_speed_rad_per_s;
+    let time = between(&series.time_s, &series.time_s, 3.0, 8.0);
+    let square: Vec<f64> = between(&series.time_s, &series.surface_torque_N_m, 3.0, 8.0)
+        .iter()
+        .map(|t| t * t)
+        .collect();
+    let (found, at_zero) = line(&time, &square);
+    assert_close("growth of the squared torque", found, expected, 0.03);
+    let reach = expected.sqrt() * 8.0f64.sqrt() / q;
+    assert!(reach < length, "the front reaches {reach} m");
+    // The top comes to its speed within a second: it has turned as if it had started half a second late.
+    assert!((-at_zero / found - 0.5).abs() < 0.2);
+}
