@@ -246,19 +246,17 @@ pub(super) fn turn<N: Number>(
     for lane in 0..LANES {
         let (d0, w0) = (from::<N, 9>(&old_d, lane), from::<N, 9>(&old_w, lane));
         let moment = from::<N, 8>(&moment_above, lane) + from(&moment_below, lane);
-        let calmed = w0.scaled(calm);
-        let kick = moment.scaled(dt * at(&n.inv_rotary, lane));
+        let kick = moment.scaled(half * dt * at(&n.inv_rotary, lane));
+        let halfway = w0.scaled(calm) + kick;
         let p = half * dt * at(&n.gyroscopic, lane) * splat(spin[lane]);
         // Cayley's rotation by the precession: (1 − p²)/(1 + p²) and 2p/(1 + p²), to the fifth power of p, half
         // the precession in a step; what is left out brakes by 2p⁶.
         let p2 = p * p;
         let sine = (p + p) * (one - p2);
         let cosine = (p2 + p2).mul_add(p2 - one, one);
-        // The kick belongs to the middle of the step and precesses for half of it: turned by all of it, it would
-        // feed whirl, by a quarter of the precession times the angle by which the step advances the whirl.
-        let near = one - half * p2;
-        let turning = calmed.scaled(cosine).minus(calmed.cross(d0), sine)
-            + kick.scaled(near).minus(kick.cross(d0), p * near);
+        // Half of the kick precesses, half does not: turned by all of it, the kick would feed whirl, by a
+        // quarter of the precession times the angle by which the step advances the whirl.
+        let turning = halfway.scaled(cosine).minus(halfway.cross(d0), sine) + kick;
         let q = splat(0.25 * input.dt * input.dt) * turning.dot(turning);
         // 1/(1 + q) to rounding: q is the square of half the turn in a step.
         let q2 = q * q;
