@@ -121,8 +121,8 @@ pub struct Numerics {
     /// Deepest penetration of the wall, m.
     #[serde(with = "finite")]
     pub max_penetration_m: f64,
-    /// What the integration gained or lost since the window began, over the largest of work, losses and
-    /// change of energy.
+    /// What the integration gained or lost since the window began, over the largest of work, losses,
+    /// change of energy and kinetic energy.
     #[serde(with = "finite")]
     pub energy_residual: f64,
     /// Instruction set that the time loop was compiled for.

@@ -62,7 +62,8 @@ pub struct Numerics {
     /// Deepest penetration of the wall at any sample, m.
     pub max_penetration_m: f64,
     /// Work put in at top drive, hoist and bit less the change of energy and every loss, over the
-    /// largest of them: what the integration itself gained or lost. From the start of the window.
+    /// largest of them and of the kinetic energy: what the integration itself gained or lost. From the
+    /// start of the window.
     pub energy_residual: f64,
     /// Instruction set that the time loop was compiled for.
     pub instructions: &'static str,
