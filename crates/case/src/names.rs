@@ -27,8 +27,10 @@ fn likeness(a: &str, b: &str) -> f64 {
     let edit = strsim::normalized_damerau_levenshtein(a, b);
     let shorter = a.len().min(b.len());
     let cut_short = shorter >= 3 && (a.starts_with(b) || b.starts_with(a));
+    // One slip in a name of three letters (`wbo`, `rmp`) is as near as one in a longer name.
+    let one_slip = shorter >= 3 && strsim::damerau_levenshtein(a, b) == 1;
     // Jaro and Winkler's measure forgives a wrong end more than a wrong beginning.
-    if cut_short || strsim::jaro_winkler(a, b) >= 0.86 {
+    if cut_short || one_slip || strsim::jaro_winkler(a, b) >= 0.86 {
         edit.max(0.7)
     } else {
         edit
