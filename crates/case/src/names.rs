@@ -29,6 +29,15 @@ fn likeness(a: &str, b: &str) -> f64 {
     let cut_short = shorter >= 3 && (a.starts_with(b) || b.starts_with(a));
     // One slip in a name of three letters (`wbo`, `rmp`) is as near as one in a longer name.
     let one_slip = shorter >= 3 && strsim::damerau_levenshtein(a, b) == 1;
+    // Of two as near, the one with the same letters: `rmp` is `rpm`, not `rop`.
+    let letters = |name: &str| {
+        let mut letters: Vec<char> = name.chars().collect();
+        letters.sort_unstable();
+        letters
+    };
+    if shorter >= 3 && letters(a) == letters(b) {
+        return edit.max(0.75);
+    }
     // Jaro and Winkler's measure forgives a wrong end more than a wrong beginning.
     if cut_short || one_slip || strsim::jaro_winkler(a, b) >= 0.86 {
         edit.max(0.7)
