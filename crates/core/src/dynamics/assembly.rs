@@ -38,8 +38,6 @@ pub struct Surroundings {
     steel: Vec<(f64, f64)>,
     /// Contact radius of each node, m; none where the wall does not act (the ends).
     touches: Vec<Option<f64>>,
-    /// Distance that a node may slide before it takes up a new anchor, m.
-    reach_m: f64,
 }
 
 /// A bit with less clearance than this fills its hole, m: contact and friction of its body would be those
@@ -105,7 +103,6 @@ impl Surroundings {
             law,
             steel,
             touches,
-            reach_m: REACH_M,
         }
     }
 
@@ -174,7 +171,7 @@ impl Surroundings {
         let mut moved_above = false;
         for index in 0..chain.nodes() {
             let along = chain.tangent(index).dot(chain.displacement(index));
-            let moved = along.abs() > self.reach_m;
+            let moved = along.abs() > REACH_M;
             if moved {
                 let md = anchors[index].md_m + along;
                 self.anchor(chain, anchors, index, md);

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::{
     assembly::{self, Anchor, Surroundings},
-    bit::{Bit, BitStep},
+    bit::Bit,
     chain::{Chain, element, node},
     hoist::Hoist,
     outcome::DynamicOutcome,
@@ -81,7 +81,6 @@ pub struct Simulation {
     stepper: Stepper,
     hoist: Hoist,
     bit: Bit,
-    bit_step: BitStep,
     rigid_velocity_m_per_s: f64,
     steps: u64,
     steps_per_sample: u64,
@@ -183,10 +182,6 @@ impl Simulation {
             stepper,
             hoist,
             bit: Bit::new(settings.bit, operation, bottom),
-            bit_step: BitStep {
-                weight_on_bit_N: operation.weight_on_bit_now_N(),
-                ..BitStep::default()
-            },
             rigid_velocity_m_per_s: velocity,
             steps: 0,
             steps_per_sample,
@@ -299,7 +294,6 @@ impl Simulation {
             dt,
         );
         self.clamp_top();
-        self.bit_step = bit;
         let surface_torque = -element!(self.chain, 0, torque);
         let drive = surface_torque * node!(self.chain, 0, spin) * dt;
         self.ledger.work += bit.work_J + hoist.work_J + drive;
