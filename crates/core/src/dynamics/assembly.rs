@@ -133,15 +133,19 @@ impl Surroundings {
 
     /// Gives a node the wall at `md_m`.
     fn meet_wall(&self, chain: &mut Chain, index: usize, md_m: f64) {
-        node!(chain, index, clearance) = self.clearance_m(index, md_m);
+        node!(chain, index, clearance = self.clearance_m(index, md_m));
         let Some(radius) = self.touches[index] else {
             return;
         };
         let hole = self.bore.radius_m(md_m);
         let section = self.bore.section(md_m);
-        node!(chain, index, radius) = radius;
-        node!(chain, index, friction) = section.friction.kinetic;
-        node!(chain, index, friction_rise) = section.friction.at_rest - section.friction.kinetic;
+        node!(chain, index, radius = radius);
+        node!(chain, index, friction = section.friction.kinetic);
+        node!(
+            chain,
+            index,
+            friction_rise = section.friction.at_rest - section.friction.kinetic
+        );
         match self.law {
             ContactLaw::Hertz { .. } => {
                 let (e, nu) = self.steel[index];
@@ -151,16 +155,23 @@ impl Surroundings {
                     section.youngs_modulus_Pa,
                     section.poisson_ratio,
                 );
-                node!(chain, index, stiffness) = contact::hertz_stiffness(modulus, hole, radius);
+                node!(
+                    chain,
+                    index,
+                    stiffness = contact::hertz_stiffness(modulus, hole, radius)
+                );
             }
             ContactLaw::Linear {
                 stiffness_N_per_m,
                 damping_ratio,
             } => {
                 let mass = node!(chain, index, mass_lateral);
-                node!(chain, index, stiffness) = stiffness_N_per_m;
-                node!(chain, index, damping) =
-                    2.0 * damping_ratio * (stiffness_N_per_m * mass).sqrt();
+                node!(chain, index, stiffness = stiffness_N_per_m);
+                node!(
+                    chain,
+                    index,
+                    damping = 2.0 * damping_ratio * (stiffness_N_per_m * mass).sqrt()
+                );
             }
         }
     }
@@ -197,9 +208,9 @@ pub fn chain(model: &Model, mesh: &Mesh, plan: &StepPlan) -> Chain {
     let mud = &model.mud;
     let last = mesh.nodes.len() - 1;
     for index in 0..=last {
-        node!(chain, index, mass_axial) = 0.0;
-        node!(chain, index, mass_lateral) = 0.0;
-        node!(chain, index, polar) = 0.0;
+        node!(chain, index, mass_axial = 0.0);
+        node!(chain, index, mass_lateral = 0.0);
+        node!(chain, index, polar = 0.0);
     }
     for (index, element) in mesh.elements.iter().enumerate() {
         let section = &element.section;
@@ -208,14 +219,18 @@ pub fn chain(model: &Model, mesh: &Mesh, plan: &StepPlan) -> Chain {
         let half = 0.5 * element.length_m;
         let weight = half * section.buoyed_weight_N_per_m(mud.density_kg_per_m3);
         for end in [index, index + 1] {
-            node!(chain, end, mass_axial) += 0.5 * inertia.axial_kg;
-            node!(chain, end, mass_lateral) += 0.5 * inertia.lateral_kg;
-            node!(chain, end, polar) += 0.5 * inertia.polar_kg_m2;
+            node!(chain, end, mass_axial += 0.5 * inertia.axial_kg);
+            node!(chain, end, mass_lateral += 0.5 * inertia.lateral_kg);
+            node!(chain, end, polar += 0.5 * inertia.polar_kg_m2);
             // Summed here, inverted below.
-            node!(chain, end, inv_rotary) += inertia.rotary_kg_m2;
-            node!(chain, end, drag_linear) += half * mud.linear_drag_Pa_s;
-            node!(chain, end, drag_quadratic) +=
-                half * 0.5 * mud.density_kg_per_m3 * mud.drag_coefficient * section.od_m;
+            node!(chain, end, inv_rotary += inertia.rotary_kg_m2);
+            node!(chain, end, drag_linear += half * mud.linear_drag_Pa_s);
+            node!(
+                chain,
+                end,
+                drag_quadratic +=
+                    half * 0.5 * mud.density_kg_per_m3 * mud.drag_coefficient * section.od_m
+            );
             let mut total = chain.weight(end);
             total.2 += weight;
             chain.set_weight(end, total);
@@ -223,8 +238,12 @@ pub fn chain(model: &Model, mesh: &Mesh, plan: &StepPlan) -> Chain {
     }
     for index in 0..=last {
         let rotary = node!(chain, index, inv_rotary);
-        node!(chain, index, gyroscopic) = node!(chain, index, polar) / rotary;
-        node!(chain, index, inv_rotary) = 1.0 / rotary;
+        node!(
+            chain,
+            index,
+            gyroscopic = node!(chain, index, polar) / rotary
+        );
+        node!(chain, index, inv_rotary = 1.0 / rotary);
     }
     release(&mut chain);
     chain
@@ -234,14 +253,22 @@ pub fn chain(model: &Model, mesh: &Mesh, plan: &StepPlan) -> Chain {
 /// prescribes. The top is clamped laterally: it neither leaves the axis nor tilts.
 pub fn release(chain: &mut Chain) {
     for index in 0..chain.nodes() {
-        node!(chain, index, inv_mass_axial) = 1.0 / node!(chain, index, mass_axial);
-        node!(chain, index, inv_mass_lateral) = 1.0 / node!(chain, index, mass_lateral);
-        node!(chain, index, inv_polar) = 1.0 / node!(chain, index, polar);
+        node!(
+            chain,
+            index,
+            inv_mass_axial = 1.0 / node!(chain, index, mass_axial)
+        );
+        node!(
+            chain,
+            index,
+            inv_mass_lateral = 1.0 / node!(chain, index, mass_lateral)
+        );
+        node!(chain, index, inv_polar = 1.0 / node!(chain, index, polar));
     }
-    node!(chain, 0, inv_mass_lateral) = 0.0;
-    node!(chain, 0, inv_rotary) = 0.0;
-    node!(chain, 0, gyroscopic) = 0.0;
-    node!(chain, 0, inv_polar) = 0.0;
+    node!(chain, 0, inv_mass_lateral = 0.0);
+    node!(chain, 0, inv_rotary = 0.0);
+    node!(chain, 0, gyroscopic = 0.0);
+    node!(chain, 0, inv_polar = 0.0);
 }
 
 /// Holds the axial motion and the spin of all nodes: what is left is lateral.

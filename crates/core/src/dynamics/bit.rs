@@ -106,7 +106,7 @@ impl Bit {
             } else {
                 wanted.min(spin.max(0.0) / mobility)
             };
-            node!(chain, index, spin) = spin - mobility * torque;
+            node!(chain, index, spin = spin - mobility * torque);
             work -= weight * tangent.dot((velocity_before + velocity).scaled(0.5))
                 + torque * 0.5 * (spin_before + node!(chain, index, spin));
             step = BitStep {

@@ -224,7 +224,8 @@ pub struct Chain {
     pub element_blocks: Vec<ElementBlock>,
 }
 
-/// One number of a node or an element, by the name of its field.
+/// One number of a node by the name of its field: `node!(chain, index, radius)` reads it,
+/// `node!(chain, index, radius = r)` and `+=` write it.
 macro_rules! node {
     ($chain:expr, $index:expr, spin) => {
         $chain.state.spin.0[$index]
@@ -234,13 +235,23 @@ macro_rules! node {
             .$field
             .0[$index % $crate::rod::lanes::LANES]
     };
+    ($chain:expr, $index:expr, $field:ident $assign:tt $value:expr) => {{
+        let value: f64 = $value;
+        $crate::dynamics::chain::node!($chain, $index, $field) $assign value;
+    }};
 }
+
+/// One number of an element by the name of its field, read and written like that of a [`node!`].
 macro_rules! element {
     ($chain:expr, $index:expr, $field:ident) => {
         $chain.element_blocks[$index / $crate::rod::lanes::LANES]
             .$field
             .0[$index % $crate::rod::lanes::LANES]
     };
+    ($chain:expr, $index:expr, $field:ident $assign:tt $value:expr) => {{
+        let value: f64 = $value;
+        $crate::dynamics::chain::element!($chain, $index, $field) $assign value;
+    }};
 }
 pub(crate) use {element, node};
 
@@ -328,15 +339,15 @@ impl Chain {
 
     /// Gives an element its stiffness.
     pub fn set_stiffness(&mut self, index: usize, k: &Stiffness<f64>) {
-        element!(self, index, length) = k.length;
-        element!(self, index, inverse_length) = k.inverse_length;
-        element!(self, index, axial) = k.axial;
-        element!(self, index, bending_near) = k.bending_near;
-        element!(self, index, bending_far) = k.bending_far;
-        element!(self, index, bow_near) = k.bow_near;
-        element!(self, index, bow_far) = k.bow_far;
-        element!(self, index, torsion) = k.twist;
-        element!(self, index, bending) = k.bending;
+        element!(self, index, length = k.length);
+        element!(self, index, inverse_length = k.inverse_length);
+        element!(self, index, axial = k.axial);
+        element!(self, index, bending_near = k.bending_near);
+        element!(self, index, bending_far = k.bending_far);
+        element!(self, index, bow_near = k.bow_near);
+        element!(self, index, bow_far = k.bow_far);
+        element!(self, index, torsion = k.twist);
+        element!(self, index, bending = k.bending);
     }
 
     /// The stiffness of an element.
@@ -398,6 +409,6 @@ impl Chain {
         self.set_chord(index, chord);
         // |a|² − L² = (|a| − L)(|a| + L), exact to the last digits of the chord.
         let a = chord.dot(chord).sqrt();
-        element!(self, index, excess) = (a - length) * (a + length);
+        element!(self, index, excess = (a - length) * (a + length));
     }
 }

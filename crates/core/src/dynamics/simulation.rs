@@ -233,7 +233,7 @@ impl Simulation {
             let (velocity, spin) = blow(node);
             let before = self.chain.velocity(index);
             self.chain.set_velocity(index, before + velocity.into());
-            node!(self.chain, index, spin) += spin;
+            node!(self.chain, index, spin += spin);
         }
     }
 
@@ -267,10 +267,14 @@ impl Simulation {
         let dt = self.plan.dt_s;
         let input = self.step_input(time);
         let rotation = self.operation.rotation_rad_per_s();
-        node!(self.chain, 0, spin) = match self.settings.start {
-            Start::Prepared => rotation,
-            Start::Centred => rotation * (time / RAMP_S).min(1.0),
-        };
+        node!(
+            self.chain,
+            0,
+            spin = match self.settings.start {
+                Start::Prepared => rotation,
+                Start::Centred => rotation * (time / RAMP_S).min(1.0),
+            }
+        );
         let last = self.chain.nodes() - 1;
         let top_before = self.chain.velocity(0).dot(self.chain.tangent(0));
         let bit_before = self.chain.velocity(last);

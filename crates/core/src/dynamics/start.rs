@@ -97,8 +97,11 @@ pub fn lay(scene: &Scene<'_>, chain: Chain, bit_md_m: f64) -> Result<Initial, So
         string.stretch_in_place();
         string.set_motion(scene.input.rigid_velocity, operation.rotation_rad_per_s());
         for index in 0..mesh.elements.len() {
-            element!(string.chain, index, twist) =
-                -guide.torque_N_m[index] / element!(string.chain, index, torsion);
+            element!(
+                string.chain,
+                index,
+                twist = -guide.torque_N_m[index] / element!(string.chain, index, torsion)
+            );
         }
     }
     string.chain.clear_sums();
@@ -310,7 +313,7 @@ impl Laying<'_> {
             let velocity = self.chain.tangent(i).scaled(axial_m_per_s);
             self.chain.set_velocity(i, velocity);
             self.chain.set_turning(i, Vector::zero());
-            node!(self.chain, i, spin) = spin_rad_per_s;
+            node!(self.chain, i, spin = spin_rad_per_s);
         }
     }
 

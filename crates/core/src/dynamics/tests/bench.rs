@@ -173,17 +173,31 @@ impl Bench {
         let rotary = self.rotary_kg_m2(index);
         let inverse = |free: bool, inertia: f64| if free { 1.0 / inertia } else { 0.0 };
         let chain = &mut self.chain;
-        node!(chain, index, inv_mass_axial) =
-            inverse(support.axial, node!(chain, index, mass_axial));
-        node!(chain, index, inv_mass_lateral) =
-            inverse(support.lateral, node!(chain, index, mass_lateral));
-        node!(chain, index, inv_polar) = inverse(support.spin, node!(chain, index, polar));
-        node!(chain, index, inv_rotary) = inverse(support.tilt, rotary);
-        node!(chain, index, gyroscopic) = if support.tilt {
-            node!(chain, index, polar) / rotary
-        } else {
-            0.0
-        };
+        node!(
+            chain,
+            index,
+            inv_mass_axial = inverse(support.axial, node!(chain, index, mass_axial))
+        );
+        node!(
+            chain,
+            index,
+            inv_mass_lateral = inverse(support.lateral, node!(chain, index, mass_lateral))
+        );
+        node!(
+            chain,
+            index,
+            inv_polar = inverse(support.spin, node!(chain, index, polar))
+        );
+        node!(chain, index, inv_rotary = inverse(support.tilt, rotary));
+        node!(
+            chain,
+            index,
+            gyroscopic = if support.tilt {
+                node!(chain, index, polar) / rotary
+            } else {
+                0.0
+            }
+        );
     }
 
     /// Distance of a node from the upper end of the unloaded rod, m.

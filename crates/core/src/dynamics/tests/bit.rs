@@ -40,12 +40,12 @@ struct Rig {
 impl Rig {
     fn new(operation: Operation) -> Self {
         let mut chain = Chain::new(1);
-        node!(chain, 0, mass_axial) = MASS_KG;
-        node!(chain, 0, inv_mass_axial) = 1.0 / MASS_KG;
-        node!(chain, 0, mass_lateral) = 2.0 * MASS_KG;
-        node!(chain, 0, inv_mass_lateral) = 0.5 / MASS_KG;
-        node!(chain, 0, polar) = POLAR_KG_M2;
-        node!(chain, 0, inv_polar) = 1.0 / POLAR_KG_M2;
+        node!(chain, 0, mass_axial = MASS_KG);
+        node!(chain, 0, inv_mass_axial = 1.0 / MASS_KG);
+        node!(chain, 0, mass_lateral = 2.0 * MASS_KG);
+        node!(chain, 0, inv_mass_lateral = 0.5 / MASS_KG);
+        node!(chain, 0, polar = POLAR_KG_M2);
+        node!(chain, 0, inv_polar = 1.0 / POLAR_KG_M2);
         Self {
             chain,
             bit: Bit::new(SETTINGS, &operation, DEPTH_M),
@@ -82,7 +82,7 @@ fn the_bit_drills_at_the_laws_rate() {
     for (weight, speed) in [(1.0, 1.0), (0.5, 1.0), (2.0, 1.0), (1.0, 0.5), (0.3, 2.0)] {
         let mut rig = Rig::new(OPERATION);
         // The string turns it at a speed that the torque does not change.
-        node!(rig.chain, 0, inv_polar) = 0.0;
+        node!(rig.chain, 0, inv_polar = 0.0);
         *rig.spin() = 7.0 * speed;
         rig.push = Vector(0.0, 0.0, 60e3 * weight);
         let mut step = BitStep::default();

@@ -25,7 +25,7 @@ fn a_spinning_pipe_precesses() {
         let k = 3.0 * std::f64::consts::PI / length;
         for i in 0..=parts {
             let z = rod.z_m(i);
-            node!(rod.chain, i, spin) = spin;
+            node!(rod.chain, i, spin = spin);
             if node!(rod.chain, i, inv_mass_lateral) > 0.0 {
                 rod.chain
                     .set_velocity(i, Vector(1e-6 * (k * z).sin(), 0.0, 0.0));

@@ -26,8 +26,8 @@ struct Load {
 impl Load {
     fn new(line: HoistLine, control: HoistControl, gravity: f64) -> Self {
         let mut chain = Chain::new(1);
-        node!(chain, 0, mass_axial) = MASS_KG;
-        node!(chain, 0, inv_mass_axial) = 1.0 / MASS_KG;
+        node!(chain, 0, mass_axial = MASS_KG);
+        node!(chain, 0, inv_mass_axial = 1.0 / MASS_KG);
         let hoist = Hoist::new(line, control, 60e3, 0.003, 100.0, MASS_KG * gravity);
         Self {
             chain,

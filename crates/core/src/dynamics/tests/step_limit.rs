@@ -98,7 +98,7 @@ fn growth(rod: &mut Bench, dt: f64, steps: usize) -> f64 {
         rod.chain
             .set_velocity(i, Vector(random(), random(), random()));
         rod.chain.set_turning(i, Vector(random(), random(), 0.0));
-        node!(rod.chain, i, spin) = random();
+        node!(rod.chain, i, spin = random());
     }
     let before = assembly::kinetic_energy_J(&rod.chain);
     let mut most: f64 = 0.0;

@@ -27,7 +27,7 @@ fn set_speed(rod: &mut Bench, kind: Kind, speed: impl Fn(f64) -> f64) {
         let v = speed(rod.z_m(i));
         match kind {
             Kind::Axial => rod.chain.set_velocity(i, Vector(0.0, 0.0, v)),
-            Kind::Torsional => node!(rod.chain, i, spin) = v,
+            Kind::Torsional => node!(rod.chain, i, spin = v),
         }
     }
 }
@@ -116,7 +116,7 @@ fn struck(kind: Kind, below: [f64; 2], wave_m_per_s: f64) -> Bench {
                 moved += strain * length;
                 rod.chain.set_displacement(i + 1, Vector(0.0, 0.0, moved));
             }
-            Kind::Torsional => element!(rod.chain, i, twist) = strain * length,
+            Kind::Torsional => element!(rod.chain, i, twist = strain * length),
         }
     }
     rod
@@ -237,9 +237,9 @@ fn slip_front(element_length_m: f64) -> (f64, f64) {
     for i in 0..=last {
         let load = 2.0 * f * rod.mesh.tributary_length_m(i);
         rod.chain.set_weight(i, Vector(load, 0.0, 0.0));
-        node!(rod.chain, i, clearance) = clearance;
-        node!(rod.chain, i, friction) = 0.5;
-        node!(rod.chain, i, stiffness) = k;
+        node!(rod.chain, i, clearance = clearance);
+        node!(rod.chain, i, friction = 0.5);
+        node!(rod.chain, i, stiffness = k);
         // Where the wall carries it.
         let off = clearance + (load / k).powf(2.0 / 3.0);
         rod.chain.set_displacement(i, Vector(off, 0.0, 0.0));
