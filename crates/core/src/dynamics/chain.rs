@@ -104,14 +104,18 @@ pub struct NodeBlock {
     pub inv_rotary: Row,
     /// `polar` over the moment of inertia across the director.
     pub gyroscopic: Row,
-    /// Clearance `R − r` between pipe and hole, m.
+    /// Clearance `R − r` between pipe and hole at the anchor, m.
     pub clearance: Row,
+    /// What the clearance gains per metre below the anchor.
+    pub clearance_slope: Row,
     /// Contact radius `r`, m.
     pub radius: Row,
     /// Kinetic friction coefficient.
     pub friction: Row,
     /// What the friction coefficient gains at rest.
     pub friction_rise: Row,
+    /// Friction around the hole over friction along it.
+    pub friction_around: Row,
     /// Contact stiffness, N/m or N/m^1.5.
     pub stiffness: Row,
     /// Contact damping of the linear law, N·s/m.
@@ -120,12 +124,18 @@ pub struct NodeBlock {
     pub drag_linear: Row,
     /// Quadratic lateral drag, N·s²/m².
     pub drag_quadratic: Row,
+    /// Viscous drag of the mud along the hole, N·s/m.
+    pub mud_axial: Row,
+    /// Viscous drag of the mud about the axis, N·m·s.
+    pub mud_spin: Row,
     /// Sum over steps of the contact force, N.
     pub sum_normal: Row,
     /// Sum over steps of the axial friction on the wall, N, along the hole.
     pub sum_axial: Row,
     /// Sum over steps of the friction torque, N·m.
     pub sum_torque: Row,
+    /// Work that friction has done, J: force times sliding distance.
+    pub sum_wear: Row,
 }
 
 /// Eight elements; element `i` lies between nodes `i` and `i + 1`.
@@ -180,16 +190,21 @@ impl NodeBlock {
         inv_rotary: ZERO,
         gyroscopic: ZERO,
         clearance: Row([NO_WALL_M; LANES]),
+        clearance_slope: ZERO,
         radius: ZERO,
         friction: ZERO,
         friction_rise: ZERO,
+        friction_around: ONE,
         stiffness: ZERO,
         damping: ZERO,
         drag_linear: ZERO,
         drag_quadratic: ZERO,
+        mud_axial: ZERO,
+        mud_spin: ZERO,
         sum_normal: ZERO,
         sum_axial: ZERO,
         sum_torque: ZERO,
+        sum_wear: ZERO,
     };
 }
 
@@ -400,6 +415,7 @@ impl Chain {
             block.sum_normal.0.fill(0.0);
             block.sum_axial.0.fill(0.0);
             block.sum_torque.0.fill(0.0);
+            block.sum_wear.0.fill(0.0);
         }
     }
 

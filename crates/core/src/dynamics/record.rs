@@ -134,6 +134,7 @@ impl Record {
             nodes.sum_normal.0.fill(0.0);
             nodes.sum_axial.0.fill(0.0);
             nodes.sum_torque.0.fill(0.0);
+            nodes.sum_wear.0.fill(0.0);
         }
         self.samples += 1;
         self.max_penetration_m = self.max_penetration_m.max(totals.penetration_m);

@@ -12,7 +12,7 @@ use super::{
     settings::{ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, Start},
     setup::{self, SetupError},
     start::{self, Scene},
-    step::{StepInput, Stepper},
+    step::{Abilities, StepInput, Stepper},
     summary,
 };
 use crate::{
@@ -22,6 +22,7 @@ use crate::{
         mesh::{Mesh, MeshNode},
         stability::StepPlan,
     },
+    wall::friction::STRIBECK_SPEED_M_PER_S,
 };
 
 /// Extra damping of the first seconds of a prepared start, relative to the rigid motion, 1/s.
@@ -121,16 +122,14 @@ impl Simulation {
         let (mesh, plan) = setup::mesh_and_plan(model, bit_md_m, settings);
         let chain = assembly::chain(model, &mesh, &plan);
         let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
-        let stepper = Stepper::new(
-            matches!(settings.contact_law, ContactLaw::Hertz { .. }),
-            settings.friction_law == FrictionLaw::Vector,
-            model
-                .well
-                .hole
-                .sections()
+        let sections = model.well.hole.sections();
+        let stepper = Stepper::new(Abilities {
+            hertz: matches!(settings.contact_law, ContactLaw::Hertz { .. }),
+            vector: settings.friction_law == FrictionLaw::Vector,
+            full: sections
                 .iter()
                 .any(|s| s.friction.at_rest > s.friction.kinetic),
-        );
+        });
         let input = StepInput {
             dt: plan.dt_s,
             stiffness_damping: settings.damping.stiffness_s,
@@ -143,6 +142,7 @@ impl Simulation {
                 } => dissipation_s_per_m,
                 ContactLaw::Linear { .. } => 0.0,
             },
+            stribeck_speed: STRIBECK_SPEED_M_PER_S,
         };
         let scene = Scene {
             model,
@@ -301,7 +301,7 @@ impl Simulation {
         let surface_torque = -element!(self.chain, 0, torque);
         let drive = surface_torque * node!(self.chain, 0, spin) * dt;
         self.ledger.work += bit.work_J + hoist.work_J + drive;
-        self.ledger.losses += losses.outside + losses.damping;
+        self.ledger.losses += losses.total();
 
         let sum = &mut self.since_sample;
         sum.steps += 1;
@@ -344,6 +344,7 @@ impl Simulation {
                 } => dissipation_s_per_m,
                 ContactLaw::Linear { .. } => 0.0,
             },
+            stribeck_speed: STRIBECK_SPEED_M_PER_S,
         }
     }
 

@@ -5,16 +5,15 @@
 
 use crate::rod::number::Number;
 
-/// Sliding speed at which the coefficient at rest has half decayed to the kinetic one, m/s.
+/// Sliding speed at which the coefficient at rest has half decayed to the kinetic one where nothing else
+/// is said, m/s.
 pub const STRIBECK_SPEED_M_PER_S: f64 = 0.1;
 
 /// Coefficient of friction at the sliding speed whose square is `speed2`:
-/// `μ = μ_k + (μ_s − μ_k)/(1 + (v/v_s)²)`, a rational form of Stribeck's decay.
+/// `μ = μ_k + (μ_s − μ_k)/(1 + (v/v_s)²)`, a rational form of Stribeck's decay; `decay` is `1/v_s²`.
 #[inline(always)]
-pub fn coefficient<N: Number>(kinetic: N, rise: N, speed2: N) -> N {
-    let one = N::splat(1.0);
-    let decay = N::splat(1.0 / (STRIBECK_SPEED_M_PER_S * STRIBECK_SPEED_M_PER_S));
-    kinetic + rise / speed2.mul_add(decay, one)
+pub fn coefficient<N: Number>(kinetic: N, rise: N, speed2: N, decay: N) -> N {
+    kinetic + rise / speed2.mul_add(decay, N::splat(1.0))
 }
 
 /// Friction on a contact that would slide at `axial` and `around` without it, N, in the direction
@@ -45,15 +44,11 @@ pub fn vector<N: Number>(limit: N, axial: N, around: N, g_axial: N, g_around: N)
     (wa * ratio, wt * ratio)
 }
 
-/// The article's (9) and (11): the full limit along the hole and the full limit around it, each
-/// against its own velocity and each capped at what stops it. Arguments as for [`vector`].
+/// The article's (9) and (11), one direction of them: the full limit against this direction's own
+/// velocity, capped at what stops it. Arguments as for [`vector`].
 #[inline(always)]
-pub fn independent<N: Number>(limit: N, axial: N, around: N, g_axial: N, g_around: N) -> (N, N) {
-    let least = -limit;
-    (
-        (axial / g_axial).min(limit).max(least),
-        (around / g_around).min(limit).max(least),
-    )
+pub fn independent<N: Number>(limit: N, velocity: N, g: N) -> N {
+    (velocity / g).min(limit).max(-limit)
 }
 
 #[cfg(test)]
@@ -91,14 +86,16 @@ mod tests {
 
     #[test]
     fn independent_friction_stops_each_direction() {
-        let (fa, ft) = independent(100.0, 1e-5, 1.0, 4e-6, 9e-6);
-        assert_eq!((fa, ft), (1e-5 / 4e-6, 100.0));
+        assert_eq!(independent(100.0, 1e-5, 4e-6), 1e-5 / 4e-6);
+        assert_eq!(independent(100.0, 1.0, 9e-6), 100.0);
+        assert_eq!(independent(100.0, -1.0, 9e-6), -100.0);
     }
 
     #[test]
     fn coefficient_decays_from_rest_to_kinetic() {
-        assert_eq!(coefficient(0.3, 0.1, 0.0), 0.4);
-        assert!((coefficient(0.3, 0.1, 0.01) - 0.35).abs() < 1e-15);
-        assert!((coefficient(0.3, 0.1, 1e4) - 0.3).abs() < 1e-6);
+        let decay = STRIBECK_SPEED_M_PER_S.powi(-2);
+        assert_eq!(coefficient(0.3, 0.1, 0.0, decay), 0.4);
+        assert!((coefficient(0.3, 0.1, 0.01, decay) - 0.35).abs() < 1e-15);
+        assert!((coefficient(0.3, 0.1, 1e4, decay) - 0.3).abs() < 1e-6);
     }
 }

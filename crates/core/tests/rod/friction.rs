@@ -123,7 +123,10 @@ fn friction_only_takes_energy() {
         ];
         for f in [
             vector(limit, u[0], u[1], g[0], g[1]),
-            independent(limit, u[0], u[1], g[0], g[1]),
+            (
+                independent(limit, u[0], g[0]),
+                independent(limit, u[1], g[1]),
+            ),
         ] {
             let work = f.0 * (u[0] - 0.5 * g[0] * f.0) + f.1 * (u[1] - 0.5 * g[1] * f.1);
             assert!(

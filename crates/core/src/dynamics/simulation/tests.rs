@@ -91,17 +91,21 @@ fn every_instruction_set_moves_the_string_alike() {
         }
         let laid = Simulation::new(&model, &operation, &settings).unwrap();
         let vector = friction_law == FrictionLaw::Vector;
-        let outcomes: Vec<_> = Stepper::all(hertz, vector, at_rest > 0.25)
-            .into_iter()
-            .map(|stepper| {
-                let mut simulation = Simulation {
-                    stepper,
-                    ..laid.clone()
-                };
-                simulation.advance(5.0).unwrap();
-                (stepper.instructions, simulation.outcome())
-            })
-            .collect();
+        let outcomes: Vec<_> = Stepper::all(Abilities {
+            hertz,
+            vector,
+            full: at_rest > 0.25,
+        })
+        .into_iter()
+        .map(|stepper| {
+            let mut simulation = Simulation {
+                stepper,
+                ..laid.clone()
+            };
+            simulation.advance(5.0).unwrap();
+            (stepper.instructions, simulation.outcome())
+        })
+        .collect();
         let (_, first) = &outcomes[0];
         assert_eq!(first.numerics.instructions, laid.stepper.instructions);
         for (name, outcome) in &outcomes[1..] {

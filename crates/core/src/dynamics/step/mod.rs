@@ -41,15 +41,40 @@ pub struct StepInput {
     pub rigid_spin: f64,
     /// Hunt-Crossley dissipation of the Hertz law, s/m.
     pub dissipation: f64,
+    /// Sliding speed at which the friction at rest has half decayed to the kinetic one, m/s.
+    pub stribeck_speed: f64,
 }
 
 /// Energies that left the string in a step, J.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct StepLosses {
-    /// To the wall (contact and friction), to the mud and to mass-proportional damping.
-    pub outside: f64,
+    /// To friction on the wall.
+    pub friction: f64,
+    /// To the wall's contact forces.
+    pub contact: f64,
+    /// To the mud and to mass-proportional damping.
+    pub mud: f64,
     /// To stiffness-proportional damping.
     pub damping: f64,
+}
+
+impl StepLosses {
+    /// All of them, J.
+    pub fn total(&self) -> f64 {
+        self.friction + self.contact + self.mud + self.damping
+    }
+}
+
+/// What the stepper must be able to do; less is faster.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Abilities {
+    /// Hertz contact, not the linear one.
+    pub hertz: bool,
+    /// Vector friction, not the independent one.
+    pub vector: bool,
+    /// Any of: friction at rest above the kinetic one, friction around the hole other than along it,
+    /// viscous drag of the mud along the hole and about the axis, a clearance that changes along the hole.
+    pub full: bool,
 }
 
 /// Which code does the step: the processor's best instructions, and the two laws.
@@ -71,11 +96,11 @@ impl std::fmt::Debug for Stepper {
 macro_rules! compiled_for {
     ($name:ident, $number:ty $(, $features:literal)?) => {
         $(#[target_feature(enable = $features)])?
-        fn $name<const HERTZ: bool, const VECTOR: bool, const REST: bool>(
+        fn $name<const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
             chain: &mut Chain,
             input: &StepInput,
         ) -> StepLosses {
-            sweep::<$number, HERTZ, VECTOR, REST>(chain, input)
+            sweep::<$number, HERTZ, VECTOR, FULL>(chain, input)
         }
     };
 }
@@ -90,18 +115,22 @@ compiled_for!(baseline, Fused);
 compiled_for!(baseline, f64);
 
 impl Stepper {
-    /// The fastest code for this processor and these laws: `hertz` or linear contact, `vector` or
-    /// independent friction, and `rest` if friction at rest is stronger than sliding anywhere.
-    pub fn new(hertz: bool, vector: bool, rest: bool) -> Self {
-        Self::all(hertz, vector, rest)[0]
+    /// The fastest code for this processor that does what is asked for.
+    pub fn new(abilities: Abilities) -> Self {
+        Self::all(abilities)[0]
     }
 
     /// Every code that this processor can run, the fastest first; the baseline always is the last.
-    pub fn all(hertz: bool, vector: bool, rest: bool) -> Vec<Self> {
+    pub fn all(abilities: Abilities) -> Vec<Self> {
+        let Abilities {
+            hertz,
+            vector,
+            full,
+        } = abilities;
         macro_rules! choose {
             ($function:ident, $name:literal) => {
                 Self {
-                    step: match (hertz, vector, rest) {
+                    step: match (hertz, vector, full) {
                         (true, true, false) => $function::<true, true, false>,
                         (true, false, false) => $function::<true, false, false>,
                         (false, true, false) => $function::<false, true, false>,
@@ -147,12 +176,14 @@ const TILE: usize = 4;
 /// Energy lost by each lane.
 #[derive(Default)]
 struct Losses {
-    outside: [f64; LANES],
+    friction: [f64; LANES],
+    contact: [f64; LANES],
+    mud: [f64; LANES],
     damping: [f64; LANES],
 }
 
 #[inline(always)]
-fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const REST: bool>(
+fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
     chain: &mut Chain,
     input: &StepInput,
 ) -> StepLosses {
@@ -173,14 +204,14 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const REST: bool>(
         }
         let nodes = &mut chain.node_blocks[first..first + tile];
         for (place, (nodes, flight)) in nodes.iter().zip(&mut flights).enumerate() {
-            let where_to = flight.fly::<N>(nodes, &chain.state, which(place), input, &pull);
+            let where_to = flight.fly::<N, FULL>(nodes, &chain.state, which(place), input, &pull);
             touch.expect(nodes, place, &where_to);
         }
         touch.push::<N, HERTZ>(input);
         for (place, (nodes, flight)) in nodes.iter_mut().zip(&flights).enumerate() {
             let push = touch.pushes(place);
             let state = &mut chain.state;
-            flight.land::<N, VECTOR, REST>(nodes, state, first + place, push, input, &mut losses);
+            flight.land::<N, VECTOR, FULL>(nodes, state, first + place, push, input, &mut losses);
         }
         for (place, nodes) in nodes.iter().enumerate() {
             turn::<N>(nodes, &mut chain.state, which(place), input, &pull);
@@ -188,7 +219,9 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const REST: bool>(
         pull.carry(tile * LANES);
     }
     StepLosses {
-        outside: losses.outside.iter().sum(),
+        friction: losses.friction.iter().sum(),
+        contact: losses.contact.iter().sum(),
+        mud: losses.mud.iter().sum(),
         damping: losses.damping.iter().sum::<f64>() * input.dt,
     }
 }

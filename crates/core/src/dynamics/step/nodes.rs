@@ -56,7 +56,7 @@ impl Flight {
 
     /// Kicks eight nodes and lets them fly to where the step would end without a wall.
     #[inline(always)]
-    pub(super) fn fly<N: Number>(
+    pub(super) fn fly<N: Number, const FULL: bool>(
         &mut self,
         n: &NodeBlock,
         state: &State,
@@ -101,10 +101,17 @@ impl Flight {
             let drag = at::<N>(&n.drag_quadratic, lane).mul_add(speed, at(&n.drag_linear, lane));
             // A hundredth in any mud; a brake still at any speed.
             let slowed = (per_ml.mul_add(drag, alpha) * dt).min(half);
-            let axial2 = fade.neg_mul_add(axial0 - rigid_v, axial1);
+            let mut axial2 = fade.neg_mul_add(axial0 - rigid_v, axial1);
             let across2 = across1.minus(across0, slowed);
             let fade_spin = per_j.if_positive(fade, N::zero());
-            let s2 = fade_spin.neg_mul_add(s0 - rigid_s, s1);
+            let mut s2 = fade_spin.neg_mul_add(s0 - rigid_s, s1);
+            if FULL {
+                let per_ma = at::<N>(&n.inv_mass_axial, lane);
+                let slowed = (dt * per_ma * at(&n.mud_axial, lane)).min(half);
+                axial2 = slowed.neg_mul_add(axial0, axial2);
+                let slowed = (dt * per_j * at(&n.mud_spin, lane)).min(half);
+                s2 = slowed.neg_mul_add(s0, s2);
+            }
 
             // Where the step would end, against the curved wall.
             let u0 = from::<N, 9>(&u, lane);
@@ -127,7 +134,12 @@ impl Flight {
             self.axial2[lane] = axial2.get();
             self.spin2[lane] = s2.get();
             put(&mut self.normal, lane, normal);
-            penetration[lane] = (rho - at(&n.clearance, lane)).get();
+            let clearance = if FULL {
+                at::<N>(&n.clearance_slope, lane).mul_add(z, at(&n.clearance, lane))
+            } else {
+                at(&n.clearance, lane)
+            };
+            penetration[lane] = (rho - clearance).get();
             inward[lane] = across2.dot(normal).get();
         }
         Approach {
@@ -138,7 +150,7 @@ impl Flight {
 
     /// Lets the wall push and rub, and moves eight nodes to where the step ends.
     #[inline(always)]
-    pub(super) fn land<N: Number, const VECTOR: bool, const REST: bool>(
+    pub(super) fn land<N: Number, const VECTOR: bool, const FULL: bool>(
         &self,
         n: &mut NodeBlock,
         state: &mut State,
@@ -149,11 +161,12 @@ impl Flight {
     ) {
         let splat = N::splat;
         let (half, dt) = (splat(0.5), splat(input.dt));
+        let per_stribeck2 = splat(1.0 / (input.stribeck_speed * input.stribeck_speed));
         let old = nine(&state.u, block);
         let (mut u, mut v) = ([[0.0; LANES]; 3], [[0.0; LANES]; 3]);
         let mut spin = [0.0; LANES];
         let (mut rub_axial, mut rub_torque) = ([0.0; LANES], [0.0; LANES]);
-        let mut lost = [0.0; LANES];
+        let mut lost = [[0.0; LANES]; 3];
         for lane in 0..LANES {
             let th = at3::<N>(&n.tangent, lane);
             let per_ma = at::<N>(&n.inv_mass_axial, lane);
@@ -168,9 +181,10 @@ impl Flight {
             let around = th.cross(normal);
             let radius = at::<N>(&n.radius, lane);
             let slip = radius.mul_add(s2, across2.dot(around));
-            let mu = if REST {
+            let mu = if FULL {
                 let speed2 = slip.mul_add(slip, axial2 * axial2);
-                friction::coefficient(at(&n.friction, lane), at(&n.friction_rise, lane), speed2)
+                let rise = at(&n.friction_rise, lane);
+                friction::coefficient(at(&n.friction, lane), rise, speed2, per_stribeck2)
             } else {
                 at::<N>(&n.friction, lane)
             };
@@ -179,10 +193,24 @@ impl Flight {
             let least = splat(1e-30);
             let g_axial = (dt * per_ma).max(least);
             let g_around = (dt * radius * radius).mul_add(per_j, mobility).max(least);
-            let (along, across) = if VECTOR {
-                friction::vector(limit, axial2, slip, g_axial, g_around)
+            let limit_around = if FULL {
+                limit * at(&n.friction_around, lane)
             } else {
-                friction::independent(limit, axial2, slip, g_axial, g_around)
+                limit
+            };
+            let (along, across) = match (VECTOR, FULL) {
+                (true, false) => friction::vector(limit, axial2, slip, g_axial, g_around),
+                // In the forces' parts of their limits the law is that of one limit, 1.
+                (true, true) => {
+                    let g_axial = (g_axial * limit).max(least);
+                    let g_around = (g_around * limit_around).max(least);
+                    let (a, t) = friction::vector(splat(1.0), axial2, slip, g_axial, g_around);
+                    (limit * a, limit_around * t)
+                }
+                (false, _) => (
+                    friction::independent(limit, axial2, g_axial),
+                    friction::independent(limit_around, slip, g_around),
+                ),
             };
             let torque = across * radius;
             let axial3 = (dt * per_ma).neg_mul_add(along, axial2);
@@ -197,19 +225,27 @@ impl Flight {
             let (across1, axial1) = (held::<N>(&self.across1, lane), splat(self.axial1[lane]));
             let (across0, axial0) = (held::<N>(&self.across0, lane), splat(self.axial0[lane]));
             let (s0, s1) = (splat(self.spin0[lane]), splat(self.spin1[lane]));
-            let work = (at::<N>(&n.mass_lateral, lane)
-                * (across1 - across3).dot(across0 + across3))
-                + (at::<N>(&n.mass_axial, lane) * (axial1 - axial3)).mul_add(
-                    axial0 + axial3,
-                    at::<N>(&n.polar, lane) * (s1 - s3) * (s0 + s3),
+            let (both, both_axial, both_spin) = (across0 + across3, axial0 + axial3, s0 + s3);
+            let half_dt = half * dt;
+            let contact = half_dt * force * normal.dot(both);
+            let rubbed = half_dt
+                * along.mul_add(
+                    both_axial,
+                    across.mul_add(around.dot(both), torque * both_spin),
                 );
+            let slowed = half
+                * (at::<N>(&n.mass_lateral, lane) * (across1 - across2).dot(both)
+                    + (at::<N>(&n.mass_axial, lane) * (axial1 - axial2))
+                        .mul_add(both_axial, at::<N>(&n.polar, lane) * (s1 - s2) * both_spin));
 
             put(&mut u, lane, from::<N, 9>(&old, lane).plus(v3, dt));
             put(&mut v, lane, v3);
             spin[lane] = s3.get();
             rub_axial[lane] = along.get();
             rub_torque[lane] = torque.get();
-            lost[lane] = (half * work).get();
+            lost[0][lane] = rubbed.get();
+            lost[1][lane] = contact.get();
+            lost[2][lane] = slowed.get();
         }
         for axis in 0..3 {
             *state.u[axis].eight(block) = u[axis];
@@ -219,7 +255,10 @@ impl Flight {
         add(&mut n.sum_normal.0, push);
         add(&mut n.sum_axial.0, &rub_axial);
         add(&mut n.sum_torque.0, &rub_torque);
-        add(&mut losses.outside, &lost);
+        add(&mut n.sum_wear.0, &lost[0]);
+        add(&mut losses.friction, &lost[0]);
+        add(&mut losses.contact, &lost[1]);
+        add(&mut losses.mud, &lost[2]);
     }
 }
 

@@ -4,7 +4,7 @@ use crate::{
     dynamics::{
         assembly,
         chain::{Chain, node},
-        step::{StepInput, Stepper},
+        step::{Abilities, StepInput, Stepper},
     },
     model::Model,
     mud::Mud,
@@ -148,13 +148,18 @@ impl Bench {
             rigid_velocity: 0.0,
             rigid_spin: 0.0,
             dissipation: 0.0,
+            stribeck_speed: 0.1,
         };
         let mut bench = Self {
             chain,
             mesh,
             plan,
             input,
-            stepper: Stepper::new(true, true, false),
+            stepper: Stepper::new(Abilities {
+                hertz: true,
+                vector: true,
+                full: false,
+            }),
         };
         bench.support(0, Support::FREE);
         bench

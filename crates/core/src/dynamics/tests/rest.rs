@@ -3,7 +3,7 @@
 use crate::{
     dynamics::{
         chain::{Chain, node},
-        step::{StepInput, Stepper},
+        step::{Abilities, StepInput, Stepper},
     },
     rod::vector::Vector,
     wall::friction::STRIBECK_SPEED_M_PER_S,
@@ -40,6 +40,7 @@ const STEP: StepInput = StepInput {
     rigid_velocity: 0.0,
     rigid_spin: 0.0,
     dissipation: 0.5,
+    stribeck_speed: 0.1,
 };
 
 /// Pushed with less than `μ_s N`, it stays for ever, though `μ_k N` is far exceeded; with more, it goes and gains
@@ -52,7 +53,11 @@ const STEP: StepInput = StepInput {
 #[test]
 fn a_contact_breaks_away() {
     for law in [true, false] {
-        let stepper = Stepper::new(true, law, true);
+        let stepper = Stepper::new(Abilities {
+            hertz: true,
+            vector: law,
+            full: true,
+        });
         // A tenth of a second for the contact to find its force.
         let mut chain = pushed(0.999 * AT_REST * NORMAL_N);
         for _ in 0..10_000 {
