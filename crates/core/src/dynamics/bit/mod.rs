@@ -57,6 +57,8 @@ struct Answer {
     weight_N: f64,
     /// Against the string's rotation.
     torque_N_m: f64,
+    /// Spin that the torque leaves, exactly zero of a bit that it holds.
+    spin_rad_per_s: f64,
     depth_of_cut_m: f64,
 }
 
@@ -130,6 +132,7 @@ impl Bit {
             let Answer {
                 weight_N: weight,
                 torque_N_m: torque,
+                spin_rad_per_s: spin,
                 depth_of_cut_m,
             } = match cut {
                 Cut::Rate(cut) => cut.meet(&approach),
@@ -138,7 +141,6 @@ impl Bit {
             let mobility = approach.axial_mobility_s_per_kg;
             velocity = velocity.minus(tangent, mobility * weight);
             displacement = displacement.minus(tangent, dt * mobility * weight);
-            let spin = approach.spin_rad_per_s - approach.turning_mobility * torque;
             node!(chain, index, spin = spin);
             work -= weight * tangent.dot((velocity_before + velocity).scaled(0.5))
                 + torque * 0.5 * (spin_before + spin);

@@ -80,8 +80,8 @@ impl RateCut {
             let turning = at.spin_rad_per_s + self.motor_rad_per_s;
             wanted.min(turning.max(0.0) / at.turning_mobility)
         };
+        let spin = at.spin_rad_per_s - at.turning_mobility * torque;
         if let Some(shaker) = &mut self.shaker {
-            let spin = at.spin_rad_per_s - at.turning_mobility * torque;
             shaker.advance((spin + self.motor_rad_per_s) * at.dt, at.dt);
         }
         let per_revolution = std::f64::consts::TAU / self.nominal_rad_per_s;
@@ -89,6 +89,7 @@ impl RateCut {
         Answer {
             weight_N: weight,
             torque_N_m: torque,
+            spin_rad_per_s: spin,
             // A motor whose speed nobody gave cuts something, but how much at a time is not known.
             depth_of_cut_m: if depth_of_cut_m.is_finite() {
                 depth_of_cut_m

@@ -137,17 +137,24 @@ impl RegenerativeCut {
         let bearing = weight - cutting;
 
         let spin = at.spin_rad_per_s + self.motor_rad_per_s;
-        let stops = spin / at.turning_mobility;
-        let torque = if spin >= 0.0 {
-            // A bit that has been turned back cuts nothing until it is where it was.
-            let cutting = if self.back_rad > 0.0 { 0.0 } else { cutting };
-            law.torque_N_m(cutting, bearing).min(stops)
+        // A bit that has been turned back cuts nothing until it is where it was.
+        let most = if spin >= 0.0 && self.back_rad == 0.0 {
+            law.torque_N_m(cutting, bearing)
         } else {
-            (-law.torque_N_m(0.0, bearing)).max(stops)
+            law.torque_N_m(0.0, bearing)
+        };
+        let stops = spin / at.turning_mobility;
+        let holds = stops.abs() <= most;
+        let torque = if holds { stops } else { most.copysign(spin) };
+        // Held is held: a rounding error would turn it back.
+        let spin = if holds {
+            0.0
+        } else {
+            spin - at.turning_mobility * torque
         };
 
         let depth_m = at.depth_m - at.dt * mobility * weight;
-        let turn = at.dt * (spin - at.turning_mobility * torque) - self.back_rad;
+        let turn = at.dt * spin - self.back_rad;
         if turn > 0.0 {
             self.bottom.cut(turn, self.depth_m, depth_m);
         }
@@ -156,6 +163,7 @@ impl RegenerativeCut {
         Answer {
             weight_N: weight,
             torque_N_m: torque,
+            spin_rad_per_s: spin - self.motor_rad_per_s,
             depth_of_cut_m: f64::from(law.blades) * depth_of_cut,
         }
     }

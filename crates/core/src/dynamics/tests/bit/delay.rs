@@ -74,7 +74,7 @@ impl System {
         let angles: Vec<f64> = (0..=40)
             .map(|i| sector * (f64::from(i) / 20.0 - 2.0))
             .collect();
-        let mut run = Run {
+        let run = Run {
             system: self,
             time: 0.0,
             state: State {

@@ -2,6 +2,7 @@
 
 mod delay;
 mod excitation;
+mod lumped;
 mod regenerative;
 mod roots;
 

@@ -2,13 +2,13 @@
 
 use serde_json::Value;
 
-use super::{delay::System, roots::Drilling, *};
+use super::*;
 use crate::dynamics::bit::{BitLaw, RegenerativeLaw};
 
 const TAU: f64 = std::f64::consts::TAU;
 
 /// The bit of Richard, Germay and Detournay's examples.
-const LAW: RegenerativeLaw = RegenerativeLaw {
+pub(super) const LAW: RegenerativeLaw = RegenerativeLaw {
     radius_m: 0.108,
     blades: 4,
     intrinsic_specific_energy_Pa: 60e6,
@@ -19,14 +19,14 @@ const LAW: RegenerativeLaw = RegenerativeLaw {
     friction: 0.6,
 };
 
-fn settings(law: RegenerativeLaw) -> BitSettings {
+pub(super) fn settings(law: RegenerativeLaw) -> BitSettings {
     BitSettings {
         law: BitLaw::Regenerative(law),
         ..BitSettings::default()
     }
 }
 
-fn pressed(weight_on_bit_N: f64) -> Operation {
+pub(super) fn pressed(weight_on_bit_N: f64) -> Operation {
     Operation {
         weight_on_bit_N,
         ..OPERATION
@@ -258,56 +258,4 @@ fn a_motor_cuts_while_the_string_stands() {
         rig.step(5e-4);
     }
     assert!((*rig.spin() + 12.0).abs() < 1e-9, "{}", rig.spin());
-}
-
-/// A mass and a wheel on a torsion spring, the top of which turns at a constant speed: Richard, Germay and
-/// Detournay's string.
-struct Lumped {
-    rig: Rig,
-    weight_N: f64,
-    speed_rad_per_s: f64,
-    damping_N_m_s: f64,
-    dt: f64,
-    steps: u64,
-    angle_rad: f64,
-    lead_rad: f64,
-}
-
-const MASS: f64 = 34_000.0;
-const POLAR: f64 = 116.0;
-const STIFFNESS: f64 = 938.0;
-
-impl Lumped {
-    /// Drilling steadily under a weight, the spring damped so much.
-    fn new(law: RegenerativeLaw, weight_N: f64, speed: f64, damping_N_m_s: f64, dt: f64) -> Self {
-        let mut rig = Rig::with(pressed(weight_N), settings(law));
-        node!(rig.chain, 0, inv_mass_axial = 1.0 / MASS);
-        node!(rig.chain, 0, inv_polar = 1.0 / POLAR);
-        let steady = law.steady(weight_N, speed);
-        rig.chain
-            .set_velocity(0, Vector(0.0, 0.0, steady.rate_of_penetration_m_per_s));
-        *rig.spin() = speed;
-        Self {
-            rig,
-            weight_N,
-            speed_rad_per_s: speed,
-            damping_N_m_s,
-            dt,
-            steps: 0,
-            angle_rad: 0.0,
-            lead_rad: steady.torque_N_m / STIFFNESS,
-        }
-    }
-
-    fn step(&mut self) -> BitStep {
-        let time = self.steps as f64 * self.dt;
-        let spin = *self.rig.spin();
-        self.rig.push = Vector(0.0, 0.0, self.weight_N * MASS_KG / MASS);
-        self.rig.turn = STIFFNESS * (self.speed_rad_per_s * time + self.lead_rad - self.angle_rad)
-            + self.damping_N_m_s * (self.speed_rad_per_s - spin);
-        let step = self.rig.step(self.dt);
-        self.angle_rad += self.dt * *self.rig.spin();
-        self.steps += 1;
-        step
-    }
 }
