@@ -1,6 +1,7 @@
 //! From model and mesh to the chain that the time loop moves.
 
 use nalgebra::Vector3;
+use serde::{Deserialize, Serialize};
 
 use super::{
     chain::{Chain, NO_WALL_M, node},
@@ -18,7 +19,7 @@ use crate::{
 const MOST_ADDED_MUD: f64 = 5.0;
 
 /// Where a node's anchor stands on the hole's axis.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct Anchor {
     /// Measured depth, m.
     pub md_m: f64,

@@ -1,5 +1,7 @@
 //! The bit on the rock: a rate law with torque.
 
+use serde::{Deserialize, Serialize};
+
 use super::{
     chain::{Chain, node},
     settings::BitSettings,
@@ -14,7 +16,7 @@ use crate::operation::{Operation, OperationKind};
 /// against the rotation, and holds the bit when the string no longer turns it. A sliding string's
 /// bit is turned by its motor: the front advances at the motor's pace and the string carries the
 /// reaction.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Bit {
     settings: BitSettings,
     motor: bool,

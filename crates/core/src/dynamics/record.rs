@@ -1,5 +1,7 @@
 //! What is kept of a run while it goes on: sums per node, samples of the scalars.
 
+use serde::{Deserialize, Serialize};
+
 use super::{
     chain::{Chain, ElementBlock, Field, NodeBlock},
     outcome::TimeSeries,
@@ -9,7 +11,7 @@ use crate::rod::lanes::LANES;
 type Lane = [f64; LANES];
 
 /// Sums over the window for eight nodes, and for the eight elements below them.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 struct SumBlock {
     /// Tension and torque of the first sample: squares are summed about them, so that a small spread
     /// about a large mean keeps its digits.
@@ -66,7 +68,7 @@ pub struct Spread {
 }
 
 /// The streaming record.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Record {
     sums: Vec<SumBlock>,
     samples: u64,

@@ -1,5 +1,7 @@
 //! What a dynamic run needs to know beside the model and the operation.
 
+use serde::{Deserialize, Serialize};
+
 /// How the string lies at time zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Start {
@@ -38,7 +40,7 @@ pub enum ContactLaw {
 }
 
 /// How the top of the string is moved along the hole.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum HoistControl {
     /// The block follows the bit so that the weight on bit holds the operation's.
     Autodriller {
@@ -63,7 +65,7 @@ impl HoistControl {
 }
 
 /// The hoisting system between the block and the top of the string.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct HoistLine {
     /// Axial stiffness of lines and derrick, N/m.
     pub stiffness_N_per_m: f64,
@@ -82,7 +84,7 @@ pub struct RodDamping {
 }
 
 /// The bit on the rock.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct BitSettings {
     /// Stiffness of the contact between bit and rock front, N/m.
     pub rock_stiffness_N_per_m: f64,

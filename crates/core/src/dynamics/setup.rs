@@ -1,9 +1,10 @@
 //! What a run is before its string is laid: settings that can be used, the hoist, the mesh and the step.
 
 use super::{
-    assembly,
-    settings::{DynamicsSettings, HoistControl, Start},
+    assembly::{self, Surroundings},
+    settings::{ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, Start},
     start,
+    step::{Abilities, Stepper},
 };
 use crate::{
     model::Model,
@@ -111,6 +112,44 @@ pub(super) fn mesh_and_plan(
     let lateral = assembly::lateral_mass_kg_per_m(model, &mesh, bit_md_m);
     let plan = stability::plan(&mesh, &lateral, settings.damping.stiffness_s);
     (mesh, plan)
+}
+
+/// What the model, the operation and the settings of a run determine: the same at its start and
+/// wherever it is taken up again.
+pub(super) struct Frame {
+    pub(super) mesh: Mesh,
+    pub(super) plan: StepPlan,
+    pub(super) surroundings: Surroundings,
+    pub(super) stepper: Stepper,
+    pub(super) steps_per_sample: u64,
+}
+
+impl Frame {
+    pub(super) fn new(
+        model: &Model,
+        operation: &Operation,
+        settings: &DynamicsSettings,
+    ) -> Result<Self, SetupError> {
+        check(settings)?;
+        let (mesh, plan) = mesh_and_plan(model, first_bit_md_m(operation, settings), settings);
+        let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
+        let sections = model.well.hole.sections();
+        let stepper = Stepper::new(Abilities {
+            hertz: matches!(settings.contact_law, ContactLaw::Hertz { .. }),
+            vector: settings.friction_law == FrictionLaw::Vector,
+            full: sections
+                .iter()
+                .any(|s| s.friction.at_rest > s.friction.kinetic),
+        });
+        let steps_per_sample = (settings.sample_interval_s / plan.dt_s).round().max(1.0) as u64;
+        Ok(Self {
+            mesh,
+            plan,
+            surroundings,
+            stepper,
+            steps_per_sample,
+        })
+    }
 }
 
 /// What a run would cost.

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::{
+    dynamics::{settings::FrictionLaw, step::Abilities},
     mud::Mud,
     operation::OperationKind,
     rig::Rig,
