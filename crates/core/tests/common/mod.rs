@@ -1,6 +1,6 @@
 //! What the integration tests share: steel, simple strings and wells, verification files.
 // Every test file uses its own part of this module.
-#![allow(dead_code, unreachable_pub)]
+#![allow(dead_code, unreachable_pub, unused_imports)]
 
 use serde_json::Value;
 use wholestring::{
@@ -12,6 +12,7 @@ use wholestring::{
     string::{ComponentLength, ComponentSpec, Material, StringSpec},
     well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Station, TieIn, Well},
 };
+pub use wholestring_verification::{Row, Tolerance, report, report_worst};
 
 /// A file of `verification/`, parsed.
 pub fn verification(name: &str) -> Value {
