@@ -39,6 +39,7 @@ pub(super) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
         ("element_length_m", settings.element_length_m),
         ("duration_s", settings.duration_s),
         ("sample_interval_s", settings.sample_interval_s),
+        ("stribeck_speed_m_per_s", settings.stribeck_speed_m_per_s),
         (
             "hoist_line.stiffness_N_per_m",
             settings.hoist_line.stiffness_N_per_m,

@@ -22,7 +22,6 @@ use crate::{
         mesh::{Mesh, MeshNode},
         stability::StepPlan,
     },
-    wall::friction::STRIBECK_SPEED_M_PER_S,
 };
 
 /// Extra damping of the first seconds of a prepared start, relative to the rigid motion, 1/s.
@@ -122,13 +121,10 @@ impl Simulation {
         let (mesh, plan) = setup::mesh_and_plan(model, bit_md_m, settings);
         let chain = assembly::chain(model, &mesh, &plan);
         let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
-        let sections = model.well.hole.sections();
         let stepper = Stepper::new(Abilities {
             hertz: matches!(settings.contact_law, ContactLaw::Hertz { .. }),
             vector: settings.friction_law == FrictionLaw::Vector,
-            full: sections
-                .iter()
-                .any(|s| s.friction.at_rest > s.friction.kinetic),
+            full: surroundings.intricate,
         });
         let input = StepInput {
             dt: plan.dt_s,
@@ -142,7 +138,7 @@ impl Simulation {
                 } => dissipation_s_per_m,
                 ContactLaw::Linear { .. } => 0.0,
             },
-            stribeck_speed: STRIBECK_SPEED_M_PER_S,
+            stribeck_speed: settings.stribeck_speed_m_per_s,
         };
         let scene = Scene {
             model,
@@ -344,7 +340,7 @@ impl Simulation {
                 } => dissipation_s_per_m,
                 ContactLaw::Linear { .. } => 0.0,
             },
-            stribeck_speed: STRIBECK_SPEED_M_PER_S,
+            stribeck_speed: self.settings.stribeck_speed_m_per_s,
         }
     }
 
