@@ -238,7 +238,8 @@ impl Placement {
                 std::array::from_fn(|axis| u[axis] - z * t[axis] - 0.5 * z * z * k[axis]);
             let square: f64 = across.iter().map(|x| x * x).sum();
             place.offset[lane] = square.sqrt();
-            place.penetration[lane] = place.offset[lane] - nodes.clearance.0[lane];
+            place.penetration[lane] =
+                place.offset[lane] - nodes.clearance.0[lane] - nodes.clearance_slope.0[lane] * z;
             let h = *high;
             let right = [
                 t[1] * h[2] - t[2] * h[1],

@@ -40,6 +40,7 @@ pub(super) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
         ("element_length_m", settings.element_length_m),
         ("duration_s", settings.duration_s),
         ("sample_interval_s", settings.sample_interval_s),
+        ("stribeck_speed_m_per_s", settings.stribeck_speed_m_per_s),
         (
             "hoist_line.stiffness_N_per_m",
             settings.hoist_line.stiffness_N_per_m,
@@ -133,13 +134,10 @@ impl Frame {
         check(settings)?;
         let (mesh, plan) = mesh_and_plan(model, first_bit_md_m(operation, settings), settings);
         let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
-        let sections = model.well.hole.sections();
         let stepper = Stepper::new(Abilities {
             hertz: matches!(settings.contact_law, ContactLaw::Hertz { .. }),
             vector: settings.friction_law == FrictionLaw::Vector,
-            full: sections
-                .iter()
-                .any(|s| s.friction.at_rest > s.friction.kinetic),
+            full: surroundings.intricate,
         });
         let steps_per_sample = (settings.sample_interval_s / plan.dt_s).round().max(1.0) as u64;
         Ok(Self {

@@ -23,7 +23,6 @@ use crate::{
         mesh::{Mesh, MeshNode},
         stability::StepPlan,
     },
-    wall::friction::STRIBECK_SPEED_M_PER_S,
 };
 
 mod checkpoint;
@@ -143,7 +142,7 @@ impl Simulation {
                 } => dissipation_s_per_m,
                 ContactLaw::Linear { .. } => 0.0,
             },
-            stribeck_speed: STRIBECK_SPEED_M_PER_S,
+            stribeck_speed: settings.stribeck_speed_m_per_s,
         };
         let scene = Scene {
             model,
@@ -344,7 +343,7 @@ impl Simulation {
                 } => dissipation_s_per_m,
                 ContactLaw::Linear { .. } => 0.0,
             },
-            stribeck_speed: STRIBECK_SPEED_M_PER_S,
+            stribeck_speed: self.settings.stribeck_speed_m_per_s,
         }
     }
 

@@ -80,12 +80,10 @@ pub fn hole_of(frictions: &[(f64, f64)]) -> Hole {
             from_md_m,
             to_md_m,
             diameter_m: 0.3,
-            friction: Friction {
-                kinetic: friction,
-                at_rest: friction,
-            },
+            friction: Friction::uniform(friction),
             youngs_modulus_Pa: 50e9,
             poisson_ratio: 0.3,
+            roughness: 1.0,
         };
         from_md_m = to_md_m;
         section

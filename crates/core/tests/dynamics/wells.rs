@@ -165,12 +165,10 @@ pub fn section(
         from_md_m,
         to_md_m,
         diameter_m,
-        friction: Friction {
-            kinetic: mu,
-            at_rest: mu,
-        },
+        friction: Friction::uniform(mu),
         youngs_modulus_Pa,
         poisson_ratio,
+        roughness: 1.0,
     }
 }
 

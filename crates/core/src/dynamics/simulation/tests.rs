@@ -27,9 +27,11 @@ fn model(at_rest: f64) -> Model {
         friction: Friction {
             kinetic: 0.25,
             at_rest,
+            around: 1.0,
         },
         youngs_modulus_Pa: 51.5e9,
         poisson_ratio: 0.33,
+        roughness: 1.0,
     };
     let steel = Material {
         density_kg_per_m3: 7860.0,

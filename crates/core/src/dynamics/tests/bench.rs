@@ -111,12 +111,10 @@ impl Bench {
             from_md_m: 0.0,
             to_md_m: length_m,
             diameter_m: hole_m,
-            friction: Friction {
-                kinetic: 0.0,
-                at_rest: 0.0,
-            },
+            friction: Friction::uniform(0.0),
             youngs_modulus_Pa: 50e9,
             poisson_ratio: 0.3,
+            roughness: 1.0,
         };
         let stations = [station(0.0), station(length_m)];
         let model = Model {
