@@ -15,10 +15,10 @@ mod summary;
 #[cfg(test)]
 mod tests;
 
+pub use bit::{Band, BitLaw, BitSettings, Excitation, RateLaw, RegenerativeLaw, SteadyCut};
 pub use outcome::{DynamicOutcome, NodeProfile, Numerics, Statistic, TimeSeries};
 pub use settings::{
-    BitSettings, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping,
-    Start,
+    ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping, Start,
 };
 pub use setup::{Effort, SetupError};
 pub use simulation::{Checkpoint, Diverged, ResumeError, Simulation};

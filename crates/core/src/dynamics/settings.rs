@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::bit::BitSettings;
 use crate::wall::friction::STRIBECK_SPEED_M_PER_S;
 
 /// How the string lies at time zero.
@@ -85,15 +86,6 @@ pub struct RodDamping {
     pub stiffness_s: f64,
 }
 
-/// The bit on the rock.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct BitSettings {
-    /// Stiffness of the contact between bit and rock front, N/m.
-    pub rock_stiffness_N_per_m: f64,
-    /// Lateral stiffness that holds the bit to the hole's axis, N/m.
-    pub lateral_stiffness_N_per_m: f64,
-}
-
 /// Everything that a dynamic run needs beside the model and the operation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DynamicsSettings {
@@ -125,7 +117,8 @@ pub struct DynamicsSettings {
     /// Time between samples of the statistics and rows of the time table, s. Contact forces are
     /// averaged over it.
     pub sample_interval_s: f64,
-    /// Seed of the microscopic lateral disturbance that breaks the symmetry of the start.
+    /// Seed of the microscopic lateral disturbance that breaks the symmetry of the start, and of the bit's
+    /// excitation.
     pub seed: u64,
 }
 
@@ -154,10 +147,7 @@ impl Default for DynamicsSettings {
                 stiffness_N_per_m: 1e7,
                 damping_N_s_per_m: 1e5,
             },
-            bit: BitSettings {
-                rock_stiffness_N_per_m: 1e8,
-                lateral_stiffness_N_per_m: 1e7,
-            },
+            bit: BitSettings::default(),
             sample_interval_s: 0.01,
             seed: 1,
         }

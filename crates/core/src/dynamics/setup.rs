@@ -2,6 +2,7 @@
 
 use super::{
     assembly::{self, Surroundings},
+    bit::{Band, BitLaw},
     settings::{ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, Start},
     start,
     step::{Abilities, Stepper},
@@ -45,10 +46,6 @@ pub(super) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
             "hoist_line.stiffness_N_per_m",
             settings.hoist_line.stiffness_N_per_m,
         ),
-        (
-            "bit.rock_stiffness_N_per_m",
-            settings.bit.rock_stiffness_N_per_m,
-        ),
     ];
     let not_negative = [
         ("settle_s", settings.settle_s),
@@ -62,9 +59,66 @@ pub(super) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
             "bit.lateral_stiffness_N_per_m",
             settings.bit.lateral_stiffness_N_per_m,
         ),
+        (
+            "bit.motor_speed_rad_per_s",
+            settings.bit.motor_speed_rad_per_s,
+        ),
     ];
-    for (name, value) in positive {
-        if !(value.is_finite() && value > 0.0) {
+    check_numbers(&positive, &not_negative)?;
+    check_bit(&settings.bit.law)
+}
+
+fn check_bit(law: &BitLaw) -> Result<(), SetupError> {
+    match law {
+        BitLaw::Rate(law) => {
+            check_numbers(
+                &[("bit.rock_stiffness_N_per_m", law.rock_stiffness_N_per_m)],
+                &[],
+            )?;
+            let Some(shaken) = law.excitation else {
+                return Ok(());
+            };
+            let (Band::PerRevolution(band) | Band::PerSecond(band)) = shaken.band;
+            check_numbers(
+                &[("bit.excitation.band", band)],
+                &[
+                    ("bit.excitation.amplitude_m", shaken.amplitude_m),
+                    ("bit.excitation.roughness_m", shaken.roughness_m),
+                    (
+                        "bit.excitation.torque_fluctuation",
+                        shaken.torque_fluctuation,
+                    ),
+                ],
+            )
+        }
+        BitLaw::Regenerative(law) => check_numbers(
+            &[
+                ("bit.radius_m", law.radius_m),
+                ("bit.blades", f64::from(law.blades)),
+                (
+                    "bit.intrinsic_specific_energy_Pa",
+                    law.intrinsic_specific_energy_Pa,
+                ),
+                ("bit.cutter_inclination", law.cutter_inclination),
+            ],
+            &[
+                ("bit.wear_flat_m", law.wear_flat_m),
+                ("bit.contact_strength_Pa", law.contact_strength_Pa),
+                ("bit.bit_geometry", law.bit_geometry),
+                ("bit.friction", law.friction),
+            ],
+        ),
+    }
+}
+
+/// Numbers with their names: those that must be positive, and those that may be zero.
+fn check_numbers(
+    positive: &[(&'static str, f64)],
+    not_negative: &[(&'static str, f64)],
+) -> Result<(), SetupError> {
+    let wrong = |value: f64, enough: bool| !(value.is_finite() && enough);
+    for &(name, value) in positive {
+        if wrong(value, value > 0.0) {
             return Err(SetupError::Setting {
                 name,
                 value,
@@ -72,8 +126,8 @@ pub(super) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
             });
         }
     }
-    for (name, value) in not_negative {
-        if !(value.is_finite() && value >= 0.0) {
+    for &(name, value) in not_negative {
+        if wrong(value, value >= 0.0) {
             return Err(SetupError::Setting {
                 name,
                 value,

@@ -105,6 +105,7 @@ struct SinceSample {
     surface_torque: f64,
     weight_on_bit: f64,
     bit_torque: f64,
+    depth_of_cut: f64,
 }
 
 impl Simulation {
@@ -180,7 +181,7 @@ impl Simulation {
             surroundings,
             stepper,
             hoist,
-            bit: Bit::new(settings.bit, operation, bottom),
+            bit: Bit::new(settings.bit, operation, bottom, settings.seed),
             rigid_velocity_m_per_s: velocity,
             steps: 0,
             steps_per_sample,
@@ -308,6 +309,7 @@ impl Simulation {
         sum.surface_torque += surface_torque;
         sum.weight_on_bit += bit.weight_on_bit_N;
         sum.bit_torque += bit.torque_N_m;
+        sum.depth_of_cut += bit.depth_of_cut_m;
         self.steps += 1;
     }
 
@@ -411,6 +413,7 @@ impl Simulation {
         series.side_force_total_N.push(totals.normal_N);
         series.weight_on_bit_N.push(sums.weight_on_bit / n);
         series.bit_torque_N_m.push(sums.bit_torque / n);
+        series.depth_of_cut_m.push(sums.depth_of_cut / n);
         series.twist_rad.push(twist);
         series.stretch_m.push(elongation);
         series
