@@ -97,6 +97,7 @@ pub fn mud(density_kg_per_m3: f64) -> Mud {
         density_kg_per_m3,
         linear_drag_Pa_s: 0.0,
         drag_coefficient: 0.0,
+        rheology: None,
     }
 }
 

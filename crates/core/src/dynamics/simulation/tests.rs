@@ -53,6 +53,7 @@ fn model(at_rest: f64) -> Model {
             density_kg_per_m3: 1200.0,
             linear_drag_Pa_s: 5.0,
             drag_coefficient: 1.0,
+            rheology: None,
         },
         rig: Rig::default(),
     }

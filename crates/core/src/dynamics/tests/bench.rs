@@ -82,6 +82,7 @@ impl Bench {
             density_kg_per_m3: 0.0,
             linear_drag_Pa_s: 0.0,
             drag_coefficient: 0.0,
+            rheology: None,
         };
         Self::in_mud(parts, element_length_m, stiffness_damping_s, air, 2.0)
     }
