@@ -1,12 +1,14 @@
 //! The top of the string: block, line and autodriller.
 
+use serde::{Deserialize, Serialize};
+
 use super::{
     chain::{Chain, node},
     settings::{HoistControl, HoistLine},
 };
 
 /// The hoist that carries the top of the string.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Hoist {
     line: HoistLine,
     control: HoistControl,

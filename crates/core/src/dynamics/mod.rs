@@ -21,4 +21,4 @@ pub use settings::{
     ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping, Start,
 };
 pub use setup::{Effort, SetupError};
-pub use simulation::{Diverged, Simulation};
+pub use simulation::{Checkpoint, Diverged, ResumeError, Simulation};

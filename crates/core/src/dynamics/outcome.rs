@@ -1,5 +1,7 @@
 //! What a dynamic run answers.
 
+use serde::{Deserialize, Serialize};
+
 use crate::outcome::Scalars;
 
 /// Distribution of one quantity over the window.
@@ -107,7 +109,7 @@ pub struct NodeProfile {
 }
 
 /// Scalars against time, from time zero; rows are samples, contact quantities averages over them.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct TimeSeries {
     /// Time, s.
     pub time_s: Vec<f64>,

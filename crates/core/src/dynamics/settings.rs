@@ -1,6 +1,9 @@
 //! What a dynamic run needs to know beside the model and the operation.
 
+use serde::{Deserialize, Serialize};
+
 use super::bit::BitSettings;
+use crate::wall::friction::STRIBECK_SPEED_M_PER_S;
 
 /// How the string lies at time zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,7 +43,7 @@ pub enum ContactLaw {
 }
 
 /// How the top of the string is moved along the hole.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum HoistControl {
     /// The block follows the bit so that the weight on bit holds the operation's.
     Autodriller {
@@ -65,7 +68,7 @@ impl HoistControl {
 }
 
 /// The hoisting system between the block and the top of the string.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct HoistLine {
     /// Axial stiffness of lines and derrick, N/m.
     pub stiffness_N_per_m: f64,
@@ -97,6 +100,9 @@ pub struct DynamicsSettings {
     pub start: Start,
     /// Friction law.
     pub friction_law: FrictionLaw,
+    /// Sliding speed at which the friction at rest has half decayed to the kinetic one, m/s. Raising it
+    /// keeps more of the friction at rest in slow sliding; it matters only where the two differ.
+    pub stribeck_speed_m_per_s: f64,
     /// Contact law.
     pub contact_law: ContactLaw,
     /// Rayleigh damping.
@@ -118,7 +124,7 @@ pub struct DynamicsSettings {
 
 impl Default for DynamicsSettings {
     /// Elements of 3.2 m; 60 s after 20 s of settling, sampled every 10 ms; a prepared start; vector
-    /// friction; Hertz contact with 0.5 s/m; damping of 0.1 1/s by mass and 10 µs by stiffness; the hoist control
+    /// friction that loses half of its rise at rest by 0.1 m/s; Hertz contact with 0.5 s/m; damping of 0.1 1/s by mass and 10 µs by stiffness; the hoist control
     /// that the operation asks for on a line of 1e7 N/m and 1e5 N·s/m; rock of 1e8 N/m and 1e7 N/m across;
     /// seed 1.
     fn default() -> Self {
@@ -128,6 +134,7 @@ impl Default for DynamicsSettings {
             settle_s: 20.0,
             start: Start::Prepared,
             friction_law: FrictionLaw::Vector,
+            stribeck_speed_m_per_s: STRIBECK_SPEED_M_PER_S,
             contact_law: ContactLaw::Hertz {
                 dissipation_s_per_m: 0.5,
             },

@@ -1,10 +1,11 @@
 //! What a run is before its string is laid: settings that can be used, the hoist, the mesh and the step.
 
 use super::{
-    assembly,
+    assembly::{self, Surroundings},
     bit::{Band, BitLaw},
-    settings::{DynamicsSettings, HoistControl, Start},
+    settings::{ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, Start},
     start,
+    step::{Abilities, Stepper},
 };
 use crate::{
     model::Model,
@@ -40,6 +41,7 @@ pub(super) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
         ("element_length_m", settings.element_length_m),
         ("duration_s", settings.duration_s),
         ("sample_interval_s", settings.sample_interval_s),
+        ("stribeck_speed_m_per_s", settings.stribeck_speed_m_per_s),
         (
             "hoist_line.stiffness_N_per_m",
             settings.hoist_line.stiffness_N_per_m,
@@ -165,6 +167,41 @@ pub(super) fn mesh_and_plan(
     let lateral = assembly::lateral_mass_kg_per_m(model, &mesh, bit_md_m);
     let plan = stability::plan(&mesh, &lateral, settings.damping.stiffness_s);
     (mesh, plan)
+}
+
+/// What the model, the operation and the settings of a run determine: the same at its start and
+/// wherever it is taken up again.
+pub(super) struct Frame {
+    pub(super) mesh: Mesh,
+    pub(super) plan: StepPlan,
+    pub(super) surroundings: Surroundings,
+    pub(super) stepper: Stepper,
+    pub(super) steps_per_sample: u64,
+}
+
+impl Frame {
+    pub(super) fn new(
+        model: &Model,
+        operation: &Operation,
+        settings: &DynamicsSettings,
+    ) -> Result<Self, SetupError> {
+        check(settings)?;
+        let (mesh, plan) = mesh_and_plan(model, first_bit_md_m(operation, settings), settings);
+        let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
+        let stepper = Stepper::new(Abilities {
+            hertz: matches!(settings.contact_law, ContactLaw::Hertz { .. }),
+            vector: settings.friction_law == FrictionLaw::Vector,
+            full: surroundings.intricate,
+        });
+        let steps_per_sample = (settings.sample_interval_s / plan.dt_s).round().max(1.0) as u64;
+        Ok(Self {
+            mesh,
+            plan,
+            surroundings,
+            stepper,
+            steps_per_sample,
+        })
+    }
 }
 
 /// What a run would cost.

@@ -1,6 +1,7 @@
 //! A run: the string in time, from its start to its outcome.
 
 use nalgebra::Vector3;
+use serde::{Deserialize, Serialize};
 
 use super::{
     assembly::{self, Anchor, Surroundings},
@@ -9,10 +10,10 @@ use super::{
     hoist::Hoist,
     outcome::DynamicOutcome,
     record::Record,
-    settings::{ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, Start},
-    setup::{self, SetupError},
+    settings::{ContactLaw, DynamicsSettings, HoistControl, Start},
+    setup::{self, Frame, SetupError},
     start::{self, Scene},
-    step::{Abilities, StepInput, Stepper},
+    step::{StepInput, Stepper},
     summary,
 };
 use crate::{
@@ -22,8 +23,11 @@ use crate::{
         mesh::{Mesh, MeshNode},
         stability::StepPlan,
     },
-    wall::friction::STRIBECK_SPEED_M_PER_S,
 };
+
+mod checkpoint;
+
+pub use checkpoint::{Checkpoint, ResumeError};
 
 /// Extra damping of the first seconds of a prepared start, relative to the rigid motion, 1/s.
 const FADING_DAMPING_PER_S: f64 = 4.0;
@@ -60,7 +64,7 @@ pub struct Diverged {
 }
 
 /// Work and losses since the window began, J.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 struct Ledger {
     energy_at_start: f64,
     work: f64,
@@ -94,7 +98,7 @@ pub struct Simulation {
 }
 
 /// Scalars summed since the last sample.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 struct SinceSample {
     steps: u64,
     hook_load: f64,
@@ -117,20 +121,16 @@ impl Simulation {
         operation: &Operation,
         settings: &DynamicsSettings,
     ) -> Result<Self, SetupError> {
-        setup::check(settings)?;
+        let Frame {
+            mesh,
+            plan,
+            surroundings,
+            stepper,
+            steps_per_sample,
+        } = Frame::new(model, operation, settings)?;
         let (control, velocity) = setup::hoisting(operation, settings);
         let bit_md_m = setup::first_bit_md_m(operation, settings);
-        let (mesh, plan) = setup::mesh_and_plan(model, bit_md_m, settings);
         let chain = assembly::chain(model, &mesh, &plan);
-        let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
-        let sections = model.well.hole.sections();
-        let stepper = Stepper::new(Abilities {
-            hertz: matches!(settings.contact_law, ContactLaw::Hertz { .. }),
-            vector: settings.friction_law == FrictionLaw::Vector,
-            full: sections
-                .iter()
-                .any(|s| s.friction.at_rest > s.friction.kinetic),
-        });
         let input = StepInput {
             dt: plan.dt_s,
             stiffness_damping: settings.damping.stiffness_s,
@@ -143,7 +143,7 @@ impl Simulation {
                 } => dissipation_s_per_m,
                 ContactLaw::Linear { .. } => 0.0,
             },
-            stribeck_speed: STRIBECK_SPEED_M_PER_S,
+            stribeck_speed: settings.stribeck_speed_m_per_s,
         };
         let scene = Scene {
             model,
@@ -169,7 +169,6 @@ impl Simulation {
         );
         let record = Record::new(&chain);
         let high = anchors.iter().map(|a| a.high_side.into()).collect();
-        let steps_per_sample = (settings.sample_interval_s / plan.dt_s).round().max(1.0) as u64;
         Ok(Self {
             model: model.clone(),
             mud: model.mud_column(),
@@ -346,7 +345,7 @@ impl Simulation {
                 } => dissipation_s_per_m,
                 ContactLaw::Linear { .. } => 0.0,
             },
-            stribeck_speed: STRIBECK_SPEED_M_PER_S,
+            stribeck_speed: self.settings.stribeck_speed_m_per_s,
         }
     }
 

@@ -15,6 +15,7 @@ use super::{
 use crate::{
     model::Model,
     operation::{Operation, OperationKind},
+    random::Random,
     rod::{element::react, mesh::Mesh, vector::Vector},
     statics::soft::{self, SoftError, SoftSettings},
 };
@@ -146,7 +147,8 @@ impl Guide {
             let md = depth(mesh.nodes[i].from_bit_m);
             let load = profile.side_force_at_N_per_m(md).abs();
             let side = profile.contact_direction_at(md);
-            let friction = model.well.hole.at(md).friction.kinetic;
+            let friction = model.well.hole.at(md).friction;
+            let friction = friction.kinetic * friction.around;
             // Wherever the nodes stand, the component touches with its joints.
             let radius = model
                 .string
@@ -210,7 +212,7 @@ fn as_soft_string(
     (model, operation)
 }
 
-/// The part of the friction coefficient that acts around the hole.
+/// The part that acts around the hole, of the friction coefficient around it.
 fn around(mu: f64, radius_m: f64, operation: &Operation, law: FrictionLaw) -> f64 {
     match law {
         FrictionLaw::Independent => mu,
@@ -293,14 +295,10 @@ impl Laying<'_> {
 
     /// Moves every node sideways by a millionth of a metre, never the same way for two seeds.
     fn disturb(&mut self, seed: u64) {
-        let mut state = seed;
+        let mut random = Random::new(seed);
         for i in 1..self.mesh.nodes.len() - 1 {
             let tangent = self.chain.tangent(i);
-            let kick = Vector(
-                uniform(&mut state),
-                uniform(&mut state),
-                uniform(&mut state),
-            );
+            let kick = Vector(random.signed(), random.signed(), random.signed());
             let across = kick.minus(tangent, kick.dot(tangent));
             let moved = self.chain.displacement(i).plus(across, DISTURBANCE_M);
             self.chain.set_displacement(i, moved);
@@ -359,14 +357,4 @@ impl Laying<'_> {
             }
         }
     }
-}
-
-/// A number between −1 and 1 from Steele, Lea and Flood's SplitMix64 (2014).
-fn uniform(state: &mut u64) -> f64 {
-    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let mut z = *state;
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^= z >> 31;
-    (z >> 11) as f64 / (1u64 << 52) as f64 - 1.0
 }

@@ -82,6 +82,7 @@ impl Bench {
             density_kg_per_m3: 0.0,
             linear_drag_Pa_s: 0.0,
             drag_coefficient: 0.0,
+            rheology: None,
         };
         Self::in_mud(parts, element_length_m, stiffness_damping_s, air, 2.0)
     }
@@ -111,12 +112,10 @@ impl Bench {
             from_md_m: 0.0,
             to_md_m: length_m,
             diameter_m: hole_m,
-            friction: Friction {
-                kinetic: 0.0,
-                at_rest: 0.0,
-            },
+            friction: Friction::uniform(0.0),
             youngs_modulus_Pa: 50e9,
             poisson_ratio: 0.3,
+            roughness: 1.0,
         };
         let stations = [station(0.0), station(length_m)];
         let model = Model {
