@@ -153,8 +153,7 @@ impl Annulus {
     /// Mean speed of the mud up the hole against the mean of its two walls, m/s.
     fn through_m_per_s(&self, motion: &Motion) -> f64 {
         let (a2, r2) = (self.pipe_m * self.pipe_m, self.hole_m * self.hole_m);
-        motion.flow_m3_per_s / (PI * (r2 - a2))
-            + motion.axial_m_per_s * 0.5 * (r2 + a2) / (r2 - a2)
+        motion.flow_m3_per_s / (PI * (r2 - a2)) + motion.axial_m_per_s * 0.5 * (r2 + a2) / (r2 - a2)
     }
 
     /// Power that the motion puts into the mud per metre, W/m.

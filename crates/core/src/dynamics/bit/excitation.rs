@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::random::Random;
+
 /// What shakes the bit.
 ///
 /// The rock front under the bit stands `A sin(m φ) + r g(x)` deeper than it would, `φ` the angle through
@@ -136,12 +138,9 @@ impl Noise {
     }
 }
 
-/// One number of Steele, Lea and Flood's SplitMix64 (2014).
-fn scramble(seed: u64) -> u64 {
-    let mut z = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
+/// Random bits that belong to a number.
+fn scramble(number: u64) -> u64 {
+    Random::new(number).bits()
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Excitation, RegenerativeLaw};
+use crate::operation::Operation;
 
 /// The bit on the rock.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -25,6 +26,32 @@ impl Default for BitSettings {
             }),
             lateral_stiffness_N_per_m: 1e7,
             motor_speed_rad_per_s: 0.0,
+        }
+    }
+}
+
+impl BitSettings {
+    /// Whether the speed of a sliding string's motor makes a difference: where the bit's angle counts.
+    pub fn asks_for_motor_speed(&self) -> bool {
+        match self.law {
+            BitLaw::Rate(law) => law.excitation.is_some(),
+            BitLaw::Regenerative(_) => true,
+        }
+    }
+
+    /// The operation with the torque and the rate of penetration of steady drilling, where the law knows
+    /// them: the regenerative law finds them from weight and speed, the rate law takes the operation's.
+    #[must_use]
+    pub fn drilling_steadily(&self, operation: Operation) -> Operation {
+        let BitLaw::Regenerative(law) = self.law else {
+            return operation;
+        };
+        let speed = operation.rotation_rad_per_s() + self.motor_speed_rad_per_s;
+        let steady = law.steady(operation.weight_on_bit_N, speed);
+        Operation {
+            bit_torque_N_m: steady.torque_N_m,
+            rate_of_penetration_m_per_s: steady.rate_of_penetration_m_per_s,
+            ..operation
         }
     }
 }
