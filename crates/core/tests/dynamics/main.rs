@@ -7,6 +7,7 @@
 mod common;
 mod wells;
 
+mod bit;
 mod break_away;
 mod centred;
 mod checkpoint;
