@@ -14,8 +14,9 @@ mod step;
 mod summary;
 #[cfg(test)]
 mod tests;
+mod wear;
 
-pub use outcome::{DynamicOutcome, NodeProfile, Numerics, Statistic, TimeSeries};
+pub use outcome::{DynamicOutcome, HoleWear, NodeProfile, Numerics, Statistic, TimeSeries};
 pub use settings::{
     BitSettings, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping,
     Start,
