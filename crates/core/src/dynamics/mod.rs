@@ -14,9 +14,10 @@ mod step;
 mod summary;
 #[cfg(test)]
 mod tests;
+mod wear;
 
 pub use bit::{Band, BitLaw, BitSettings, Excitation, RateLaw, RegenerativeLaw, SteadyCut};
-pub use outcome::{DynamicOutcome, NodeProfile, Numerics, Statistic, TimeSeries};
+pub use outcome::{DynamicOutcome, HoleWear, NodeProfile, Numerics, Statistic, TimeSeries};
 pub use settings::{
     ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping, Start,
 };

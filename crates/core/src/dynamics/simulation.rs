@@ -15,6 +15,7 @@ use super::{
     start::{self, Scene},
     step::{StepInput, Stepper},
     summary,
+    wear::Wear,
 };
 use crate::{
     model::{Model, MudColumn},
@@ -91,6 +92,7 @@ pub struct Simulation {
     steps_per_sample: u64,
     since_sample: SinceSample,
     record: Record,
+    wear: Wear,
     /// High side at each node, as plain numbers for the sampling loop.
     high: Vec<[f64; 3]>,
     ledger: Ledger,
@@ -168,6 +170,8 @@ impl Simulation {
             initial.hook_load_N,
         );
         let record = Record::new(&chain);
+        let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
+        let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
         let high = anchors.iter().map(|a| a.high_side.into()).collect();
         Ok(Self {
             model: model.clone(),
@@ -187,6 +191,7 @@ impl Simulation {
             steps_per_sample,
             since_sample: SinceSample::default(),
             record,
+            wear,
             high,
             ledger: Ledger::default(),
             window_open: false,
@@ -388,11 +393,13 @@ impl Simulation {
         if !self.window_open && time >= self.settings.settle_s {
             self.window_open = true;
             self.record.open_window();
+            self.wear.restart(self.anchors[self.anchors.len() - 1].md_m);
             self.ledger = Ledger {
                 energy_at_start: self.energy_J(),
                 ..Ledger::default()
             };
         }
+        self.wear.sample(&self.chain, |i| self.anchors[i].md_m);
         let sums = std::mem::take(&mut self.since_sample);
         let totals = self.record.sample(&mut self.chain, &self.high, sums.steps);
         let n = sums.steps as f64;
@@ -481,6 +488,7 @@ impl Simulation {
             plan: &self.plan,
             anchors: &self.anchors,
             record: &self.record,
+            wear: &self.wear,
             steps: self.steps,
             energy_residual: self.energy_residual(),
             instructions: self.stepper.instructions,

@@ -5,6 +5,6 @@ mod component;
 mod drill_string;
 mod spec;
 
-pub use component::{Component, Material, ToolJoints};
+pub use component::{Blades, Component, Material, ToolJoints};
 pub use drill_string::{DrillString, Span};
 pub use spec::{AssemblyError, ComponentLength, ComponentSpec, StringSpec};

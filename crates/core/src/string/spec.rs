@@ -1,6 +1,6 @@
 //! The string as a list of parts, before it is known how deep the bit is.
 
-use super::{Component, DrillString, Material, ToolJoints, component::ring_area_m2};
+use super::{Blades, Component, DrillString, Material, ToolJoints, component::ring_area_m2};
 
 /// How long a component of a [`StringSpec`] is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,6 +26,8 @@ pub struct ComponentSpec {
     pub mass_per_length_kg_per_m: f64,
     /// Tool joints, if it has any.
     pub joints: Option<ToolJoints>,
+    /// Blades, if it has any: instead of joints.
+    pub blades: Option<Blades>,
     /// What it is made of.
     pub material: Material,
     /// Minimum yield strength, Pa, where known.
@@ -48,6 +50,7 @@ impl ComponentSpec {
             id_m,
             mass_per_length_kg_per_m: material.density_kg_per_m3 * ring_area_m2(od_m, id_m),
             joints: None,
+            blades: None,
             material,
             yield_strength_Pa: None,
         }
@@ -61,6 +64,7 @@ impl ComponentSpec {
             id_m: self.id_m,
             mass_per_length_kg_per_m: self.mass_per_length_kg_per_m,
             joints: self.joints,
+            blades: self.blades,
             material: self.material,
             yield_strength_Pa: self.yield_strength_Pa,
         }
@@ -118,6 +122,24 @@ impl ComponentSpec {
                 joints.spacing_m,
                 positive(joints.spacing_m),
                 POSITIVE,
+            ));
+        }
+        if let Some(blades) = self.blades {
+            fields.push((
+                "blade_od",
+                blades.od_m,
+                blades.od_m.is_finite() && blades.od_m >= self.od_m && self.joints.is_none(),
+                "at least od, without joints",
+            ));
+            let longest_m = match self.length {
+                ComponentLength::Metres(length_m) => length_m,
+                ComponentLength::ToSurface => f64::MAX,
+            };
+            fields.push((
+                "blade_length",
+                blades.length_m,
+                positive(blades.length_m) && blades.length_m <= longest_m,
+                "more than zero, and no more than length",
             ));
         }
         if let Some(yield_strength_Pa) = self.yield_strength_Pa {

@@ -4,6 +4,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod article;
 mod bore;
 mod contact;
 mod element;

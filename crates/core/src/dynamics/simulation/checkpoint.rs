@@ -11,6 +11,7 @@ use crate::{
         hoist::Hoist,
         settings::DynamicsSettings,
         setup::{Frame, SetupError},
+        wear::Wear,
     },
     model::Model,
     operation::Operation,
@@ -33,6 +34,7 @@ pub struct Checkpoint {
     record: Record,
     high: Vec<[f64; 3]>,
     ledger: Ledger,
+    wear: Wear,
     window_open: bool,
     time_s: f64,
     instructions: String,
@@ -90,6 +92,7 @@ impl Simulation {
             record,
             high,
             ledger,
+            wear,
             window_open,
         } = self;
         Checkpoint {
@@ -103,6 +106,7 @@ impl Simulation {
             record: record.clone(),
             high: high.clone(),
             ledger: *ledger,
+            wear: wear.clone(),
             window_open: *window_open,
             time_s: self.time_s(),
             instructions: stepper.instructions.to_owned(),
@@ -145,6 +149,7 @@ impl Simulation {
             record: checkpoint.record,
             high: checkpoint.high,
             ledger: checkpoint.ledger,
+            wear: checkpoint.wear,
             window_open: checkpoint.window_open,
         })
     }

@@ -145,6 +145,7 @@ impl CatalogueEntry {
             od_m: self.od_m,
             id_m: self.id_m,
             mass_per_length_kg_per_m: self.mass_per_length_kg_per_m(material.density_kg_per_m3),
+            blades: None,
             joints: self.joints.map(|joint| ToolJoints {
                 od_m: joint.od_m,
                 spacing_m: joint.spacing_m,
