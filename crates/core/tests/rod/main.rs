@@ -4,6 +4,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod bent;
 mod bore;
 mod contact;
 mod element;
@@ -11,5 +12,6 @@ mod friction;
 mod mesh;
 mod plane;
 mod random;
+mod space;
 mod stability;
 mod statics;
