@@ -1,9 +1,12 @@
 //! The whole string in time: 3D nonlinear rod, wall contact and friction, top drive, hoist and bit.
 
 mod assembly;
+mod bent;
 mod bit;
+mod body;
 mod chain;
 mod hoist;
+mod imbalance;
 mod outcome;
 mod record;
 mod settings;

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::{
     assembly::{self, Anchor, Surroundings},
     bit::Bit,
+    body::Body,
     chain::{Chain, element, node},
     hoist::Hoist,
     outcome::DynamicOutcome,
@@ -86,6 +87,7 @@ pub struct Simulation {
     surroundings: Surroundings,
     stepper: Stepper,
     hoist: Hoist,
+    body: Body,
     bit: Bit,
     rigid_velocity_m_per_s: f64,
     steps: u64,
@@ -156,7 +158,7 @@ impl Simulation {
             stepper: &stepper,
             input: &input,
         };
-        let initial = start::lay(&scene, chain, bit_md_m)?;
+        let initial = start::lay(&scene, chain, Body::new(model, &mesh), bit_md_m)?;
         let (chain, anchors) = (initial.chain, initial.anchors);
         let last = anchors.len() - 1;
         let top = anchors[0].md_m + chain.displacement(0).dot(chain.tangent(0));
@@ -185,6 +187,7 @@ impl Simulation {
             surroundings,
             stepper,
             hoist,
+            body: initial.body,
             bit: Bit::new(settings.bit, operation, bottom, settings.seed),
             rigid_velocity_m_per_s: velocity,
             steps: 0,
@@ -272,19 +275,17 @@ impl Simulation {
         let dt = self.plan.dt_s;
         let input = self.step_input(time);
         let rotation = self.operation.rotation_rad_per_s();
-        node!(
-            self.chain,
-            0,
-            spin = match self.settings.start {
-                Start::Prepared => rotation,
-                Start::Centred => rotation * (time / RAMP_S).min(1.0),
-            }
-        );
+        let ramp = match self.settings.start {
+            Start::Prepared => 1.0,
+            Start::Centred => (time / RAMP_S).min(1.0),
+        };
+        node!(self.chain, 0, spin = rotation * ramp);
         let last = self.chain.nodes() - 1;
         let top_before = self.chain.velocity(0).dot(self.chain.tangent(0));
         let bit_before = self.chain.velocity(last);
         let bit_spin_before = node!(self.chain, last, spin);
 
+        let body = self.body.push(&mut self.chain, &input, ramp);
         let losses = self.stepper.step(&mut self.chain, &input);
 
         let bit = self.bit.act(
@@ -303,10 +304,11 @@ impl Simulation {
             dt,
         );
         self.clamp_top();
+        self.body.follow(&mut self.chain, dt);
         let surface_torque = -element!(self.chain, 0, torque);
         let drive = surface_torque * node!(self.chain, 0, spin) * dt;
-        self.ledger.work += bit.work_J + hoist.work_J + drive;
-        self.ledger.losses += losses.total();
+        self.ledger.work += bit.work_J + hoist.work_J + drive + body.work_J;
+        self.ledger.losses += losses.total() + body.loss_J;
 
         let sum = &mut self.since_sample;
         sum.steps += 1;
@@ -449,6 +451,7 @@ impl Simulation {
     /// Kinetic, elastic and potential energy of the string, J: second-order accurate in the step.
     pub fn energy_J(&self) -> f64 {
         assembly::energy_J(&self.chain, &self.anchors, self.plan.dt_s)
+            + self.body.energy_J(&self.chain, self.plan.dt_s)
     }
 
     /// Kinetic energy of the string, J.

@@ -7,6 +7,7 @@ use crate::{
     dynamics::{
         assembly::Anchor,
         bit::Bit,
+        body::Body,
         chain::Chain,
         hoist::Hoist,
         settings::DynamicsSettings,
@@ -35,6 +36,7 @@ pub struct Checkpoint {
     high: Vec<[f64; 3]>,
     ledger: Ledger,
     wear: Wear,
+    body: Body,
     window_open: bool,
     time_s: f64,
     instructions: String,
@@ -93,6 +95,7 @@ impl Simulation {
             high,
             ledger,
             wear,
+            body,
             window_open,
         } = self;
         Checkpoint {
@@ -107,6 +110,7 @@ impl Simulation {
             high: high.clone(),
             ledger: *ledger,
             wear: wear.clone(),
+            body: body.clone(),
             window_open: *window_open,
             time_s: self.time_s(),
             instructions: stepper.instructions.to_owned(),
@@ -150,6 +154,7 @@ impl Simulation {
             high: checkpoint.high,
             ledger: checkpoint.ledger,
             wear: checkpoint.wear,
+            body: checkpoint.body,
             window_open: checkpoint.window_open,
         })
     }
