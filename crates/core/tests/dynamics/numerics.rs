@@ -33,7 +33,7 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         ("added mass", vec![n.added_axial_mass_fraction]),
         ("penetration", vec![n.max_penetration_m]),
         ("energy residual", vec![n.energy_residual]),
-        ("hole wear", w.work_J_per_m.clone()),
+        ("hole wear", w.wear_work_J_per_m.clone()),
         ("climb", p.climb_rad.iter().copied().flatten().collect()),
     ];
     for (name, x) in statistics {
