@@ -9,7 +9,12 @@ use super::{
 };
 use crate::{
     model::Model,
-    rod::{element::Stiffness, mesh::Mesh, stability::StepPlan},
+    rod::{
+        element::{Pose, Stiffness},
+        mesh::Mesh,
+        stability::StepPlan,
+        vector::Vector,
+    },
     wall::{Bore, BorePoint, contact},
     well::Path,
 };
@@ -331,22 +336,28 @@ pub fn kinetic_energy_J(chain: &Chain) -> f64 {
     0.5 * sum
 }
 
+/// How an element stood half a step before, where the velocities are.
+pub(super) fn half_a_step_before(mut pose: Pose<f64>, dt: f64) -> Pose<f64> {
+    let half = 0.5 * dt;
+    pose.displacement = pose.displacement.minus(pose.velocity, half);
+    let back = |d: Vector<f64>, w: Vector<f64>| {
+        let turned = d.minus(w.cross(d), half);
+        turned.scaled(1.0 / turned.dot(turned).sqrt())
+    };
+    pose.d1 = back(pose.d1, pose.w1);
+    pose.d2 = back(pose.d2, pose.w2);
+    // The stored twist is that of the step's beginning.
+    let share = 1.0 / (1.0 + pose.d1.dot(pose.d2));
+    pose.twist += half * (pose.spin + share * (pose.w2.dot(pose.d1) - pose.w1.dot(pose.d2)));
+    pose
+}
+
 /// Elastic and gravitational energy at the middle of the last step, J.
 fn potential_energy_J(chain: &Chain, anchors: &[Anchor], dt: f64) -> f64 {
     let half = 0.5 * dt;
     let mut sum = 0.0;
     for i in 0..chain.elements() {
-        let mut pose = chain.pose(i);
-        pose.displacement = pose.displacement.minus(pose.velocity, half);
-        let back = |d: crate::rod::vector::Vector<f64>, w| {
-            let turned = d.minus(crate::rod::vector::Vector::cross(w, d), half);
-            turned.scaled(1.0 / turned.dot(turned).sqrt())
-        };
-        pose.d1 = back(pose.d1, pose.w1);
-        pose.d2 = back(pose.d2, pose.w2);
-        // The stored twist is that of the step's beginning.
-        let share = 1.0 / (1.0 + pose.d1.dot(pose.d2));
-        pose.twist += half * (pose.spin + share * (pose.w2.dot(pose.d1) - pose.w1.dot(pose.d2)));
+        let pose = half_a_step_before(chain.pose(i), dt);
         sum += crate::rod::element::energy(&chain.stiffness(i), &pose);
     }
     for (i, anchor) in anchors.iter().enumerate() {

@@ -1,9 +1,12 @@
 //! The whole string in time: 3D nonlinear rod, wall contact and friction, top drive, hoist and bit.
 
 mod assembly;
+mod bent;
 mod bit;
+mod body;
 mod chain;
 mod hoist;
+mod imbalance;
 mod outcome;
 mod record;
 mod settings;
@@ -14,9 +17,10 @@ mod step;
 mod summary;
 #[cfg(test)]
 mod tests;
+mod wear;
 
 pub use bit::{Band, BitLaw, BitSettings, Excitation, RateLaw, RegenerativeLaw, SteadyCut};
-pub use outcome::{DynamicOutcome, NodeProfile, Numerics, Statistic, TimeSeries};
+pub use outcome::{DynamicOutcome, HoleWear, NodeProfile, Numerics, Statistic, TimeSeries};
 pub use settings::{
     ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping, Start,
 };

@@ -106,6 +106,19 @@ pub struct NodeProfile {
     pub friction_torque_N_m_per_m: Vec<f64>,
     /// Mean distance of the pipe's axis from the hole's, m.
     pub lateral_offset_m: Vec<f64>,
+    /// Work of friction over the window per metre of string, J/m.
+    pub wear_work_J_per_m: Vec<f64>,
+}
+
+/// Work of friction on the hole over the window, from the surface down, one row per stretch of hole.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct HoleWear {
+    /// Measured depth of the middle of the stretch, m.
+    pub md_m: Vec<f64>,
+    /// Work per metre of hole, J/m: friction force times sliding distance.
+    pub wear_work_J_per_m: Vec<f64>,
+    /// Its mean rate, W/m.
+    pub wear_power_W_per_m: Vec<f64>,
 }
 
 /// Scalars against time, from time zero; rows are samples, contact quantities averages over them.
@@ -153,6 +166,8 @@ pub struct DynamicOutcome {
     pub numerics: Numerics,
     /// Profile along the string.
     pub nodes: NodeProfile,
+    /// Wear along the hole.
+    pub wear: HoleWear,
     /// Scalars against time.
     pub series: TimeSeries,
 }

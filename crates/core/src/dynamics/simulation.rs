@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::{
     assembly::{self, Anchor, Surroundings},
     bit::Bit,
+    body::Body,
     chain::{Chain, element, node},
     hoist::Hoist,
     outcome::DynamicOutcome,
@@ -15,6 +16,7 @@ use super::{
     start::{self, Scene},
     step::{StepInput, Stepper},
     summary,
+    wear::Wear,
 };
 use crate::{
     model::{Model, MudColumn},
@@ -85,12 +87,14 @@ pub struct Simulation {
     surroundings: Surroundings,
     stepper: Stepper,
     hoist: Hoist,
+    body: Body,
     bit: Bit,
     rigid_velocity_m_per_s: f64,
     steps: u64,
     steps_per_sample: u64,
     since_sample: SinceSample,
     record: Record,
+    wear: Wear,
     /// High side at each node, as plain numbers for the sampling loop.
     high: Vec<[f64; 3]>,
     ledger: Ledger,
@@ -154,7 +158,7 @@ impl Simulation {
             stepper: &stepper,
             input: &input,
         };
-        let initial = start::lay(&scene, chain, bit_md_m)?;
+        let initial = start::lay(&scene, chain, Body::new(model, &mesh), bit_md_m)?;
         let (chain, anchors) = (initial.chain, initial.anchors);
         let last = anchors.len() - 1;
         let top = anchors[0].md_m + chain.displacement(0).dot(chain.tangent(0));
@@ -168,6 +172,8 @@ impl Simulation {
             initial.hook_load_N,
         );
         let record = Record::new(&chain);
+        let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
+        let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
         let high = anchors.iter().map(|a| a.high_side.into()).collect();
         Ok(Self {
             model: model.clone(),
@@ -181,12 +187,14 @@ impl Simulation {
             surroundings,
             stepper,
             hoist,
+            body: initial.body,
             bit: Bit::new(settings.bit, operation, bottom, settings.seed),
             rigid_velocity_m_per_s: velocity,
             steps: 0,
             steps_per_sample,
             since_sample: SinceSample::default(),
             record,
+            wear,
             high,
             ledger: Ledger::default(),
             window_open: false,
@@ -267,19 +275,17 @@ impl Simulation {
         let dt = self.plan.dt_s;
         let input = self.step_input(time);
         let rotation = self.operation.rotation_rad_per_s();
-        node!(
-            self.chain,
-            0,
-            spin = match self.settings.start {
-                Start::Prepared => rotation,
-                Start::Centred => rotation * (time / RAMP_S).min(1.0),
-            }
-        );
+        let ramp = match self.settings.start {
+            Start::Prepared => 1.0,
+            Start::Centred => (time / RAMP_S).min(1.0),
+        };
+        node!(self.chain, 0, spin = rotation * ramp);
         let last = self.chain.nodes() - 1;
         let top_before = self.chain.velocity(0).dot(self.chain.tangent(0));
         let bit_before = self.chain.velocity(last);
         let bit_spin_before = node!(self.chain, last, spin);
 
+        let body = self.body.push(&mut self.chain, &input, ramp);
         let losses = self.stepper.step(&mut self.chain, &input);
 
         let bit = self.bit.act(
@@ -298,10 +304,11 @@ impl Simulation {
             dt,
         );
         self.clamp_top();
+        self.body.follow(&mut self.chain, dt);
         let surface_torque = -element!(self.chain, 0, torque);
         let drive = surface_torque * node!(self.chain, 0, spin) * dt;
-        self.ledger.work += bit.work_J + hoist.work_J + drive;
-        self.ledger.losses += losses.total();
+        self.ledger.work += bit.work_J + hoist.work_J + drive + body.work_J;
+        self.ledger.losses += losses.total() + body.loss_J;
 
         let sum = &mut self.since_sample;
         sum.steps += 1;
@@ -388,11 +395,13 @@ impl Simulation {
         if !self.window_open && time >= self.settings.settle_s {
             self.window_open = true;
             self.record.open_window();
+            self.wear.restart(self.anchors[self.anchors.len() - 1].md_m);
             self.ledger = Ledger {
                 energy_at_start: self.energy_J(),
                 ..Ledger::default()
             };
         }
+        self.wear.sample(&self.chain, |i| self.anchors[i].md_m);
         let sums = std::mem::take(&mut self.since_sample);
         let totals = self.record.sample(&mut self.chain, &self.high, sums.steps);
         let n = sums.steps as f64;
@@ -442,6 +451,7 @@ impl Simulation {
     /// Kinetic, elastic and potential energy of the string, J: second-order accurate in the step.
     pub fn energy_J(&self) -> f64 {
         assembly::energy_J(&self.chain, &self.anchors, self.plan.dt_s)
+            + self.body.energy_J(&self.chain, self.plan.dt_s)
     }
 
     /// Kinetic energy of the string, J.
@@ -481,6 +491,7 @@ impl Simulation {
             plan: &self.plan,
             anchors: &self.anchors,
             record: &self.record,
+            wear: &self.wear,
             steps: self.steps,
             energy_residual: self.energy_residual(),
             instructions: self.stepper.instructions,

@@ -8,6 +8,7 @@ use nalgebra::Vector3;
 
 use super::{
     assembly::{self, Anchor, Surroundings},
+    body::Body,
     chain::{Chain, NO_WALL_M, element, node},
     settings::{DynamicsSettings, FrictionLaw, Start},
     step::{StepInput, Stepper},
@@ -34,6 +35,9 @@ const DISTURBANCE_M: f64 = 1e-6;
 /// Passes over the string that bring every element to its tension.
 const PASSES: usize = 8;
 
+/// Part of the settling in which bends grow.
+const GROWING: f64 = 0.5;
+
 /// The string at time zero.
 #[derive(Debug)]
 pub struct Initial {
@@ -41,6 +45,8 @@ pub struct Initial {
     pub chain: Chain,
     /// Its anchors.
     pub anchors: Vec<Anchor>,
+    /// Bends and eccentric masses, turned to their angles.
+    pub body: Body,
     /// Load that carries it, N.
     pub hook_load_N: f64,
 }
@@ -68,7 +74,12 @@ pub struct Scene<'a> {
 ///
 /// # Errors
 /// A soft string without solution.
-pub fn lay(scene: &Scene<'_>, chain: Chain, bit_md_m: f64) -> Result<Initial, SoftError> {
+pub fn lay(
+    scene: &Scene<'_>,
+    chain: Chain,
+    body: Body,
+    bit_md_m: f64,
+) -> Result<Initial, SoftError> {
     let Scene {
         operation,
         settings,
@@ -86,11 +97,13 @@ pub fn lay(scene: &Scene<'_>, chain: Chain, bit_md_m: f64) -> Result<Initial, So
             mesh.nodes.len()
         ],
         chain,
+        body,
         surroundings: scene.surroundings,
         guide: &guide,
         mesh,
     };
     string.place(bit_md_m, settings.start == Start::Prepared);
+    string.body.orient(&string.chain, &string.anchors);
     string.disturb(settings.seed);
     if settings.start == Start::Prepared {
         string.set_motion(0.0, operation.rotation_rad_per_s());
@@ -110,6 +123,7 @@ pub fn lay(scene: &Scene<'_>, chain: Chain, bit_md_m: f64) -> Result<Initial, So
     Ok(Initial {
         chain: string.chain,
         anchors: string.anchors,
+        body: string.body,
         hook_load_N,
     })
 }
@@ -227,6 +241,7 @@ fn around(mu: f64, radius_m: f64, operation: &Operation, law: FrictionLaw) -> f6
 struct Laying<'a> {
     chain: Chain,
     anchors: Vec<Anchor>,
+    body: Body,
     surroundings: &'a Surroundings,
     guide: &'a Guide,
     mesh: &'a Mesh,
@@ -265,7 +280,7 @@ impl Laying<'_> {
     /// Length by which element `i` lacks its tension, m.
     fn shortfall_m(&self, i: usize) -> f64 {
         let k = self.chain.stiffness(i);
-        let mut pose = self.chain.pose(i);
+        let mut pose = self.body.pose(&self.chain, i);
         pose.velocity = Vector::zero();
         let tension = react(&k, &pose, 0.0, 0.0).tension;
         (self.guide.tension_N[i] - tension) / k.axial * k.length
@@ -331,9 +346,20 @@ impl Laying<'_> {
                 block.friction_rise.0.fill(0.0);
             }
         }
+        if !self.body.is_empty() {
+            // A bend would swing the bit out of its hole.
+            node!(
+                self.chain,
+                self.mesh.nodes.len() - 1,
+                inv_mass_lateral = 0.0
+            );
+        }
         let steps = (SETTLING_S / input.dt).ceil() as usize;
-        for _ in 0..steps {
+        for step in 0..steps {
+            let grown = (step + 1) as f64 / (GROWING * steps as f64);
+            self.body.push(&mut self.chain, &input, grown.min(1.0));
             stepper.step(&mut self.chain, &input);
+            self.body.follow(&mut self.chain, input.dt);
         }
         assembly::release(&mut self.chain);
         for i in 0..self.mesh.nodes.len() {

@@ -185,8 +185,8 @@ fn roughness_has_the_rms_and_the_band_asked_for() {
 /// rough and at the border to a smooth section.
 ///
 /// By central differences over 1 and 2 cm, extrapolated: what is left of their own error is `a k⁵ h⁴/30` of a
-/// wave, 1e-8 of slope and tangent and 1e-7 of the curvature. The curvature leaves out what the path's own
-/// bend makes of the offset: found are 3e-7 1/m, beside the 0.05 1/m of the waves.
+/// wave, below 1e-9 here. The curvature leaves out what the path's own
+/// bend makes of the offset: found are 2e-7 1/m, beside the 0.05 1/m of the waves.
 #[test]
 fn the_wall_and_its_derivatives_agree() {
     let stations = [

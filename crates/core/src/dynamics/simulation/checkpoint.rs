@@ -7,10 +7,12 @@ use crate::{
     dynamics::{
         assembly::Anchor,
         bit::Bit,
+        body::Body,
         chain::Chain,
         hoist::Hoist,
         settings::DynamicsSettings,
         setup::{Frame, SetupError},
+        wear::Wear,
     },
     model::Model,
     operation::Operation,
@@ -33,6 +35,8 @@ pub struct Checkpoint {
     record: Record,
     high: Vec<[f64; 3]>,
     ledger: Ledger,
+    wear: Wear,
+    body: Body,
     window_open: bool,
     time_s: f64,
     instructions: String,
@@ -90,6 +94,8 @@ impl Simulation {
             record,
             high,
             ledger,
+            wear,
+            body,
             window_open,
         } = self;
         Checkpoint {
@@ -103,6 +109,8 @@ impl Simulation {
             record: record.clone(),
             high: high.clone(),
             ledger: *ledger,
+            wear: wear.clone(),
+            body: body.clone(),
             window_open: *window_open,
             time_s: self.time_s(),
             instructions: stepper.instructions.to_owned(),
@@ -145,6 +153,8 @@ impl Simulation {
             record: checkpoint.record,
             high: checkpoint.high,
             ledger: checkpoint.ledger,
+            wear: checkpoint.wear,
+            body: checkpoint.body,
             window_open: checkpoint.window_open,
         })
     }

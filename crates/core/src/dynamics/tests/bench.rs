@@ -3,6 +3,7 @@
 use crate::{
     dynamics::{
         assembly,
+        body::Body,
         chain::{Chain, node},
         step::{Abilities, StepInput, Stepper},
     },
@@ -71,6 +72,8 @@ pub struct Bench {
     pub mesh: Mesh,
     pub plan: StepPlan,
     pub input: StepInput,
+    /// What turns with the rod: nothing, unless the test puts it there. Bends are all there from the start.
+    pub body: Body,
     stepper: Stepper,
 }
 
@@ -154,6 +157,7 @@ impl Bench {
             mesh,
             plan,
             input,
+            body: Body::default(),
             stepper: Stepper::new(Abilities {
                 hertz: true,
                 vector: true,
@@ -211,7 +215,9 @@ impl Bench {
 
     /// Goes on by a step.
     pub fn step(&mut self) {
+        self.body.push(&mut self.chain, &self.input, 1.0);
         self.stepper.step(&mut self.chain, &self.input);
+        self.body.follow(&mut self.chain, self.input.dt);
     }
 
     /// Frequency, Hz, of what `measure` gives: over `periods` from its first zero. Zeros are
