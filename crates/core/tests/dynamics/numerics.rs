@@ -15,6 +15,7 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         numerics: n,
         nodes: p,
         series: t,
+        wear: w,
     } = outcome;
     let mut all = vec![
         ("hook load", vec![s.hook_load_N]),
@@ -51,6 +52,9 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         ("axial friction of a node", &p.axial_friction_N_per_m),
         ("friction torque of a node", &p.friction_torque_N_m_per_m),
         ("offset", &p.lateral_offset_m),
+        ("wear of a node", &p.wear_work_J_per_m),
+        ("wear of the hole", &w.wear_work_J_per_m),
+        ("power of wear", &w.wear_power_W_per_m),
         ("time", &t.time_s),
         ("bit depth", &t.bit_depth_m),
         ("hook load in time", &t.hook_load_N),
