@@ -7,6 +7,7 @@ mod gyroscope;
 mod hoist;
 mod mud;
 mod rest;
+mod rough;
 mod step_limit;
 mod wall;
 mod waves;
