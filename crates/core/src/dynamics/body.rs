@@ -96,10 +96,8 @@ impl Body {
             }
             if let Some(eccentricity) = span.component.eccentricity {
                 let moment = span.component.mass_per_length_kg_per_m
-                    * eccentricity.effective_offset_m(
-                        model.mud.density_kg_per_m3,
-                        &span.component.material,
-                    );
+                    * eccentricity
+                        .effective_offset_m(model.mud.density_kg_per_m3, &span.component.material);
                 share_out(mesh, [span.from_bit_m, span.to_bit_m], |node, metres| {
                     let lever = moment * metres;
                     let (sine, cosine) = eccentricity.phase_rad.sin_cos();

@@ -350,7 +350,11 @@ impl Laying<'_> {
         }
         if !self.body.is_empty() {
             // A bend would swing the bit out of its hole.
-            node!(self.chain, self.mesh.nodes.len() - 1, inv_mass_lateral = 0.0);
+            node!(
+                self.chain,
+                self.mesh.nodes.len() - 1,
+                inv_mass_lateral = 0.0
+            );
         }
         let steps = (SETTLING_S / input.dt).ceil() as usize;
         for step in 0..steps {

@@ -1,7 +1,8 @@
 //! The string as a list of parts, before it is known how deep the bit is.
 
 use super::{
-    BodyBend, Component, DrillString, Eccentricity, Material, ToolJoints, body, component::ring_area_m2,
+    BodyBend, Component, DrillString, Eccentricity, Material, ToolJoints, body,
+    component::ring_area_m2,
 };
 
 /// How long a component of a [`StringSpec`] is.
