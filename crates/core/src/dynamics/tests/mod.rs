@@ -5,6 +5,8 @@ mod bench;
 mod bit;
 mod gyroscope;
 mod hoist;
+mod imbalance;
+mod large;
 mod mud;
 mod rest;
 mod rough;
