@@ -3,6 +3,7 @@
 mod assembly;
 mod bit;
 mod chain;
+mod energy;
 mod hoist;
 mod outcome;
 mod record;
@@ -14,7 +15,9 @@ mod step;
 mod summary;
 #[cfg(test)]
 mod tests;
+mod viscous;
 
+pub use energy::EnergyBalance;
 pub use outcome::{DynamicOutcome, NodeProfile, Numerics, Statistic, TimeSeries};
 pub use settings::{
     BitSettings, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping,

@@ -70,7 +70,12 @@ mod tests {
     fn laminar_gradients_invert_rabinowitschs_integral() {
         let radius = 0.05;
         for (rheology, flow) in [
-            (Rheology::Newtonian { viscosity_Pa_s: 0.5 }, 2e-3),
+            (
+                Rheology::Newtonian {
+                    viscosity_Pa_s: 0.5,
+                },
+                2e-3,
+            ),
             (
                 Rheology::Bingham {
                     plastic_viscosity_Pa_s: 0.5,
@@ -111,7 +116,9 @@ mod tests {
     /// Water in a smooth pipe of 100 mm at 2 m/s: Blasius' 0.0791/Re^0.25 within 1 %.
     #[test]
     fn turbulent_water_follows_blasius() {
-        let water = mud(Rheology::Newtonian { viscosity_Pa_s: 1e-3 });
+        let water = mud(Rheology::Newtonian {
+            viscosity_Pa_s: 1e-3,
+        });
         let area = PI * 0.05f64.powi(2);
         let found = gradient_Pa_per_m(&water, area, 2.0 * area);
         let friction = 0.0791 / 2e5f64.powf(0.25);

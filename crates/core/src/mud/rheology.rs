@@ -137,7 +137,10 @@ mod tests {
                 let step = 1e-6 * stress;
                 let ahead = rheology.flow(stress + step);
                 let slope = (ahead.fluidity * (stress + step) - rate) / step;
-                assert!((slope / flow.slope - 1.0).abs() < 1e-4, "{rheology:?} {rate}");
+                assert!(
+                    (slope / flow.slope - 1.0).abs() < 1e-4,
+                    "{rheology:?} {rate}"
+                );
             }
         }
     }

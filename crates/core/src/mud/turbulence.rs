@@ -36,7 +36,10 @@ mod tests {
         for re in [5e3, 2e4, 1e5] {
             let friction: f64 = 16.0 / re * through_flow(re, 1.0, 16.0);
             let blasius = 0.0791 / re.powf(0.25);
-            assert!((friction / blasius - 1.0).abs() < 0.01, "{friction} {blasius}");
+            assert!(
+                (friction / blasius - 1.0).abs() < 0.01,
+                "{friction} {blasius}"
+            );
         }
         assert_eq!(through_flow(1000.0, 1.0, 24.0), 1.0);
     }

@@ -8,12 +8,14 @@ mod common;
 mod wells;
 
 mod break_away;
+mod buckling;
 mod centred;
 mod climb;
 mod control;
 mod energy;
 mod hold;
 mod independent;
+mod mud;
 mod np13;
 mod numerics;
 mod operations;

@@ -71,6 +71,7 @@ pub struct Bench {
     pub mesh: Mesh,
     pub plan: StepPlan,
     pub input: StepInput,
+    pub model: Model,
     stepper: Stepper,
 }
 
@@ -151,7 +152,9 @@ impl Bench {
             dissipation: 0.0,
             stribeck_speed: 0.1,
         };
+        let full = model.mud.rheology.is_some();
         let mut bench = Self {
+            model,
             chain,
             mesh,
             plan,
@@ -159,7 +162,7 @@ impl Bench {
             stepper: Stepper::new(Abilities {
                 hertz: true,
                 vector: true,
-                full: false,
+                full,
             }),
         };
         bench.support(0, Support::FREE);

@@ -8,4 +8,5 @@ mod hoist;
 mod mud;
 mod rest;
 mod step_limit;
+mod viscous;
 mod waves;

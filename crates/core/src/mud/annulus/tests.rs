@@ -35,7 +35,10 @@ fn weightless(rheology: Rheology) -> Mud {
 #[track_caller]
 fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
     let error = (found / expected - 1.0).abs();
-    assert!(error <= tolerance, "{what}: {found} for {expected}, {error:.1e}");
+    assert!(
+        error <= tolerance,
+        "{what}: {found} for {expected}, {error:.1e}"
+    );
 }
 
 fn moving(axial: f64, spin: f64, flow: f64) -> Motion {
@@ -149,16 +152,19 @@ fn slots_meet_their_closed_forms() {
     let width = PI * (SLOT.hole_m + SLOT.pipe_m);
     let (consistency, n): (f64, f64) = (0.9, 0.55);
     let wall = 40.0f64;
-    let flow =
-        width * gap * gap * n / (2.0 * (2.0 * n + 1.0)) * (wall / consistency).powf(1.0 / n);
+    let flow = width * gap * gap * n / (2.0 * (2.0 * n + 1.0)) * (wall / consistency).powf(1.0 / n);
     let drag = SLOT.drag(&weightless(POWER_LAW), &moving(0.0, 0.0, flow));
     close("power law", drag.gradient_Pa_per_m, 2.0 * wall / gap, 2e-4);
     for (wall, tolerance) in [(20.0, 5e-4), (40.0, 5e-4)] {
         let y = 7.2 / wall;
-        let flow =
-            width * gap * gap * wall / (6.0 * 0.025) * (1.0 - 1.5 * y + 0.5 * y * y * y);
+        let flow = width * gap * gap * wall / (6.0 * 0.025) * (1.0 - 1.5 * y + 0.5 * y * y * y);
         let drag = SLOT.drag(&weightless(BINGHAM), &moving(0.0, 0.0, flow));
-        close("Bingham", drag.gradient_Pa_per_m, 2.0 * wall / gap, tolerance);
+        close(
+            "Bingham",
+            drag.gradient_Pa_per_m,
+            2.0 * wall / gap,
+            tolerance,
+        );
     }
 }
 
