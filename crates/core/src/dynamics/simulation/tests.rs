@@ -80,6 +80,8 @@ fn every_instruction_set_moves_the_string_alike() {
             bit_torque_N_m: 0.0,
             rate_of_penetration_m_per_s: 0.0,
             trip_speed_m_per_s: 0.2,
+            flow_rate_m3_per_s: 0.0,
+            bit_pressure_drop_Pa: 0.0,
         };
         let mut settings = DynamicsSettings {
             settle_s: 3.0,
@@ -137,6 +139,8 @@ fn wear_is_the_loss_to_friction() {
             bit_torque_N_m: 0.0,
             rate_of_penetration_m_per_s: 0.0,
             trip_speed_m_per_s: 0.2,
+            flow_rate_m3_per_s: 0.0,
+            bit_pressure_drop_Pa: 0.0,
         };
         let settings = DynamicsSettings {
             friction_law,

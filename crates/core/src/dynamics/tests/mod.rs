@@ -11,5 +11,6 @@ mod mud;
 mod rest;
 mod rough;
 mod step_limit;
+mod viscous;
 mod wall;
 mod waves;
