@@ -20,6 +20,7 @@ use crate::{
     overrides::{self, Override},
     reader::Reader,
     rig::{HoistTable, RigTable},
+    roughness,
     rule::{At, Choice, List, Rule, Section, Table, Text, once_each},
     settings,
     source::{Disk, Files, Place, read_bounded},
@@ -251,7 +252,9 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         .zip(stations.as_ref())
         .and_then(|(at, stations)| at.value.path(stations, reader));
     let sections = well.and_then(|at| at.value.hole.get());
-    let hole = sections.and_then(|sections| hole::build(sections, reader));
+    let rough = well.and_then(|at| at.value.roughness.given());
+    let hole =
+        sections.and_then(|sections| hole::build(sections, rough.map(|at| &at.value), reader));
 
     let last_md_m = path.as_ref().map(|path| path.last_md_m());
     let operation = case.operation.get();
@@ -287,6 +290,9 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         _ => None,
     };
 
+    if let (Some(dynamics), Some(hole)) = (case.dynamics.get(), &hole) {
+        dynamics.check_stribeck(hole, reader);
+    }
     let drill_string = match (&spec, components, bit_depth_m) {
         (Some(spec), Some(components), Some(bit_depth_m)) => {
             assembly::assemble(spec, components, bit_depth_m, bit_place, reader)
@@ -296,6 +302,8 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     if let (Some(drill_string), Some(components)) = (&drill_string, components) {
         if let (Some(hole), Some(sections)) = (&hole, sections) {
             fit::check_clearance(drill_string, components, hole, sections, reader);
+            let rms = rough.and_then(|at| at.value.rms.given());
+            roughness::check_clearance(drill_string, hole, rms.map(|at| at.place), reader);
         }
         if let Some(mud) = &mud {
             let wob = operation.and_then(|operation| operation.wob.given());

@@ -1,7 +1,8 @@
 //! `[mesh]` and `[dynamics]`.
 
-use wholestring::dynamics::{
-    BitSettings, ContactLaw, DynamicsSettings, FrictionLaw, RodDamping, Start,
+use wholestring::{
+    dynamics::{BitSettings, ContactLaw, DynamicsSettings, FrictionLaw, RodDamping, Start},
+    well::{Hole, HoleSection},
 };
 use wholestring_units::Dimension;
 
@@ -88,6 +89,12 @@ table! {
             },
             DynamicsSettings::default().friction_law,
         );
+        /// Sliding speed at which friction at rest has half decayed to the kinetic one. Raising it keeps
+        /// more of the friction at rest in slow sliding. Used where a hole section has static friction.
+        stribeck_speed: f64 = default(
+            Quantity::si(Dimension::TripSpeed, Range::from_to(1e-4, 100.0), "0.1 m/s"),
+            DynamicsSettings::default().stribeck_speed_m_per_s,
+        );
         /// "hertz" (stiffness from the elastic constants and radii of pipe and hole) or "linear" (a
         /// spring and a dashpot).
         contact_law: Contact = default(
@@ -156,6 +163,7 @@ impl DynamicsTable {
             settle_s: *self.settle.get()?,
             start: *self.start.get()?,
             friction_law: *self.friction_law.get()?,
+            stribeck_speed_m_per_s: *self.stribeck_speed.get()?,
             contact_law: contact_law?,
             damping: RodDamping {
                 mass_per_s: *damping.mass.get()?,
@@ -167,6 +175,21 @@ impl DynamicsTable {
             sample_interval_s: *self.sample_interval.get()?,
             seed: *self.seed.get()?,
         })
+    }
+
+    /// A Stribeck speed without friction at rest that could decay.
+    pub(crate) fn check_stribeck(&self, hole: &Hole, reader: &mut Reader) {
+        let decays = |section: &HoleSection| section.friction.at_rest > section.friction.kinetic;
+        if let Some(given) = self.stribeck_speed.given()
+            && !hole.sections().iter().any(decays)
+        {
+            reader.report(
+                Diagnostic::warning("`stribeck_speed` has no effect here").at(
+                    given.place,
+                    "used with `static` friction above `kinetic` in a hole section",
+                ),
+            );
+        }
     }
 
     fn contact(&self, reader: &mut Reader) -> Option<ContactLaw> {

@@ -33,6 +33,7 @@ mod quantity;
 mod range;
 mod reader;
 mod rig;
+mod roughness;
 mod rule;
 mod schema;
 mod settings;

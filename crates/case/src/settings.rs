@@ -63,6 +63,13 @@ fn well(well: &Well, survey: Option<&String>) -> Json {
             Interpolation::MinimumCurvature => "minimum-curvature",
         },
         "tie_in": { "north_m": start.x, "east_m": start.y, "tvd_m": start.z },
+        "roughness": well.hole.roughness().map(|roughness| json!({
+            "rms_m": roughness.radius_rms_m,
+            "tortuosity_m": roughness.tortuosity_rms_m,
+            "shortest_wavelength_m": roughness.shortest_m,
+            "longest_wavelength_m": roughness.longest_m,
+            "seed": roughness.seed,
+        })),
         "hole": well.hole.sections().iter().map(section).collect::<Vec<_>>(),
     })
 }
@@ -76,9 +83,14 @@ fn section(section: &HoleSection) -> Json {
         "from_m": section.from_md_m,
         "to_m": section.to_md_m,
         "diameter_m": section.diameter_m,
-        "friction": { "kinetic": section.friction.kinetic, "static": section.friction.at_rest },
+        "friction": {
+            "kinetic": section.friction.kinetic,
+            "static": section.friction.at_rest,
+            "around": section.friction.kinetic * section.friction.around,
+        },
         "youngs_modulus_Pa": section.youngs_modulus_Pa,
         "poisson_ratio": section.poisson_ratio,
+        "roughness": section.roughness,
     })
 }
 
@@ -90,6 +102,8 @@ fn component(component: &Component) -> Json {
         "id_m": component.id_m,
         "joint_od_m": component.joints.map(|joints| joints.od_m),
         "joint_spacing_m": component.joints.map(|joints| joints.spacing_m),
+        "blade_od_m": component.blades.map(|blades| blades.od_m),
+        "blade_length_m": component.blades.map(|blades| blades.length_m),
         "mass_per_length_kg_per_m": component.mass_per_length_kg_per_m,
         "density_kg_per_m3": component.material.density_kg_per_m3,
         "youngs_modulus_Pa": component.material.youngs_modulus_Pa,
@@ -182,6 +196,7 @@ fn run(dynamics: &DynamicsSettings) -> Json {
             FrictionLaw::Vector => "vector",
             FrictionLaw::Independent => "independent",
         },
+        "stribeck_speed_m_per_s": dynamics.stribeck_speed_m_per_s,
         "damping": {
             "mass_per_s": dynamics.damping.mass_per_s,
             "stiffness_s": dynamics.damping.stiffness_s,

@@ -1,6 +1,8 @@
 //! `[[string]]` and `[steel]`.
 
-use wholestring::string::{ComponentLength, ComponentSpec, Material, ToolJoints, catalogue};
+use wholestring::string::{
+    Blades, ComponentLength, ComponentSpec, Material, ToolJoints, catalogue,
+};
 use wholestring_units::Dimension;
 
 use crate::{
@@ -150,6 +152,17 @@ table! {
             Range::from_to(0.5, 100.0),
             "9.6 m",
         ));
+        /// Diameter over the blades of a stabiliser or reamer, its gauge: blades then are what touches the
+        /// wall, at both edges where they are longer than 0.5 m and than half an element, at their middle
+        /// otherwise. Their mass is counted where `mass_per_length` counts it. Default: no blades; a
+        /// component of 4 m or less that stands out over its neighbours touches at its middle with `od`.
+        blade_od: f64 = optional(diameter("212.7 mm"));
+        /// Length of the blades, at the middle of the component. Default: all of the component.
+        blade_length: f64 = optional(Quantity::si(
+            Dimension::Length,
+            Range::from_to(0.01, 20.0),
+            "0.6 m",
+        ));
         /// Mass per length in air, tool joints included. Default: the catalogue's, or that of the body
         /// between od and id.
         mass_per_length: f64 = optional(Quantity::si(
@@ -190,6 +203,7 @@ impl ComponentTable {
             None => component.yield_strength_Pa,
         };
         self.joints(&mut component, reader)?;
+        self.blades(&mut component, reader)?;
         if let Some(given) = self.mass_per_length.optional()? {
             component.mass_per_length_kg_per_m = given.value;
             check_mass(&component, given.place, reader)?;
@@ -333,6 +347,68 @@ impl ComponentTable {
             }
         }
         component.joints = Some(joints);
+        Some(())
+    }
+}
+
+/// Blades without a length of their own on a component without one, m.
+const LONGEST_BLADE_M: f64 = 20.0;
+
+impl ComponentTable {
+    /// Blades, which fit their component.
+    fn blades(&self, component: &mut ComponentSpec, reader: &mut Reader) -> Option<()> {
+        let od = self.blade_od.optional()?;
+        let length = self.blade_length.optional()?;
+        let Some(od) = od else {
+            if let Some(length) = length {
+                reader.report(
+                    Diagnostic::error("`blade_length` needs `blade_od`")
+                        .at(length.place, "`blade_od` is missing")
+                        .help("blades have a gauge; without it the body touches the wall"),
+                );
+                return None;
+            }
+            return Some(());
+        };
+        if component.joints.is_some() {
+            let mut diagnostic = Diagnostic::error("blades stand beside tool joints")
+                .at(od.place, "either of the two touches the wall");
+            if let Some(joint) = self.joint_od.given().or(self.joint_spacing.given()) {
+                diagnostic = diagnostic.at(joint.place, "the tool joints");
+            } else if let Some(catalogue) = self.catalogue.given() {
+                diagnostic = diagnostic.at(catalogue.place, "the catalogue gives tool joints");
+            }
+            reader.report(diagnostic.help("make the stabiliser a component of its own"));
+            return None;
+        }
+        if od.value < component.od_m {
+            let mut diagnostic = Diagnostic::error("the blades are thinner than their body")
+                .at(od.place, format!("expected {} or more", mm(component.od_m)));
+            if let Some(body) = self.od.given() {
+                diagnostic = diagnostic.at(body.place, "the body's outside diameter");
+            }
+            reader.report(diagnostic);
+            return None;
+        }
+        let component_m = match component.length {
+            ComponentLength::Metres(length_m) => length_m,
+            ComponentLength::ToSurface => LONGEST_BLADE_M,
+        };
+        if let Some(length) = length
+            && length.value > component_m
+        {
+            reader.report(
+                Diagnostic::error("the blades are longer than their component").at(
+                    length.place,
+                    format!("expected {} m or less", number_text(component_m)),
+                ),
+            );
+            return None;
+        }
+        component.blades = Some(Blades {
+            od_m: od.value,
+            length_m: length.map_or(component_m, |at| at.value),
+        });
         Some(())
     }
 }

@@ -560,8 +560,101 @@ fn of_the_bit() {
 }
 
 #[test]
+fn of_the_wall_and_what_touches_it() {
+    let friction = "friction = 0.3\n[[";
+    let stabiliser = "# ...\n";
+    let body =
+        "[[string]]\ncomponent = \"stabiliser\"\nod = \"165 mm\"\nid = \"71.4 mm\"\nlength = 1.5\n";
+    let cases = [
+        (
+            "friction_around_negative",
+            friction,
+            "friction = { kinetic = 0.3, around = -0.1 }\n[[".to_owned(),
+        ),
+        (
+            "friction_around_without_axial",
+            friction,
+            "friction = { kinetic = 0, around = 0.2 }\n[[".to_owned(),
+        ),
+        (
+            "roughness_in_metres_meant_millimetres",
+            "[mud]",
+            "[well.roughness]\nrms = 2\n[mud]".to_owned(),
+        ),
+        (
+            "roughness_too_steep",
+            "[mud]",
+            "[well.roughness]\ntortuosity = \"20 cm\"\n[mud]".to_owned(),
+        ),
+        (
+            "roughness_band_upside_down",
+            "[mud]",
+            "[well.roughness]\nrms = \"1 mm\"\nshortest_wavelength = \"20 m\"\nlongest_wavelength = \"2 m\"\n[mud]".to_owned(),
+        ),
+        (
+            "roughness_key_misspelt",
+            "[mud]",
+            "[well.roughness]\nrms = \"1 mm\"\nwavelength = \"20 m\"\n[mud]".to_owned(),
+        ),
+        (
+            "stribeck_speed_zero",
+            "seed = 1",
+            "seed = 1\nstribeck_speed = 0".to_owned(),
+        ),
+        (
+            "blade_length_without_gauge",
+            stabiliser,
+            format!("{body}blade_length = \"0.6 m\"\n"),
+        ),
+        (
+            "blades_thinner_than_body",
+            stabiliser,
+            format!("{body}blade_od = \"150 mm\"\n"),
+        ),
+        (
+            "blades_longer_than_component",
+            stabiliser,
+            format!("{body}blade_od = \"210 mm\"\nblade_length = 2\n"),
+        ),
+        (
+            "blades_wider_than_hole",
+            stabiliser,
+            format!("{body}blade_od = \"220 mm\"\n"),
+        ),
+        (
+            "blades_beside_joints",
+            "length = \"to surface\"",
+            "length = \"to surface\"\nblade_od = \"210 mm\"".to_owned(),
+        ),
+    ];
+    for (name, from, to) in cases {
+        refused(name, read(&changed(from, &to)));
+    }
+}
+
+#[test]
 fn worth_a_warning() {
     let cases = [
+        (
+            "warn_stribeck_speed",
+            "seed = 1",
+            "seed = 1\nstribeck_speed = \"0.2 m/s\"",
+        ),
+        (
+            "warn_section_roughness",
+            "friction = 0.3\n[[",
+            "friction = 0.3\nroughness = 0\n[[",
+        ),
+        (
+            "warn_roughness_without_amplitude",
+            "[mud]",
+            "[well.roughness]\nseed = 4\n[mud]",
+        ),
+        (
+            "warn_roughness_closes_in",
+            "[mud]",
+            "[well.roughness]\nrms = \"9 mm\"\n[mud]",
+        ),
         ("warn_bit_torque", "torque = \"3.1 kN.m\"", "# torque"),
         (
             "warn_contact_key",

@@ -12,7 +12,7 @@ use wholestring::{
 use wholestring_case::Case;
 use wholestring_results::{
     Friction, NODES, Numerics, OperationSummary, ResultsFolder, SCHEMA_VERSION, Statistic, Status,
-    Summary, TIME, Table,
+    Summary, TIME, Table, WEAR,
 };
 use wholestring_units::{Dimension, UnitSet};
 
@@ -23,6 +23,7 @@ pub(crate) struct Record {
     pub(crate) summary: Summary,
     nodes: Table,
     time: Table,
+    wear: Table,
     hole: Hole,
     subtitle: String,
     units: UnitSet,
@@ -39,6 +40,7 @@ impl Record {
             },
             nodes: Table::with_columns(NODES),
             time: Table::with_columns(TIME),
+            wear: Table::with_columns(WEAR),
             hole: case.model.well.hole.clone(),
             subtitle: subtitle(case, units),
             units,
@@ -86,6 +88,7 @@ impl Record {
             statistics,
             numerics,
             nodes,
+            wear,
             series,
         } = outcome;
         let statistics = statistics.iter().map(|(name, of)| {
@@ -145,6 +148,15 @@ impl Record {
                     "friction_torque_N_m_per_m",
                     &nodes.friction_torque_N_m_per_m,
                 ),
+                ("wear_work_J_per_m", &nodes.wear_work_J_per_m),
+            ],
+        );
+        self.wear.append(
+            &[("operation", operation)],
+            &[
+                ("md_m", &wear.md_m),
+                ("wear_work_J_per_m", &wear.wear_work_J_per_m),
+                ("wear_power_W_per_m", &wear.wear_power_W_per_m),
             ],
         );
         self.time.append(
@@ -194,6 +206,7 @@ impl Record {
     pub(crate) fn write(&self, folder: &ResultsFolder, csv: bool) -> Result<(), Failure> {
         folder.write_table("nodes", &self.nodes, csv)?;
         folder.write_table("time", &self.time, csv)?;
+        folder.write_table("wear", &self.wear, csv)?;
         let picture = picture::draw(
             &self.summary.case,
             &self.subtitle,

@@ -108,6 +108,11 @@ pub const NODES: &[ColumnSpec] = &[
         "Torque of wall friction per length",
     ),
     ColumnSpec::number(
+        "wear_work_J_per_m",
+        "J/m",
+        "Work of friction over the window per metre of string: force times sliding distance",
+    ),
+    ColumnSpec::number(
         "twist_rad",
         "rad",
         "Turn of the node against the bit; positive where it leads",
@@ -116,6 +121,23 @@ pub const NODES: &[ColumnSpec] = &[
         "stretch_m",
         "m",
         "Elongation of the string between the node and the bit",
+    ),
+];
+
+/// Columns of `wear.parquet`: the work of friction on the hole over the window, one row per 5 m of hole, from
+/// the surface down, for each operation that was solved by dynamics.
+pub const WEAR: &[ColumnSpec] = &[
+    ColumnSpec::text("operation", "`trip_out`, `drill`, ..."),
+    ColumnSpec::number("md_m", "m", "Measured depth of the middle of the stretch"),
+    ColumnSpec::number(
+        "wear_work_J_per_m",
+        "J/m",
+        "Work of friction over the window per metre of hole: force times sliding distance",
+    ),
+    ColumnSpec::number(
+        "wear_power_W_per_m",
+        "W/m",
+        "Its mean rate; times 3600, the work in an hour of the same",
     ),
 ];
 
@@ -195,7 +217,7 @@ mod tests {
 
     #[test]
     fn names_are_unique_and_end_in_their_unit() {
-        for table in [NODES, TIME] {
+        for table in [NODES, TIME, WEAR] {
             for (index, column) in table.iter().enumerate() {
                 assert!(
                     table[..index].iter().all(|other| other.name != column.name),
@@ -211,6 +233,8 @@ mod tests {
                     "N·m" => "_N_m",
                     "N/m" => "_N_per_m",
                     "N·m/m" => "_N_m_per_m",
+                    "J/m" => "_J_per_m",
+                    "W/m" => "_W_per_m",
                     "m/s" => "_m_per_s",
                     "rad/s" => "_rad_per_s",
                     other => panic!("{}: unknown unit {other}", column.name),

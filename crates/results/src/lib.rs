@@ -1,4 +1,4 @@
-//! What a run leaves behind: `summary.json`, `nodes.parquet` and `time.parquet`, and the same
+//! What a run leaves behind: `summary.json`, `nodes.parquet`, `time.parquet` and `wear.parquet`, and the same
 //! tables as CSV.
 //!
 //! Files are SI with the unit in every name, hold `null` where a number is not finite or does not
@@ -13,7 +13,7 @@ mod parquet_file;
 mod summary;
 mod table;
 
-pub use columns::{ColumnSpec, NODES, TIME};
+pub use columns::{ColumnSpec, NODES, TIME, WEAR};
 pub use error::ResultsError;
 pub use folder::ResultsFolder;
 pub use summary::{

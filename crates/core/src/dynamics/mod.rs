@@ -5,6 +5,7 @@ mod bent;
 mod bit;
 mod body;
 mod chain;
+mod energy;
 mod hoist;
 mod imbalance;
 mod outcome;
@@ -17,9 +18,11 @@ mod step;
 mod summary;
 #[cfg(test)]
 mod tests;
+mod viscous;
 mod wear;
 
 pub use bit::{Band, BitLaw, BitSettings, Excitation, RateLaw, RegenerativeLaw, SteadyCut};
+pub use energy::EnergyBalance;
 pub use outcome::{DynamicOutcome, HoleWear, NodeProfile, Numerics, Statistic, TimeSeries};
 pub use settings::{
     ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping, Start,

@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::outcome::Scalars;
+use super::energy::EnergyBalance;
+use crate::{mud::Hydraulics, outcome::Scalars};
 
 /// Distribution of one quantity over the window.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -65,8 +66,10 @@ pub struct Numerics {
     pub max_penetration_m: f64,
     /// Work put in at top drive, hoist and bit less the change of energy and every loss, over the
     /// largest of them and of the kinetic energy: what the integration itself gained or lost. From the
-    /// start of the window.
+    /// start of the window. 1, all of it, in a run that diverged.
     pub energy_residual: f64,
+    /// Its parts; none before the window began and in a run that diverged.
+    pub energy: Option<EnergyBalance>,
     /// Instruction set that the time loop was compiled for.
     pub instructions: &'static str,
 }
@@ -162,6 +165,8 @@ pub struct DynamicOutcome {
     pub scalars: Scalars,
     /// Distributions over the window of the scalars that vary, by their name.
     pub statistics: Vec<(&'static str, Statistic)>,
+    /// What the mud did, on average over the window; none without a rheology.
+    pub hydraulics: Option<Hydraulics>,
     /// How it was computed.
     pub numerics: Numerics,
     /// Profile along the string.

@@ -191,7 +191,7 @@ impl Frame {
         let stepper = Stepper::new(Abilities {
             hertz: matches!(settings.contact_law, ContactLaw::Hertz { .. }),
             vector: settings.friction_law == FrictionLaw::Vector,
-            full: surroundings.intricate,
+            full: surroundings.intricate || model.mud.rheology.is_some(),
         });
         let steps_per_sample = (settings.sample_interval_s / plan.dt_s).round().max(1.0) as u64;
         Ok(Self {

@@ -8,6 +8,7 @@ use super::{
     bit::Bit,
     body::Body,
     chain::{Chain, element, node},
+    energy::{self, Energies, EnergyBalance, Ledger, StepWork},
     hoist::Hoist,
     outcome::DynamicOutcome,
     record::Record,
@@ -16,6 +17,7 @@ use super::{
     start::{self, Scene},
     step::{StepInput, Stepper},
     summary,
+    viscous::Viscous,
     wear::Wear,
 };
 use crate::{
@@ -43,11 +45,14 @@ const RAMP_S: f64 = 1.0;
 /// Steps after which anchors follow their nodes: at 3.2 m elements some 10 ms.
 const FOLLOW_STEPS: u64 = 16;
 
-/// Steps after which the numbers are looked at.
-const CHECK_STEPS: u64 = 128;
+/// Steps after which directors are squared up.
+const SQUARE_UP_STEPS: u64 = 128;
 
 /// Speed beyond which a run has diverged, m/s: no drill string moves at that of a bullet.
 const DIVERGED_M_PER_S: f64 = 1e3;
+
+/// Spin beyond which a run has diverged, rad/s: a million revolutions a minute.
+const DIVERGED_RAD_PER_S: f64 = 1e5;
 
 /// A run that left the range of numbers that mean anything.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -63,14 +68,6 @@ pub struct Diverged {
     pub quantity: &'static str,
     /// Its value.
     pub value: f64,
-}
-
-/// Work and losses since the window began, J.
-#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
-struct Ledger {
-    energy_at_start: f64,
-    work: f64,
-    losses: f64,
 }
 
 /// A drill string in time.
@@ -89,6 +86,7 @@ pub struct Simulation {
     hoist: Hoist,
     body: Body,
     bit: Bit,
+    viscous: Option<Viscous>,
     rigid_velocity_m_per_s: f64,
     steps: u64,
     steps_per_sample: u64,
@@ -135,6 +133,7 @@ impl Simulation {
         let (control, velocity) = setup::hoisting(operation, settings);
         let bit_md_m = setup::first_bit_md_m(operation, settings);
         let chain = assembly::chain(model, &mesh, &plan);
+        let mut viscous = Viscous::new(model, &mesh, operation, velocity, bit_md_m);
         let input = StepInput {
             dt: plan.dt_s,
             stiffness_damping: settings.damping.stiffness_s,
@@ -155,11 +154,16 @@ impl Simulation {
             settings,
             mesh: &mesh,
             surroundings: &surroundings,
+            viscous: viscous.as_ref(),
             stepper: &stepper,
             input: &input,
         };
         let initial = start::lay(&scene, chain, Body::new(model, &mesh), bit_md_m)?;
-        let (chain, anchors) = (initial.chain, initial.anchors);
+        let (mut chain, anchors) = (initial.chain, initial.anchors);
+        if let Some(mud) = &mut viscous {
+            mud.attach(&mut chain, &anchors, plan.dt_s);
+            mud.update(&mut chain, &anchors, &surroundings, plan.dt_s);
+        }
         let last = anchors.len() - 1;
         let top = anchors[0].md_m + chain.displacement(0).dot(chain.tangent(0));
         let bottom = anchors[last].md_m + chain.displacement(last).dot(chain.tangent(last));
@@ -189,6 +193,7 @@ impl Simulation {
             hoist,
             body: initial.body,
             bit: Bit::new(settings.bit, operation, bottom, settings.seed),
+            viscous,
             rigid_velocity_m_per_s: velocity,
             steps: 0,
             steps_per_sample,
@@ -234,6 +239,14 @@ impl Simulation {
         self.hoist.set_control(control);
     }
 
+    /// Changes what the pumps deliver from now on, m³/s; the pressure drop of the bit follows. Without a rheology
+    /// the mud does nothing to the string, however it flows.
+    pub fn set_flow_rate(&mut self, flow_m3_per_s: f64) {
+        if let Some(mud) = &mut self.viscous {
+            mud.set_flow(flow_m3_per_s, self.operation.bit_loss_Pa(flow_m3_per_s));
+        }
+    }
+
     /// Gives every node an additional velocity, m/s, and an additional spin, rad/s: a blow. `blow` is
     /// asked for each node but the top, which is clamped.
     pub fn strike(&mut self, blow: impl Fn(&MeshNode) -> (Vector3<f64>, f64)) {
@@ -256,11 +269,11 @@ impl Simulation {
             for _ in 0..self.steps_per_sample {
                 self.step();
                 if self.steps.is_multiple_of(FOLLOW_STEPS) {
-                    let (chain, anchors) = (&mut self.chain, &mut self.anchors);
-                    self.surroundings.follow(chain, anchors, &mut self.high);
-                }
-                if self.steps.is_multiple_of(CHECK_STEPS) {
+                    // Nothing follows a node to where no number is.
                     self.check_numbers()?;
+                    self.follow();
+                }
+                if self.steps.is_multiple_of(SQUARE_UP_STEPS) {
                     self.chain.square_up();
                 }
             }
@@ -268,6 +281,15 @@ impl Simulation {
             self.sample();
         }
         Ok(())
+    }
+
+    /// Takes the hole and the mud along to where the nodes have slid.
+    fn follow(&mut self) {
+        let (chain, anchors) = (&mut self.chain, &mut self.anchors);
+        self.surroundings.follow(chain, anchors, &mut self.high);
+        if let Some(mud) = &mut self.viscous {
+            mud.update(chain, anchors, &self.surroundings, self.plan.dt_s);
+        }
     }
 
     fn step(&mut self) {
@@ -286,7 +308,7 @@ impl Simulation {
         let bit_spin_before = node!(self.chain, last, spin);
 
         let body = self.body.push(&mut self.chain, &input, ramp);
-        let losses = self.stepper.step(&mut self.chain, &input);
+        let mut losses = self.stepper.step(&mut self.chain, &input);
 
         let bit = self.bit.act(
             &mut self.chain,
@@ -306,9 +328,14 @@ impl Simulation {
         self.clamp_top();
         self.body.follow(&mut self.chain, dt);
         let surface_torque = -element!(self.chain, 0, torque);
-        let drive = surface_torque * node!(self.chain, 0, spin) * dt;
-        self.ledger.work += bit.work_J + hoist.work_J + drive + body.work_J;
-        self.ledger.losses += losses.total() + body.loss_J;
+        let work = StepWork {
+            top_drive: surface_torque * node!(self.chain, 0, spin) * dt,
+            hoist: hoist.work_J,
+            bit: bit.work_J,
+            body: body.work_J,
+        };
+        losses.damping += body.loss_J;
+        self.ledger.book(&work, &losses);
 
         let sum = &mut self.since_sample;
         sum.steps += 1;
@@ -358,10 +385,13 @@ impl Simulation {
 
     fn check_numbers(&self) -> Result<(), Diverged> {
         // Not a number is too fast, too.
-        let fast = |x: f64| x.is_nan() || x.abs() >= DIVERGED_M_PER_S;
+        let fast = |x: f64, limit: f64| x.is_nan() || x.abs() >= limit;
         let state = &self.chain.state;
-        let any = state.v.iter().any(|axis| axis.0.iter().any(|v| fast(*v)))
-            || state.spin.0.iter().any(|s| !s.is_finite());
+        let any = state
+            .v
+            .iter()
+            .any(|axis| axis.0.iter().any(|v| fast(*v, DIVERGED_M_PER_S)))
+            || state.spin.0.iter().any(|s| fast(*s, DIVERGED_RAD_PER_S));
         if !any {
             return Ok(());
         }
@@ -370,14 +400,16 @@ impl Simulation {
             v.dot(v).sqrt()
         };
         let worst = (0..self.chain.nodes())
-            .find(|i| !speed(*i).is_finite() || !node!(self.chain, *i, spin).is_finite())
+            .find(|i| {
+                !speed(*i).is_finite() || fast(node!(self.chain, *i, spin), DIVERGED_RAD_PER_S)
+            })
             .unwrap_or_else(|| {
                 (0..self.chain.nodes())
                     .max_by(|a, b| speed(*a).total_cmp(&speed(*b)))
                     .unwrap_or(0)
             });
         let spin = node!(self.chain, worst, spin);
-        let (quantity, value) = if spin.is_finite() {
+        let (quantity, value) = if !fast(spin, DIVERGED_RAD_PER_S) {
             ("velocity (m/s)", speed(worst))
         } else {
             ("spin (rad/s)", spin)
@@ -396,10 +428,13 @@ impl Simulation {
             self.window_open = true;
             self.record.open_window();
             self.wear.restart(self.anchors[self.anchors.len() - 1].md_m);
-            self.ledger = Ledger {
-                energy_at_start: self.energy_J(),
-                ..Ledger::default()
-            };
+            self.ledger = Ledger::open(self.energies(), self.flow_work_J());
+            if let Some(mud) = &mut self.viscous {
+                mud.open_window();
+            }
+        }
+        if let Some(mud) = &mut self.viscous {
+            mud.sample(&self.chain);
         }
         self.wear.sample(&self.chain, |i| self.anchors[i].md_m);
         let sums = std::mem::take(&mut self.since_sample);
@@ -434,7 +469,7 @@ impl Simulation {
     }
 
     /// Elongation against the unloaded string, m: by effective tension, less what the mud's pressure
-    /// takes, `(1 − 2ν)p/E`.
+    /// takes, `(1 − 2ν)p/E`, and by what its flow adds to the pressure.
     fn elongation_m(&self) -> f64 {
         let mud = self.mud;
         let mut sum = 0.0;
@@ -445,42 +480,41 @@ impl Simulation {
             sum += e.length_m
                 * (element!(self.chain, i, tension) / section.axial_stiffness_N - squeeze);
         }
-        sum
+        sum + self.viscous.as_ref().map_or(0.0, Viscous::stretch_m)
     }
 
     /// Kinetic, elastic and potential energy of the string, J: second-order accurate in the step.
     pub fn energy_J(&self) -> f64 {
-        assembly::energy_J(&self.chain, &self.anchors, self.plan.dt_s)
-            + self.body.energy_J(&self.chain, self.plan.dt_s)
+        self.energies().total()
     }
 
     /// Kinetic energy of the string, J.
     pub fn kinetic_energy_J(&self) -> f64 {
-        assembly::kinetic_energy_J(&self.chain)
+        energy::kinetic_J(&self.chain)
     }
 
-    /// What the integration itself gained or lost since the window began, over the largest of the
-    /// work put in, the losses, the change of energy and the kinetic energy.
-    fn energy_residual(&self) -> f64 {
-        if !self.window_open {
-            return 0.0;
-        }
-        let Ledger {
-            energy_at_start,
-            work,
-            losses,
-        } = self.ledger;
-        let change = self.energy_J() - energy_at_start;
-        let largest = change
-            .abs()
-            .max(work.abs())
-            .max(losses.abs())
-            .max(self.kinetic_energy_J());
-        if largest > 0.0 {
-            (work - losses - change) / largest
-        } else {
-            0.0
-        }
+    fn energies(&self) -> Energies {
+        let viscous = self.viscous.as_ref();
+        Energies::of(
+            &self.chain,
+            &self.anchors,
+            &self.body,
+            viscous,
+            self.plan.dt_s,
+        )
+    }
+
+    fn flow_work_J(&self) -> f64 {
+        let (chain, anchors) = (&self.chain, &self.anchors);
+        let work = |mud: &Viscous| mud.pull_work_J(chain, anchors, self.plan.dt_s);
+        self.viscous.as_ref().map_or(0.0, work)
+    }
+
+    /// Where energy came from and went since the window began; none before it does, and none of a run that diverged.
+    pub fn energy_balance(&self) -> Option<EnergyBalance> {
+        self.window_open
+            .then(|| self.ledger.balance(&self.energies(), self.flow_work_J()))
+            .flatten()
     }
 
     /// The answer so far: over the window if it has begun, over everything sampled otherwise.
@@ -493,7 +527,9 @@ impl Simulation {
             record: &self.record,
             wear: &self.wear,
             steps: self.steps,
-            energy_residual: self.energy_residual(),
+            energy: self.energy_balance(),
+            diverged: self.check_numbers().is_err(),
+            hydraulics: self.viscous.as_ref().map(Viscous::mean),
             instructions: self.stepper.instructions,
         })
     }

@@ -12,6 +12,7 @@ use super::{
     chain::{Chain, NO_WALL_M, element, node},
     settings::{DynamicsSettings, FrictionLaw, Start},
     step::{StepInput, Stepper},
+    viscous::Viscous,
 };
 use crate::{
     model::Model,
@@ -64,6 +65,8 @@ pub struct Scene<'a> {
     pub mesh: &'a Mesh,
     /// The hole around it.
     pub surroundings: &'a Surroundings,
+    /// The mud that drags on it, if any.
+    pub viscous: Option<&'a Viscous>,
     /// What moves it while it settles.
     pub stepper: &'a Stepper,
     /// The step, and the rigid motion that the string is to have.
@@ -86,7 +89,7 @@ pub fn lay(
         mesh,
         ..
     } = *scene;
-    let guide = Guide::new(scene.model, operation, settings, mesh)?;
+    let guide = Guide::new(scene.model, operation, settings, mesh, scene.viscous)?;
     let mut string = Laying {
         anchors: vec![
             Anchor {
@@ -144,6 +147,7 @@ impl Guide {
         operation: &Operation,
         settings: &DynamicsSettings,
         mesh: &Mesh,
+        viscous: Option<&Viscous>,
     ) -> Result<Self, SoftError> {
         let (model, operation) = as_soft_string(model, operation, settings);
         let profile = soft::solve(&model, &operation, &SoftSettings::default())?;
@@ -182,7 +186,9 @@ impl Guide {
             if i > 0 {
                 let length = mesh.tributary_length_m(i);
                 torque += mu * climb * load * length * radius;
-                torque_N_m[i - 1] = torque;
+                let mud = viscous.map_or(0.0, |mud| mud.torque_N_m(i - 1));
+                torque_N_m[i - 1] = torque + 0.5 * mud;
+                torque += mud;
             }
         }
         Ok(Self {

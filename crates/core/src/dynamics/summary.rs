@@ -2,12 +2,14 @@
 
 use super::{
     assembly::Anchor,
+    energy::EnergyBalance,
     outcome::{DynamicOutcome, HoleWear, NodeProfile, Numerics, Statistic, TimeSeries},
     record::Record,
     wear::{HOLE_STEP_M, LONGEST_REACH_M, Wear},
 };
 use crate::{
     model::Model,
+    mud::Hydraulics,
     outcome::Scalars,
     rod::{mesh::Mesh, stability::StepPlan},
 };
@@ -21,7 +23,9 @@ pub struct Sources<'a> {
     pub record: &'a Record,
     pub wear: &'a Wear,
     pub steps: u64,
-    pub energy_residual: f64,
+    pub energy: Option<EnergyBalance>,
+    pub diverged: bool,
+    pub hydraulics: Option<Hydraulics>,
     pub instructions: &'static str,
 }
 
@@ -63,13 +67,18 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
     DynamicOutcome {
         scalars,
         statistics,
+        hydraulics: s.hydraulics,
         numerics: Numerics {
             elements: s.mesh.elements.len(),
             time_step_s: s.plan.dt_s,
             steps: s.steps,
             added_axial_mass_fraction: s.plan.added_axial_mass_fraction,
             max_penetration_m: s.record.max_penetration_m,
-            energy_residual: s.energy_residual,
+            energy_residual: match s.energy {
+                Some(energy) => energy.relative_residual,
+                None => f64::from(u8::from(s.diverged)),
+            },
+            energy: s.energy,
             instructions: s.instructions,
         },
         nodes,
@@ -137,7 +146,8 @@ fn profile(s: &Sources<'_>, from: usize) -> NodeProfile {
     let (hook, hook_std) = end(&s.record.series.hook_load_N);
     let (weight, weight_std) = end(&s.record.series.weight_on_bit_N);
     (p.tension_N[0], p.tension_std_N[0]) = (hook, hook_std);
-    (p.tension_N[n - 1], p.tension_std_N[n - 1]) = (-weight, weight_std);
+    let jet = s.hydraulics.map_or(0.0, |mud| mud.jet_thrust_N);
+    (p.tension_N[n - 1], p.tension_std_N[n - 1]) = (-weight - jet, weight_std);
     let carries = carried_lengths(s);
     p.side_force_N_per_m = spread(&carries, n, |i| record.signed(i));
     p.axial_friction_N_per_m = spread(&carries, n, |i| -record.axial(i));

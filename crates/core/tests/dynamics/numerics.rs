@@ -12,6 +12,7 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
     let DynamicOutcome {
         scalars: s,
         statistics,
+        hydraulics: h,
         numerics: n,
         nodes: p,
         series: t,
@@ -36,6 +37,20 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         ("hole wear", w.wear_work_J_per_m.clone()),
         ("climb", p.climb_rad.iter().copied().flatten().collect()),
     ];
+    if let Some(h) = h {
+        all.push((
+            "hydraulics",
+            vec![
+                h.mud_drag_N,
+                h.mud_torque_N_m,
+                h.jet_thrust_N,
+                h.pump_pressure_Pa,
+            ],
+        ));
+    }
+    if let Some(e) = n.energy {
+        all.push(("energy", vec![e.work_J(), e.loss_J(), e.change_J()]));
+    }
     for (name, x) in statistics {
         all.push((name, vec![x.mean, x.std, x.min, x.max, x.p05, x.p95]));
     }
@@ -53,6 +68,9 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         ("axial friction of a node", &p.axial_friction_N_per_m),
         ("friction torque of a node", &p.friction_torque_N_m_per_m),
         ("offset", &p.lateral_offset_m),
+        ("wear of a node", &p.wear_work_J_per_m),
+        ("wear of the hole", &w.wear_work_J_per_m),
+        ("power of wear", &w.wear_power_W_per_m),
         ("time", &t.time_s),
         ("bit depth", &t.bit_depth_m),
         ("hook load in time", &t.hook_load_N),

@@ -12,6 +12,7 @@ use crate::{
         hoist::Hoist,
         settings::DynamicsSettings,
         setup::{Frame, SetupError},
+        viscous::Viscous,
         wear::Wear,
     },
     model::Model,
@@ -37,6 +38,7 @@ pub struct Checkpoint {
     ledger: Ledger,
     wear: Wear,
     body: Body,
+    viscous: Option<Viscous>,
     window_open: bool,
     time_s: f64,
     instructions: String,
@@ -96,6 +98,7 @@ impl Simulation {
             ledger,
             wear,
             body,
+            viscous,
             window_open,
         } = self;
         Checkpoint {
@@ -111,6 +114,7 @@ impl Simulation {
             ledger: *ledger,
             wear: wear.clone(),
             body: body.clone(),
+            viscous: viscous.clone(),
             window_open: *window_open,
             time_s: self.time_s(),
             instructions: stepper.instructions.to_owned(),
@@ -155,6 +159,7 @@ impl Simulation {
             ledger: checkpoint.ledger,
             wear: checkpoint.wear,
             body: checkpoint.body,
+            viscous: checkpoint.viscous,
             window_open: checkpoint.window_open,
         })
     }
