@@ -6,6 +6,7 @@ mod chain;
 mod hoist;
 mod outcome;
 mod record;
+mod schedule;
 mod settings;
 mod setup;
 mod simulation;
@@ -14,11 +15,13 @@ mod step;
 mod summary;
 #[cfg(test)]
 mod tests;
+mod top_drive;
 
 pub use outcome::{DynamicOutcome, NodeProfile, Numerics, Statistic, TimeSeries};
+pub use schedule::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep};
 pub use settings::{
-    BitSettings, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping,
-    Start,
+    Autodriller, BitSettings, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine,
+    RodDamping, SpeedController, Start, TopDriveSettings,
 };
 pub use setup::{Effort, SetupError};
 pub use simulation::{Diverged, Simulation};

@@ -2,7 +2,8 @@
 
 use super::{
     assembly,
-    settings::{DynamicsSettings, HoistControl, Start},
+    schedule::{HoistSetPoint, ScheduleFault},
+    settings::{DynamicsSettings, HoistControl, SpeedController, Start, TopDriveSettings},
     start,
 };
 use crate::{
@@ -31,6 +32,14 @@ pub enum SetupError {
         /// What it should be.
         expected: &'static str,
     },
+    /// A schedule that cannot be followed.
+    #[error("line {line} of the schedule: {fault}")]
+    Schedule {
+        /// Which line, counted from one.
+        line: usize,
+        /// What is wrong with it.
+        fault: ScheduleFault,
+    },
 }
 
 /// Refuses settings that no run can use.
@@ -47,8 +56,13 @@ pub(super) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
             "bit.rock_stiffness_N_per_m",
             settings.bit.rock_stiffness_N_per_m,
         ),
+        ("stribeck_speed_m_per_s", settings.stribeck_speed_m_per_s),
     ];
     let not_negative = [
+        (
+            "hoist_line.block_mass_kg",
+            settings.hoist_line.block_mass_kg,
+        ),
         ("settle_s", settings.settle_s),
         ("damping.mass_per_s", settings.damping.mass_per_s),
         ("damping.stiffness_s", settings.damping.stiffness_s),
@@ -61,7 +75,10 @@ pub(super) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
             settings.bit.lateral_stiffness_N_per_m,
         ),
     ];
-    for (name, value) in positive {
+    for (name, value) in positive
+        .into_iter()
+        .chain(drive_numbers(&settings.top_drive))
+    {
         if !(value.is_finite() && value > 0.0) {
             return Err(SetupError::Setting {
                 name,
@@ -79,25 +96,79 @@ pub(super) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
             });
         }
     }
-    Ok(())
-}
-
-/// What the hoist does, and the axial velocity that the string so has, m/s.
-pub(super) fn hoisting(operation: &Operation, settings: &DynamicsSettings) -> (HoistControl, f64) {
-    let velocity = operation.axial_velocity_m_per_s();
-    let usual = if operation.kind.on_bottom() {
-        HoistControl::AUTODRILLER
-    } else {
-        HoistControl::BlockVelocity(velocity)
-    };
-    match settings.hoist_control.unwrap_or(usual) {
-        control @ HoistControl::BlockVelocity(velocity) => (control, velocity),
-        control => (control, velocity),
+    match settings.schedule.fault() {
+        Some((index, fault)) => Err(SetupError::Schedule {
+            line: index + 1,
+            fault,
+        }),
+        None => Ok(()),
     }
 }
 
-/// Where the bit stands at time zero: half the run above or below the operation's depth, m.
+/// What must be positive of a top drive.
+fn drive_numbers(drive: &TopDriveSettings) -> Vec<(&'static str, f64)> {
+    let TopDriveSettings::Driven {
+        inertia_kg_m2,
+        controller,
+        torque_limit_N_m,
+    } = *drive
+    else {
+        return Vec::new();
+    };
+    let mut numbers = vec![("top_drive.inertia_kg_m2", inertia_kg_m2)];
+    numbers.extend(torque_limit_N_m.map(|limit| ("top_drive.torque_limit_N_m", limit)));
+    match controller {
+        SpeedController::Pi {
+            proportional_N_m_s, ..
+        } => numbers.push(("top_drive.proportional_N_m_s", proportional_N_m_s)),
+        SpeedController::SoftTorque {
+            impedance_ratio,
+            frequency_Hz,
+        } => {
+            numbers.push(("top_drive.impedance_ratio", impedance_ratio));
+            numbers.extend(frequency_Hz.map(|hz| ("top_drive.frequency_Hz", hz)));
+        }
+        SpeedController::ZTorque {
+            impedance_ratio,
+            frequency_Hz,
+            proportional_N_m_s,
+            ..
+        } => {
+            numbers.push(("top_drive.impedance_ratio", impedance_ratio));
+            numbers.push(("top_drive.proportional_N_m_s", proportional_N_m_s));
+            numbers.extend(frequency_Hz.map(|hz| ("top_drive.frequency_Hz", hz)));
+        }
+    }
+    numbers
+}
+
+/// What the hoist does at time zero, and the axial velocity that the string so has, m/s.
+pub(super) fn hoisting(operation: &Operation, settings: &DynamicsSettings) -> (HoistControl, f64) {
+    let start = settings.schedule.at_time_zero(operation);
+    let own =
+        operation.axial_velocity_at_m_per_s(start.weight_on_bit_N, start.rotary_speed_rad_per_s);
+    let usual = if operation.kind.on_bottom() {
+        HoistControl::Autodriller
+    } else {
+        HoistControl::BlockVelocity(own)
+    };
+    let control = match settings.schedule.hoist_at_time_zero() {
+        Some(HoistSetPoint::BlockVelocity(velocity)) => HoistControl::BlockVelocity(velocity),
+        Some(HoistSetPoint::WeightOnBit(_)) => HoistControl::Autodriller,
+        None => settings.hoist_control.unwrap_or(usual),
+    };
+    match control {
+        HoistControl::BlockVelocity(velocity) => (control, velocity),
+        _ => (control, own),
+    }
+}
+
+/// Where the bit stands at time zero: half the run above or below the operation's depth, m; at that depth
+/// where a schedule moves the hoist.
 pub(super) fn first_bit_md_m(operation: &Operation, settings: &DynamicsSettings) -> f64 {
+    if settings.schedule.moves_the_hoist() {
+        return operation.bit_depth_m;
+    }
     let middle_s = settings.settle_s + 0.5 * settings.duration_s;
     operation.bit_depth_m - hoisting(operation, settings).1 * middle_s
 }

@@ -6,14 +6,16 @@ use super::{
     assembly::{self, Anchor, Surroundings},
     bit::Bit,
     chain::{Chain, element, node},
-    hoist::Hoist,
+    hoist::{Hoist, Target},
     outcome::DynamicOutcome,
     record::Record,
+    schedule::{HoistNow, HoistSetPoint, SetPoints},
     settings::{ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, Start},
     setup::{self, SetupError},
     start::{self, Scene},
     step::{Abilities, StepInput, Stepper},
     summary,
+    top_drive::{StringSeen, TopDrive},
 };
 use crate::{
     model::{Model, MudColumn},
@@ -21,14 +23,14 @@ use crate::{
     rod::{
         mesh::{Mesh, MeshNode},
         stability::StepPlan,
+        torsion,
     },
-    wall::friction::STRIBECK_SPEED_M_PER_S,
 };
 
 /// Extra damping of the first seconds of a prepared start, relative to the rigid motion, 1/s.
 const FADING_DAMPING_PER_S: f64 = 4.0;
 
-/// Time over which it fades, s.
+/// Time over which it fades, s; a schedule that changes something before has nothing of it against itself.
 const FADING_S: f64 = 5.0;
 
 /// Time in which a centred start brings the top to its speed, s.
@@ -80,9 +82,13 @@ pub struct Simulation {
     anchors: Vec<Anchor>,
     surroundings: Surroundings,
     stepper: Stepper,
+    set_points: SetPoints,
+    top_drive: TopDrive,
     hoist: Hoist,
     bit: Bit,
     rigid_velocity_m_per_s: f64,
+    /// Time over which the extra damping of the start fades, s.
+    fading_s: f64,
     steps: u64,
     steps_per_sample: u64,
     since_sample: SinceSample,
@@ -118,6 +124,7 @@ impl Simulation {
     ) -> Result<Self, SetupError> {
         setup::check(settings)?;
         let (control, velocity) = setup::hoisting(operation, settings);
+        let first = settings.schedule.at_time_zero(operation);
         let bit_md_m = setup::first_bit_md_m(operation, settings);
         let (mesh, plan) = setup::mesh_and_plan(model, bit_md_m, settings);
         let chain = assembly::chain(model, &mesh, &plan);
@@ -135,18 +142,20 @@ impl Simulation {
             stiffness_damping: settings.damping.stiffness_s,
             mass_damping: settings.damping.mass_per_s,
             rigid_velocity: velocity,
-            rigid_spin: operation.rotation_rad_per_s(),
+            rigid_spin: first.rotation_rad_per_s(),
             dissipation: match settings.contact_law {
                 ContactLaw::Hertz {
                     dissipation_s_per_m,
                 } => dissipation_s_per_m,
                 ContactLaw::Linear { .. } => 0.0,
             },
-            stribeck_speed: STRIBECK_SPEED_M_PER_S,
+            stribeck_speed: settings.stribeck_speed_m_per_s,
         };
+        let (moving, at_rest) = start::motion(&first, velocity, settings);
         let scene = Scene {
             model,
-            operation,
+            operation: &moving,
+            at_rest,
             settings,
             mesh: &mesh,
             surroundings: &surroundings,
@@ -154,18 +163,29 @@ impl Simulation {
             input: &input,
         };
         let initial = start::lay(&scene, chain, bit_md_m)?;
-        let (chain, anchors) = (initial.chain, initial.anchors);
+        let (mut chain, anchors) = (initial.chain, initial.anchors);
         let last = anchors.len() - 1;
         let top = anchors[0].md_m + chain.displacement(0).dot(chain.tangent(0));
         let bottom = anchors[last].md_m + chain.displacement(last).dot(chain.tangent(last));
         let hoist = Hoist::new(
             settings.hoist_line,
             control,
-            operation.weight_on_bit_now_N(),
-            velocity,
+            settings.autodriller,
+            Target {
+                weight_N: first.weight_on_bit_now_N(),
+                velocity_m_per_s: velocity,
+            },
             top,
             initial.hook_load_N,
         );
+        let string = StringSeen {
+            impedance_N_m_s: torsion::impedance_N_m_s(&mesh.elements[0].section),
+            frequency_Hz: torsion::lowest_frequency_Hz(&mesh),
+        };
+        let top_drive = TopDrive::new(&settings.top_drive, string, &mut chain);
+        // The front on which the bit stands with its first weight.
+        let lighter_N = operation.weight_on_bit_now_N() - first.weight_on_bit_now_N();
+        let bottom = bottom + lighter_N / settings.bit.rock_stiffness_N_per_m;
         let record = Record::new(&chain);
         let high = anchors.iter().map(|a| a.high_side.into()).collect();
         let steps_per_sample = (settings.sample_interval_s / plan.dt_s).round().max(1.0) as u64;
@@ -173,16 +193,22 @@ impl Simulation {
             model: model.clone(),
             mud: model.mud_column(),
             operation: *operation,
-            settings: *settings,
+            settings: settings.clone(),
             mesh,
             plan,
             chain,
             anchors,
             surroundings,
             stepper,
+            set_points: SetPoints::new(&first, &settings.schedule),
+            top_drive,
             hoist,
             bit: Bit::new(settings.bit, operation, bottom),
             rigid_velocity_m_per_s: velocity,
+            fading_s: settings
+                .schedule
+                .first_change_s()
+                .map_or(FADING_S, |change_s| change_s.min(FADING_S)),
             steps: 0,
             steps_per_sample,
             since_sample: SinceSample::default(),
@@ -265,16 +291,9 @@ impl Simulation {
     fn step(&mut self) {
         let time = self.time_s();
         let dt = self.plan.dt_s;
-        let input = self.step_input(time);
-        let rotation = self.operation.rotation_rad_per_s();
-        node!(
-            self.chain,
-            0,
-            spin = match self.settings.start {
-                Start::Prepared => rotation,
-                Start::Centred => rotation * (time / RAMP_S).min(1.0),
-            }
-        );
+        let rotation = self.follow_schedule(time);
+        let input = self.step_input(time, rotation);
+        self.top_drive.prescribe(&mut self.chain, rotation);
         let last = self.chain.nodes() - 1;
         let top_before = self.chain.velocity(0).dot(self.chain.tangent(0));
         let bit_before = self.chain.velocity(last);
@@ -298,18 +317,46 @@ impl Simulation {
             dt,
         );
         self.clamp_top();
-        let surface_torque = -element!(self.chain, 0, torque);
-        let drive = surface_torque * node!(self.chain, 0, spin) * dt;
-        self.ledger.work += bit.work_J + hoist.work_J + drive;
+        let drive = self.top_drive.act(&mut self.chain, rotation, dt);
+        self.ledger.work += bit.work_J + hoist.work_J + drive.work_J;
         self.ledger.losses += losses.total();
 
         let sum = &mut self.since_sample;
         sum.steps += 1;
         sum.hook_load += hoist.hook_load_N;
-        sum.surface_torque += surface_torque;
+        sum.surface_torque += drive.string_torque_N_m;
         sum.weight_on_bit += bit.weight_on_bit_N;
         sum.bit_torque += bit.torque_N_m;
         self.steps += 1;
+    }
+
+    /// Brings the set points to where they are at `time`; the rotary speed, rad/s.
+    fn follow_schedule(&mut self, time: f64) -> f64 {
+        let hoist = &self.hoist;
+        self.set_points.reach(time, || HoistNow {
+            block_velocity_m_per_s: hoist.velocity_m_per_s(),
+            weight_on_bit_N: hoist.filtered_N(),
+        });
+        let rotation = self.set_points.rotary_speed_rad_per_s(time);
+        match self.set_points.hoist_at(time) {
+            None => {}
+            Some(HoistSetPoint::BlockVelocity(velocity)) => {
+                self.set_hoist(HoistControl::BlockVelocity(velocity));
+            }
+            Some(HoistSetPoint::WeightOnBit(weight_N)) => {
+                let velocity_m_per_s = self.operation.axial_velocity_at_m_per_s(weight_N, rotation);
+                self.rigid_velocity_m_per_s = velocity_m_per_s;
+                self.hoist.set_target(Target {
+                    weight_N,
+                    velocity_m_per_s,
+                });
+                self.hoist.set_control(HoistControl::Autodriller);
+            }
+        }
+        match self.settings.start {
+            Start::Prepared => rotation,
+            Start::Centred => rotation * (time / RAMP_S).min(1.0),
+        }
     }
 
     /// Keeps the top on the hole's axis and along it, wherever it has slid to.
@@ -325,10 +372,10 @@ impl Simulation {
         chain.set_director(0, along);
     }
 
-    fn step_input(&self, time: f64) -> StepInput {
+    fn step_input(&self, time: f64, rotation: f64) -> StepInput {
         let fading = match self.settings.start {
-            Start::Prepared if time < FADING_S => {
-                FADING_DAMPING_PER_S * (1.0 - time / FADING_S).powi(2)
+            Start::Prepared if time < self.fading_s => {
+                FADING_DAMPING_PER_S * (1.0 - time / self.fading_s).powi(2)
             }
             _ => 0.0,
         };
@@ -337,14 +384,14 @@ impl Simulation {
             stiffness_damping: self.settings.damping.stiffness_s,
             mass_damping: self.settings.damping.mass_per_s + fading,
             rigid_velocity: self.rigid_velocity_m_per_s,
-            rigid_spin: node!(self.chain, 0, spin),
+            rigid_spin: self.top_drive.rigid_spin(&self.chain, rotation),
             dissipation: match self.settings.contact_law {
                 ContactLaw::Hertz {
                     dissipation_s_per_m,
                 } => dissipation_s_per_m,
                 ContactLaw::Linear { .. } => 0.0,
             },
-            stribeck_speed: STRIBECK_SPEED_M_PER_S,
+            stribeck_speed: self.settings.stribeck_speed_m_per_s,
         }
     }
 
@@ -420,6 +467,20 @@ impl Simulation {
         series
             .bit_rotary_speed_rad_per_s
             .push(node!(self.chain, last, spin));
+        let none = f64::NAN;
+        let (block, weight) = match self.hoist.control() {
+            HoistControl::BlockVelocity(velocity) => (velocity, none),
+            HoistControl::Autodriller => (none, self.hoist.target_N()),
+            HoistControl::HookLoad(_) => (none, none),
+        };
+        let rotation = self.set_points.rotary_speed_rad_per_s(time);
+        series
+            .rotary_speed_rad_per_s
+            .push(node!(self.chain, 0, spin));
+        series.rotary_speed_set_rad_per_s.push(rotation);
+        series.block_velocity_set_m_per_s.push(block);
+        series.weight_on_bit_set_N.push(weight);
+        series.schedule_line.push(self.set_points.line());
     }
 
     /// Elongation against the unloaded string, m: by effective tension, less what the mud's pressure

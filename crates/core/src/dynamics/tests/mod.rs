@@ -8,4 +8,6 @@ mod hoist;
 mod mud;
 mod rest;
 mod step_limit;
+mod stick_slip;
+mod top_drive;
 mod waves;
