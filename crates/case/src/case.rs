@@ -262,28 +262,31 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
             .reaches(path.as_ref(), hole.as_ref(), bit_depth_m, bit_place, reader)
     });
 
-    let operations = match (operation, case.bit.get()) {
-        (Some(operation), Some(bit)) => {
-            operation.build(bit, models.as_deref().unwrap_or(&[]), bit_depth_m, reader)
-        }
-        _ => None,
-    };
-    let dynamics = match (
-        case.dynamics.get(),
-        case.mesh.get(),
-        case.hoist.get(),
-        case.bit.get(),
-    ) {
-        (Some(dynamics), Some(mesh), Some(hoist), Some(bit)) => {
-            dynamics.build(mesh, hoist, bit, reader)
-        }
-        _ => None,
-    };
-
     let components = case.string.get();
     let spec = components
         .zip(steel.as_ref())
         .and_then(|(components, steel)| assembly::spec(components, steel, reader));
+    let lowest = spec.as_ref().and_then(|spec| spec.components.first());
+    let bit_radius_m = lowest.map(|bit| 0.5 * bit.od_m);
+    let bit = case
+        .bit
+        .get()
+        .and_then(|bit| bit.build(bit_radius_m, reader));
+
+    let operations = match (operation, case.bit.get()) {
+        (Some(operation), Some(table)) => operation.build(
+            (table, bit.as_ref()),
+            models.as_deref().unwrap_or(&[]),
+            bit_depth_m,
+            reader,
+        ),
+        _ => None,
+    };
+    let dynamics = match (case.dynamics.get(), case.mesh.get(), case.hoist.get()) {
+        (Some(dynamics), Some(mesh), Some(hoist)) => dynamics.build(mesh, hoist, bit, reader),
+        _ => None,
+    };
+
     let drill_string = match (&spec, components, bit_depth_m) {
         (Some(spec), Some(components), Some(bit_depth_m)) => {
             assembly::assemble(spec, components, bit_depth_m, bit_place, reader)

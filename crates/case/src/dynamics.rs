@@ -1,10 +1,11 @@
 //! `[mesh]` and `[dynamics]`.
 
-use wholestring::dynamics::{ContactLaw, DynamicsSettings, FrictionLaw, RodDamping, Start};
+use wholestring::dynamics::{
+    BitSettings, ContactLaw, DynamicsSettings, FrictionLaw, RodDamping, Start,
+};
 use wholestring_units::Dimension;
 
 use crate::{
-    bit::BitTable,
     diagnostic::Diagnostic,
     quantity::Quantity,
     range::{Number, Range, Whole, number_text},
@@ -141,7 +142,7 @@ impl DynamicsTable {
         &self,
         mesh: &MeshTable,
         hoist: &HoistTable,
-        bit: &BitTable,
+        bit: Option<BitSettings>,
         reader: &mut Reader,
     ) -> Option<DynamicsSettings> {
         let contact_law = self.contact(reader);
@@ -161,7 +162,7 @@ impl DynamicsTable {
             },
             hoist_control: hoist_control?,
             hoist_line: hoist.line()?,
-            bit: bit.build()?,
+            bit: bit?,
             sample_interval_s: *self.sample_interval.get()?,
             seed: *self.seed.get()?,
         })

@@ -3,16 +3,17 @@
 use std::f64::consts::PI;
 
 use wholestring::{
+    dynamics::{BitLaw, BitSettings, RegenerativeLaw},
     operation::{Operation, OperationKind},
     outcome::ModelKind,
 };
 use wholestring_units::Dimension;
 
 use crate::{
-    bit::BitTable,
+    bit::{BitTable, Law},
     diagnostic::Diagnostic,
     quantity::Quantity,
-    range::Range,
+    range::{Range, number_text},
     reader::Reader,
     rule::{At, Choice, List, once_each},
     source::Place,
@@ -76,7 +77,7 @@ table! {
             "6 tf",
         ));
         /// Rate of penetration at this weight on bit and rotary speed. Needed by "drill", and by "slide"
-        /// in the dynamic model.
+        /// in the dynamic model; the regenerative law of the bit finds its own.
         rop: f64 = optional(Quantity::si(
             Dimension::RateOfPenetration,
             Range::positive_to(0.3),
@@ -107,17 +108,20 @@ impl OperationTable {
     /// The operations, with the set points that each needs.
     pub(crate) fn build(
         &self,
-        bit: &BitTable,
+        bit: (&BitTable, Option<&BitSettings>),
         models: &[ModelKind],
         bit_depth_m: Option<f64>,
         reader: &mut Reader,
     ) -> Option<Vec<Operation>> {
         let kinds = self.kind.get()?;
+        let (table, bit) = bit;
+        let regenerative = table.law.get() == Some(&Law::Regenerative);
         once_each(kinds, OperationKind::name, reader)?;
         let find = |wanted: fn(OperationKind) -> bool| kinds.iter().find(|at| wanted(at.value));
         let rotating = find(OperationKind::rotates);
         let on_bottom = find(OperationKind::on_bottom);
         let advancing = kinds.iter().find(|at| match at.value {
+            _ if regenerative => false,
             OperationKind::Drill => true,
             OperationKind::Slide => models.contains(&ModelKind::Dynamic),
             _ => false,
@@ -139,8 +143,8 @@ impl OperationTable {
             );
             return None;
         }
-        let torque = bit.torque.optional()?;
-        if let (Some(kind), None) = (on_bottom, torque) {
+        let torque = table.torque.optional()?;
+        if let (Some(kind), None, false) = (on_bottom, torque, regenerative) {
             reader.report(
                 Diagnostic::warning("no bit torque is given: the bit is taken to turn freely")
                     .at(kind.place, "puts the bit on bottom")
@@ -149,17 +153,58 @@ impl OperationTable {
         }
         let trip_speed = *self.trip_speed.get()?;
         let (rpm, wob, rop) = (rpm?, wob?, rop?);
+        let bit = bit?;
+        if let (Some(kind), None) = (
+            find(|kind| kind == OperationKind::Slide),
+            table.motor_speed.given(),
+        ) && bit.asks_for_motor_speed()
+        {
+            reader.report(
+                Diagnostic::error("`slide` needs the speed at which the motor turns this bit")
+                    .at(kind.place, "`motor_speed` is missing in [bit]")
+                    .help("such as motor_speed = 120"),
+            );
+            return None;
+        }
+        if let BitLaw::Regenerative(law) = bit.law {
+            self.warn_of_regenerative(&law, reader);
+        }
         let bit_depth_m = bit_depth_m?;
-        let operation = |at: &At<OperationKind>| Operation {
-            kind: at.value,
-            bit_depth_m,
-            rotary_speed_rad_per_s: rpm.unwrap_or(0.0),
-            weight_on_bit_N: wob.unwrap_or(0.0),
-            bit_torque_N_m: torque.map_or(0.0, |torque| torque.value),
-            rate_of_penetration_m_per_s: rop.unwrap_or(SLIDE_ROP_M_PER_S),
-            trip_speed_m_per_s: trip_speed,
+        let operation = |at: &At<OperationKind>| {
+            bit.drilling_steadily(Operation {
+                kind: at.value,
+                bit_depth_m,
+                rotary_speed_rad_per_s: rpm.unwrap_or(0.0),
+                weight_on_bit_N: wob.unwrap_or(0.0),
+                bit_torque_N_m: torque.map_or(0.0, |torque| torque.value),
+                rate_of_penetration_m_per_s: rop.unwrap_or(SLIDE_ROP_M_PER_S),
+                trip_speed_m_per_s: trip_speed,
+            })
         };
         Some(kinds.iter().map(operation).collect())
+    }
+
+    fn warn_of_regenerative(&self, law: &RegenerativeLaw, reader: &mut Reader) {
+        if let Some(rop) = self.rop.given() {
+            reader.report(
+                Diagnostic::warning("`rop` has no effect here")
+                    .at(rop.place, "the regenerative law of the bit finds its own"),
+            );
+        }
+        let bearing = law.wear_flat_weight_N();
+        if let Some(wob) = self.wob.given().filter(|wob| wob.value <= bearing) {
+            reader.report(
+                Diagnostic::warning("the wear flats bear all weight: the bit does not cut")
+                    .at(
+                        wob.place,
+                        format!(
+                            "they bear {} kN",
+                            number_text((bearing * 1e-2).round() * 1e-1)
+                        ),
+                    )
+                    .help("raise wob, or lower wear_flat or contact_strength under [bit]"),
+            );
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use serde_json::{Value as Json, json};
 use wholestring::{
-    dynamics::{ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, Start},
+    dynamics::{Band, BitLaw, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, Start},
     model::Model,
     operation::Operation,
     outcome::ModelKind,
@@ -35,11 +35,7 @@ pub(crate) fn settings(
             "drag_coefficient": model.mud.drag_coefficient,
         },
         "string": model.string.components().iter().map(component).collect::<Vec<_>>(),
-        "bit": {
-            "torque_N_m": operations.first().map(|operation| operation.bit_torque_N_m),
-            "rock_stiffness_N_per_m": dynamics.bit.rock_stiffness_N_per_m,
-            "lateral_stiffness_N_per_m": dynamics.bit.lateral_stiffness_N_per_m,
-        },
+        "bit": bit(dynamics, operations),
         "rig": {
             "block_weight_N": model.rig.block_weight_N,
             "hoist_capacity_N": model.rig.hoist_capacity_N,
@@ -100,6 +96,47 @@ fn component(component: &Component) -> Json {
         "shear_modulus_Pa": component.material.shear_modulus_Pa,
         "yield_strength_Pa": component.yield_strength_Pa,
     })
+}
+
+/// The bit, with the keys of its law alone.
+fn bit(dynamics: &DynamicsSettings, operations: &[Operation]) -> Json {
+    let mut bit = json!({
+        "torque_N_m": operations.first().map(|operation| operation.bit_torque_N_m),
+        "lateral_stiffness_N_per_m": dynamics.bit.lateral_stiffness_N_per_m,
+        "motor_speed_rad_per_s": dynamics.bit.motor_speed_rad_per_s,
+    });
+    match dynamics.bit.law {
+        BitLaw::Rate(law) => {
+            bit["law"] = json!("rate");
+            bit["rock_stiffness_N_per_m"] = json!(law.rock_stiffness_N_per_m);
+            bit["excitation"] = law.excitation.map_or(Json::Null, |shaken| {
+                let (waves, frequency) = match shaken.band {
+                    Band::PerRevolution(waves) => (Some(waves), None),
+                    Band::PerSecond(frequency) => (None, Some(frequency)),
+                };
+                json!({
+                    "lobes": shaken.lobes,
+                    "amplitude_m": shaken.amplitude_m,
+                    "roughness_m": shaken.roughness_m,
+                    "torque_fluctuation": shaken.torque_fluctuation,
+                    "waves": waves,
+                    "frequency_per_s": frequency,
+                })
+            });
+        }
+        BitLaw::Regenerative(law) => {
+            bit["law"] = json!("regenerative");
+            bit["radius_m"] = json!(law.radius_m);
+            bit["blades"] = json!(law.blades);
+            bit["intrinsic_specific_energy_Pa"] = json!(law.intrinsic_specific_energy_Pa);
+            bit["cutter_inclination"] = json!(law.cutter_inclination);
+            bit["wear_flat_m"] = json!(law.wear_flat_m);
+            bit["contact_strength_Pa"] = json!(law.contact_strength_Pa);
+            bit["bit_geometry"] = json!(law.bit_geometry);
+            bit["friction"] = json!(law.friction);
+        }
+    }
+    bit
 }
 
 /// The control as solved; `null` leaves it to the operation. The autodriller's numbers stand also

@@ -1,5 +1,7 @@
 //! The top of the string: block, line and autodriller.
 
+use serde::{Deserialize, Serialize};
+
 use super::{
     chain::{Chain, node},
     settings::{Autodriller, HoistControl, HoistLine},
@@ -7,7 +9,7 @@ use super::{
 use crate::GRAVITY_M_PER_S2;
 
 /// The hoist that carries the top of the string.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Hoist {
     line: HoistLine,
     control: HoistControl,
@@ -22,7 +24,7 @@ pub struct Hoist {
 }
 
 /// What an autodriller is to hold.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct Target {
     /// Weight on bit, N.
     pub weight_N: f64,

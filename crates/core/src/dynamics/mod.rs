@@ -1,9 +1,12 @@
 //! The whole string in time: 3D nonlinear rod, wall contact and friction, top drive, hoist and bit.
 
 mod assembly;
+mod bent;
 mod bit;
+mod body;
 mod chain;
 mod hoist;
+mod imbalance;
 mod outcome;
 mod record;
 mod schedule;
@@ -16,12 +19,14 @@ mod summary;
 #[cfg(test)]
 mod tests;
 mod top_drive;
+mod wear;
 
-pub use outcome::{DynamicOutcome, NodeProfile, Numerics, Statistic, TimeSeries};
+pub use bit::{Band, BitLaw, BitSettings, Excitation, RateLaw, RegenerativeLaw, SteadyCut};
+pub use outcome::{DynamicOutcome, HoleWear, NodeProfile, Numerics, Statistic, TimeSeries};
 pub use schedule::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep};
 pub use settings::{
-    Autodriller, BitSettings, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine,
-    RodDamping, SpeedController, Start, TopDriveSettings,
+    Autodriller, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping,
+    SpeedController, Start, TopDriveSettings,
 };
 pub use setup::{Effort, SetupError};
-pub use simulation::{Diverged, Simulation};
+pub use simulation::{Checkpoint, Diverged, ResumeError, Simulation};

@@ -1,5 +1,7 @@
 //! What a dynamic run answers.
 
+use serde::{Deserialize, Serialize};
+
 use crate::outcome::Scalars;
 
 /// Distribution of one quantity over the window.
@@ -104,10 +106,23 @@ pub struct NodeProfile {
     pub friction_torque_N_m_per_m: Vec<f64>,
     /// Mean distance of the pipe's axis from the hole's, m.
     pub lateral_offset_m: Vec<f64>,
+    /// Work of friction over the window per metre of string, J/m.
+    pub wear_work_J_per_m: Vec<f64>,
+}
+
+/// Work of friction on the hole over the window, from the surface down, one row per stretch of hole.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct HoleWear {
+    /// Measured depth of the middle of the stretch, m.
+    pub md_m: Vec<f64>,
+    /// Work per metre of hole, J/m: friction force times sliding distance.
+    pub wear_work_J_per_m: Vec<f64>,
+    /// Its mean rate, W/m.
+    pub wear_power_W_per_m: Vec<f64>,
 }
 
 /// Scalars against time, from time zero; rows are samples, contact quantities averages over them.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct TimeSeries {
     /// Time, s.
     pub time_s: Vec<f64>,
@@ -127,6 +142,8 @@ pub struct TimeSeries {
     pub weight_on_bit_N: Vec<f64>,
     /// Bit torque, N·m.
     pub bit_torque_N_m: Vec<f64>,
+    /// Rock that a revolution of the bit takes away, m.
+    pub depth_of_cut_m: Vec<f64>,
     /// Turn of the top against the bit, rad.
     pub twist_rad: Vec<f64>,
     /// Elongation, m.
@@ -158,6 +175,8 @@ pub struct DynamicOutcome {
     pub numerics: Numerics,
     /// Profile along the string.
     pub nodes: NodeProfile,
+    /// Wear along the hole.
+    pub wear: HoleWear,
     /// Scalars against time.
     pub series: TimeSeries,
 }

@@ -1,5 +1,7 @@
 //! What is kept of a run while it goes on: sums per node, samples of the scalars.
 
+use serde::{Deserialize, Serialize};
+
 use super::{
     chain::{Chain, ElementBlock, Field, NodeBlock},
     outcome::TimeSeries,
@@ -9,7 +11,7 @@ use crate::rod::lanes::LANES;
 type Lane = [f64; LANES];
 
 /// Sums over the window for eight nodes, and for the eight elements below them.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 struct SumBlock {
     /// Tension and torque of the first sample: squares are summed about them, so that a small spread
     /// about a large mean keeps its digits.
@@ -66,7 +68,7 @@ pub struct Spread {
 }
 
 /// The streaming record.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Record {
     sums: Vec<SumBlock>,
     samples: u64,
@@ -236,7 +238,8 @@ impl Placement {
                 std::array::from_fn(|axis| u[axis] - z * t[axis] - 0.5 * z * z * k[axis]);
             let square: f64 = across.iter().map(|x| x * x).sum();
             place.offset[lane] = square.sqrt();
-            place.penetration[lane] = place.offset[lane] - nodes.clearance.0[lane];
+            place.penetration[lane] =
+                place.offset[lane] - nodes.clearance.0[lane] - nodes.clearance_slope.0[lane] * z;
             let h = *high;
             let right = [
                 t[1] * h[2] - t[2] * h[1],

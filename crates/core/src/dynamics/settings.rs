@@ -1,6 +1,8 @@
 //! What a dynamic run needs to know beside the model and the operation.
 
-use super::schedule::Schedule;
+use serde::{Deserialize, Serialize};
+
+use super::{bit::BitSettings, schedule::Schedule};
 use crate::wall::friction::STRIBECK_SPEED_M_PER_S;
 
 /// How the string lies at time zero.
@@ -41,7 +43,7 @@ pub enum ContactLaw {
 }
 
 /// How the top of the string is moved along the hole.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum HoistControl {
     /// The block follows the bit so that the weight on bit holds its target: [`Autodriller`].
     Autodriller,
@@ -53,7 +55,7 @@ pub enum HoistControl {
 
 /// How the autodriller moves the block: `v = v₀ + K (e + ∫e dt/T_i)` within its limits, `e` the target less
 /// the measured weight on bit through a filter, `v₀` the rate of penetration at the target.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Autodriller {
     /// `K`: block speed per weight on bit that is missing, m/s/N.
     pub gain_m_per_s_per_N: f64,
@@ -82,7 +84,7 @@ impl Default for Autodriller {
 }
 
 /// The hoisting system between the block and the top of the string.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct HoistLine {
     /// Axial stiffness of lines and derrick, N/m.
     pub stiffness_N_per_m: f64,
@@ -93,7 +95,7 @@ pub struct HoistLine {
 }
 
 /// How the speed of a top drive is controlled.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum SpeedController {
     /// Proportional and integral, with gains as they are.
     Pi {
@@ -125,7 +127,7 @@ pub enum SpeedController {
 }
 
 /// What turns the top of the string.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum TopDriveSettings {
     /// The spin follows its set point, whatever torque that takes.
     Constant,
@@ -150,15 +152,6 @@ pub struct RodDamping {
     pub stiffness_s: f64,
 }
 
-/// The bit on the rock.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BitSettings {
-    /// Stiffness of the contact between bit and rock front, N/m.
-    pub rock_stiffness_N_per_m: f64,
-    /// Lateral stiffness that holds the bit to the hole's axis, N/m.
-    pub lateral_stiffness_N_per_m: f64,
-}
-
 /// Everything that a dynamic run needs beside the model and the operation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DynamicsSettings {
@@ -173,10 +166,11 @@ pub struct DynamicsSettings {
     pub start: Start,
     /// Friction law.
     pub friction_law: FrictionLaw,
+    /// Sliding speed at which the friction at rest has half decayed to the kinetic one, m/s. Raising it
+    /// keeps more of the friction at rest in slow sliding; it matters only where the two differ.
+    pub stribeck_speed_m_per_s: f64,
     /// Contact law.
     pub contact_law: ContactLaw,
-    /// Sliding speed at which the friction at rest has half decayed to the kinetic one, m/s.
-    pub stribeck_speed_m_per_s: f64,
     /// Rayleigh damping.
     pub damping: RodDamping,
     /// Hoist control; `None` takes what the operation asks for: the autodriller on bottom, a
@@ -196,14 +190,16 @@ pub struct DynamicsSettings {
     /// Time between samples of the statistics and rows of the time table, s. Contact forces are
     /// averaged over it.
     pub sample_interval_s: f64,
-    /// Seed of the microscopic lateral disturbance that breaks the symmetry of the start.
+    /// Seed of the microscopic lateral disturbance that breaks the symmetry of the start, and of the bit's
+    /// excitation.
     pub seed: u64,
 }
 
 impl Default for DynamicsSettings {
     /// Elements of 3.2 m; 60 s after 20 s of settling, sampled every 10 ms; a prepared start; vector
-    /// friction; Hertz contact with 0.5 s/m; damping of 0.1 1/s by mass and 10 µs by stiffness; the hoist control
-    /// that the operation asks for on a line of 1e7 N/m and 1e5 N·s/m that carries no block; a constant rotary speed; rock of 1e8 N/m and 1e7 N/m across;
+    /// friction that loses half of its rise at rest by 0.1 m/s; Hertz contact with 0.5 s/m; damping of 0.1 1/s by
+    /// mass and 10 µs by stiffness; the hoist control that the operation asks for on a line of 1e7 N/m and
+    /// 1e5 N·s/m that carries no block; a constant rotary speed; no schedule; rock of 1e8 N/m and 1e7 N/m across;
     /// seed 1.
     fn default() -> Self {
         Self {
@@ -229,10 +225,7 @@ impl Default for DynamicsSettings {
             },
             top_drive: TopDriveSettings::Constant,
             schedule: Schedule::default(),
-            bit: BitSettings {
-                rock_stiffness_N_per_m: 1e8,
-                lateral_stiffness_N_per_m: 1e7,
-            },
+            bit: BitSettings::default(),
             sample_interval_s: 0.01,
             seed: 1,
         }

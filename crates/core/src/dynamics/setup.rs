@@ -1,10 +1,15 @@
 //! What a run is before its string is laid: settings that can be used, the hoist, the mesh and the step.
 
 use super::{
-    assembly,
+    assembly::{self, Surroundings},
+    bit::{Band, BitLaw},
     schedule::{HoistSetPoint, ScheduleFault},
-    settings::{DynamicsSettings, HoistControl, SpeedController, Start, TopDriveSettings},
+    settings::{
+        ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, SpeedController, Start,
+        TopDriveSettings,
+    },
     start,
+    step::{Abilities, Stepper},
 };
 use crate::{
     model::Model,
@@ -48,15 +53,11 @@ pub(super) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
         ("element_length_m", settings.element_length_m),
         ("duration_s", settings.duration_s),
         ("sample_interval_s", settings.sample_interval_s),
+        ("stribeck_speed_m_per_s", settings.stribeck_speed_m_per_s),
         (
             "hoist_line.stiffness_N_per_m",
             settings.hoist_line.stiffness_N_per_m,
         ),
-        (
-            "bit.rock_stiffness_N_per_m",
-            settings.bit.rock_stiffness_N_per_m,
-        ),
-        ("stribeck_speed_m_per_s", settings.stribeck_speed_m_per_s),
     ];
     let not_negative = [
         (
@@ -74,28 +75,14 @@ pub(super) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
             "bit.lateral_stiffness_N_per_m",
             settings.bit.lateral_stiffness_N_per_m,
         ),
+        (
+            "bit.motor_speed_rad_per_s",
+            settings.bit.motor_speed_rad_per_s,
+        ),
     ];
-    for (name, value) in positive
-        .into_iter()
-        .chain(drive_numbers(&settings.top_drive))
-    {
-        if !(value.is_finite() && value > 0.0) {
-            return Err(SetupError::Setting {
-                name,
-                value,
-                expected: "a positive number",
-            });
-        }
-    }
-    for (name, value) in not_negative {
-        if !(value.is_finite() && value >= 0.0) {
-            return Err(SetupError::Setting {
-                name,
-                value,
-                expected: "zero or a positive number",
-            });
-        }
-    }
+    check_numbers(&positive, &not_negative)?;
+    check_numbers(&drive_numbers(&settings.top_drive), &[])?;
+    check_bit(&settings.bit.law)?;
     match settings.schedule.fault() {
         Some((index, fault)) => Err(SetupError::Schedule {
             line: index + 1,
@@ -103,6 +90,76 @@ pub(super) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
         }),
         None => Ok(()),
     }
+}
+
+fn check_bit(law: &BitLaw) -> Result<(), SetupError> {
+    match law {
+        BitLaw::Rate(law) => {
+            check_numbers(
+                &[("bit.rock_stiffness_N_per_m", law.rock_stiffness_N_per_m)],
+                &[],
+            )?;
+            let Some(shaken) = law.excitation else {
+                return Ok(());
+            };
+            let (Band::PerRevolution(band) | Band::PerSecond(band)) = shaken.band;
+            check_numbers(
+                &[("bit.excitation.band", band)],
+                &[
+                    ("bit.excitation.amplitude_m", shaken.amplitude_m),
+                    ("bit.excitation.roughness_m", shaken.roughness_m),
+                    (
+                        "bit.excitation.torque_fluctuation",
+                        shaken.torque_fluctuation,
+                    ),
+                ],
+            )
+        }
+        BitLaw::Regenerative(law) => check_numbers(
+            &[
+                ("bit.radius_m", law.radius_m),
+                ("bit.blades", f64::from(law.blades)),
+                (
+                    "bit.intrinsic_specific_energy_Pa",
+                    law.intrinsic_specific_energy_Pa,
+                ),
+                ("bit.cutter_inclination", law.cutter_inclination),
+            ],
+            &[
+                ("bit.wear_flat_m", law.wear_flat_m),
+                ("bit.contact_strength_Pa", law.contact_strength_Pa),
+                ("bit.bit_geometry", law.bit_geometry),
+                ("bit.friction", law.friction),
+            ],
+        ),
+    }
+}
+
+/// Numbers with their names: those that must be positive, and those that may be zero.
+fn check_numbers(
+    positive: &[(&'static str, f64)],
+    not_negative: &[(&'static str, f64)],
+) -> Result<(), SetupError> {
+    let wrong = |value: f64, enough: bool| !(value.is_finite() && enough);
+    for &(name, value) in positive {
+        if wrong(value, value > 0.0) {
+            return Err(SetupError::Setting {
+                name,
+                value,
+                expected: "a positive number",
+            });
+        }
+    }
+    for &(name, value) in not_negative {
+        if wrong(value, value >= 0.0) {
+            return Err(SetupError::Setting {
+                name,
+                value,
+                expected: "zero or a positive number",
+            });
+        }
+    }
+    Ok(())
 }
 
 /// What must be positive of a top drive.
@@ -182,6 +239,41 @@ pub(super) fn mesh_and_plan(
     let lateral = assembly::lateral_mass_kg_per_m(model, &mesh, bit_md_m);
     let plan = stability::plan(&mesh, &lateral, settings.damping.stiffness_s);
     (mesh, plan)
+}
+
+/// What the model, the operation and the settings of a run determine: the same at its start and
+/// wherever it is taken up again.
+pub(super) struct Frame {
+    pub(super) mesh: Mesh,
+    pub(super) plan: StepPlan,
+    pub(super) surroundings: Surroundings,
+    pub(super) stepper: Stepper,
+    pub(super) steps_per_sample: u64,
+}
+
+impl Frame {
+    pub(super) fn new(
+        model: &Model,
+        operation: &Operation,
+        settings: &DynamicsSettings,
+    ) -> Result<Self, SetupError> {
+        check(settings)?;
+        let (mesh, plan) = mesh_and_plan(model, first_bit_md_m(operation, settings), settings);
+        let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
+        let stepper = Stepper::new(Abilities {
+            hertz: matches!(settings.contact_law, ContactLaw::Hertz { .. }),
+            vector: settings.friction_law == FrictionLaw::Vector,
+            full: surroundings.intricate,
+        });
+        let steps_per_sample = (settings.sample_interval_s / plan.dt_s).round().max(1.0) as u64;
+        Ok(Self {
+            mesh,
+            plan,
+            surroundings,
+            stepper,
+            steps_per_sample,
+        })
+    }
 }
 
 /// What a run would cost.

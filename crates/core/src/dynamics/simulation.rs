@@ -1,21 +1,24 @@
 //! A run: the string in time, from its start to its outcome.
 
 use nalgebra::Vector3;
+use serde::{Deserialize, Serialize};
 
 use super::{
     assembly::{self, Anchor, Surroundings},
-    bit::Bit,
+    bit::{Bit, BitLaw},
+    body::Body,
     chain::{Chain, element, node},
     hoist::{Hoist, Target},
     outcome::DynamicOutcome,
     record::Record,
     schedule::{HoistNow, HoistSetPoint, SetPoints},
-    settings::{ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, Start},
-    setup::{self, SetupError},
+    settings::{ContactLaw, DynamicsSettings, HoistControl, Start},
+    setup::{self, Frame, SetupError},
     start::{self, Scene},
-    step::{Abilities, StepInput, Stepper},
+    step::{StepInput, Stepper},
     summary,
     top_drive::{StringSeen, TopDrive},
+    wear::Wear,
 };
 use crate::{
     model::{Model, MudColumn},
@@ -26,6 +29,10 @@ use crate::{
         torsion,
     },
 };
+
+mod checkpoint;
+
+pub use checkpoint::{Checkpoint, ResumeError};
 
 /// Extra damping of the first seconds of a prepared start, relative to the rigid motion, 1/s.
 const FADING_DAMPING_PER_S: f64 = 4.0;
@@ -62,7 +69,7 @@ pub struct Diverged {
 }
 
 /// Work and losses since the window began, J.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 struct Ledger {
     energy_at_start: f64,
     work: f64,
@@ -85,6 +92,7 @@ pub struct Simulation {
     set_points: SetPoints,
     top_drive: TopDrive,
     hoist: Hoist,
+    body: Body,
     bit: Bit,
     rigid_velocity_m_per_s: f64,
     /// Time over which the extra damping of the start fades, s.
@@ -93,6 +101,7 @@ pub struct Simulation {
     steps_per_sample: u64,
     since_sample: SinceSample,
     record: Record,
+    wear: Wear,
     /// High side at each node, as plain numbers for the sampling loop.
     high: Vec<[f64; 3]>,
     ledger: Ledger,
@@ -100,13 +109,14 @@ pub struct Simulation {
 }
 
 /// Scalars summed since the last sample.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 struct SinceSample {
     steps: u64,
     hook_load: f64,
     surface_torque: f64,
     weight_on_bit: f64,
     bit_torque: f64,
+    depth_of_cut: f64,
 }
 
 impl Simulation {
@@ -122,21 +132,17 @@ impl Simulation {
         operation: &Operation,
         settings: &DynamicsSettings,
     ) -> Result<Self, SetupError> {
-        setup::check(settings)?;
+        let Frame {
+            mesh,
+            plan,
+            surroundings,
+            stepper,
+            steps_per_sample,
+        } = Frame::new(model, operation, settings)?;
         let (control, velocity) = setup::hoisting(operation, settings);
         let first = settings.schedule.at_time_zero(operation);
         let bit_md_m = setup::first_bit_md_m(operation, settings);
-        let (mesh, plan) = setup::mesh_and_plan(model, bit_md_m, settings);
         let chain = assembly::chain(model, &mesh, &plan);
-        let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
-        let sections = model.well.hole.sections();
-        let stepper = Stepper::new(Abilities {
-            hertz: matches!(settings.contact_law, ContactLaw::Hertz { .. }),
-            vector: settings.friction_law == FrictionLaw::Vector,
-            full: sections
-                .iter()
-                .any(|s| s.friction.at_rest > s.friction.kinetic),
-        });
         let input = StepInput {
             dt: plan.dt_s,
             stiffness_damping: settings.damping.stiffness_s,
@@ -162,7 +168,7 @@ impl Simulation {
             stepper: &stepper,
             input: &input,
         };
-        let initial = start::lay(&scene, chain, bit_md_m)?;
+        let initial = start::lay(&scene, chain, Body::new(model, &mesh), bit_md_m)?;
         let (mut chain, anchors) = (initial.chain, initial.anchors);
         let last = anchors.len() - 1;
         let top = anchors[0].md_m + chain.displacement(0).dot(chain.tangent(0));
@@ -185,10 +191,14 @@ impl Simulation {
         let top_drive = TopDrive::new(&settings.top_drive, string, &mut chain);
         // The front on which the bit stands with its first weight.
         let lighter_N = operation.weight_on_bit_now_N() - first.weight_on_bit_now_N();
-        let bottom = bottom + lighter_N / settings.bit.rock_stiffness_N_per_m;
+        let bottom = match settings.bit.law {
+            BitLaw::Rate(law) => bottom + lighter_N / law.rock_stiffness_N_per_m,
+            BitLaw::Regenerative(_) => bottom,
+        };
         let record = Record::new(&chain);
+        let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
+        let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
         let high = anchors.iter().map(|a| a.high_side.into()).collect();
-        let steps_per_sample = (settings.sample_interval_s / plan.dt_s).round().max(1.0) as u64;
         Ok(Self {
             model: model.clone(),
             mud: model.mud_column(),
@@ -203,7 +213,8 @@ impl Simulation {
             set_points: SetPoints::new(&first, &settings.schedule),
             top_drive,
             hoist,
-            bit: Bit::new(settings.bit, operation, bottom),
+            body: initial.body,
+            bit: Bit::new(settings.bit, operation, bottom, settings.seed),
             rigid_velocity_m_per_s: velocity,
             fading_s: settings
                 .schedule
@@ -213,6 +224,7 @@ impl Simulation {
             steps_per_sample,
             since_sample: SinceSample::default(),
             record,
+            wear,
             high,
             ledger: Ledger::default(),
             window_open: false,
@@ -291,7 +303,11 @@ impl Simulation {
     fn step(&mut self) {
         let time = self.time_s();
         let dt = self.plan.dt_s;
-        let rotation = self.follow_schedule(time);
+        let ramp = match self.settings.start {
+            Start::Prepared => 1.0,
+            Start::Centred => (time / RAMP_S).min(1.0),
+        };
+        let rotation = ramp * self.follow_schedule(time);
         let input = self.step_input(time, rotation);
         self.top_drive.prescribe(&mut self.chain, rotation);
         let last = self.chain.nodes() - 1;
@@ -299,6 +315,7 @@ impl Simulation {
         let bit_before = self.chain.velocity(last);
         let bit_spin_before = node!(self.chain, last, spin);
 
+        let body = self.body.push(&mut self.chain, &input, ramp);
         let losses = self.stepper.step(&mut self.chain, &input);
 
         let bit = self.bit.act(
@@ -317,9 +334,10 @@ impl Simulation {
             dt,
         );
         self.clamp_top();
+        self.body.follow(&mut self.chain, dt);
         let drive = self.top_drive.act(&mut self.chain, rotation, dt);
-        self.ledger.work += bit.work_J + hoist.work_J + drive.work_J;
-        self.ledger.losses += losses.total();
+        self.ledger.work += bit.work_J + hoist.work_J + drive.work_J + body.work_J;
+        self.ledger.losses += losses.total() + body.loss_J;
 
         let sum = &mut self.since_sample;
         sum.steps += 1;
@@ -327,6 +345,7 @@ impl Simulation {
         sum.surface_torque += drive.string_torque_N_m;
         sum.weight_on_bit += bit.weight_on_bit_N;
         sum.bit_torque += bit.torque_N_m;
+        sum.depth_of_cut += bit.depth_of_cut_m;
         self.steps += 1;
     }
 
@@ -353,10 +372,7 @@ impl Simulation {
                 self.hoist.set_control(HoistControl::Autodriller);
             }
         }
-        match self.settings.start {
-            Start::Prepared => rotation,
-            Start::Centred => rotation * (time / RAMP_S).min(1.0),
-        }
+        rotation
     }
 
     /// Keeps the top on the hole's axis and along it, wherever it has slid to.
@@ -434,11 +450,13 @@ impl Simulation {
         if !self.window_open && time >= self.settings.settle_s {
             self.window_open = true;
             self.record.open_window();
+            self.wear.restart(self.anchors[self.anchors.len() - 1].md_m);
             self.ledger = Ledger {
                 energy_at_start: self.energy_J(),
                 ..Ledger::default()
             };
         }
+        self.wear.sample(&self.chain, |i| self.anchors[i].md_m);
         let sums = std::mem::take(&mut self.since_sample);
         let totals = self.record.sample(&mut self.chain, &self.high, sums.steps);
         let n = sums.steps as f64;
@@ -459,6 +477,7 @@ impl Simulation {
         series.side_force_total_N.push(totals.normal_N);
         series.weight_on_bit_N.push(sums.weight_on_bit / n);
         series.bit_torque_N_m.push(sums.bit_torque / n);
+        series.depth_of_cut_m.push(sums.depth_of_cut / n);
         series.twist_rad.push(twist);
         series.stretch_m.push(elongation);
         series
@@ -501,6 +520,7 @@ impl Simulation {
     /// Kinetic, elastic and potential energy of the string, J: second-order accurate in the step.
     pub fn energy_J(&self) -> f64 {
         assembly::energy_J(&self.chain, &self.anchors, self.plan.dt_s)
+            + self.body.energy_J(&self.chain, self.plan.dt_s)
     }
 
     /// Kinetic energy of the string, J.
@@ -540,6 +560,7 @@ impl Simulation {
             plan: &self.plan,
             anchors: &self.anchors,
             record: &self.record,
+            wear: &self.wear,
             steps: self.steps,
             energy_residual: self.energy_residual(),
             instructions: self.stepper.instructions,

@@ -8,6 +8,7 @@ use nalgebra::Vector3;
 
 use super::{
     assembly::{self, Anchor, Surroundings},
+    body::Body,
     chain::{Chain, NO_WALL_M, element, node},
     settings::{DynamicsSettings, FrictionLaw, Start},
     step::{StepInput, Stepper},
@@ -15,6 +16,7 @@ use super::{
 use crate::{
     model::Model,
     operation::{Operation, OperationKind},
+    random::Random,
     rod::{element::react, mesh::Mesh, vector::Vector},
     statics::soft::{self, SoftError, SoftSettings},
 };
@@ -33,6 +35,9 @@ const DISTURBANCE_M: f64 = 1e-6;
 /// Passes over the string that bring every element to its tension.
 const PASSES: usize = 8;
 
+/// Part of the settling in which bends grow.
+const GROWING: f64 = 0.5;
+
 /// The string at time zero.
 #[derive(Debug)]
 pub struct Initial {
@@ -40,6 +45,8 @@ pub struct Initial {
     pub chain: Chain,
     /// Its anchors.
     pub anchors: Vec<Anchor>,
+    /// Bends and eccentric masses, turned to their angles.
+    pub body: Body,
     /// Load that carries it, N.
     pub hook_load_N: f64,
 }
@@ -100,7 +107,12 @@ pub fn motion(
 ///
 /// # Errors
 /// A soft string without solution.
-pub fn lay(scene: &Scene<'_>, chain: Chain, bit_md_m: f64) -> Result<Initial, SoftError> {
+pub fn lay(
+    scene: &Scene<'_>,
+    chain: Chain,
+    body: Body,
+    bit_md_m: f64,
+) -> Result<Initial, SoftError> {
     let Scene {
         operation,
         settings,
@@ -118,11 +130,13 @@ pub fn lay(scene: &Scene<'_>, chain: Chain, bit_md_m: f64) -> Result<Initial, So
             mesh.nodes.len()
         ],
         chain,
+        body,
         surroundings: scene.surroundings,
         guide: &guide,
         mesh,
     };
     string.place(bit_md_m, settings.start == Start::Prepared);
+    string.body.orient(&string.chain, &string.anchors);
     string.disturb(settings.seed);
     if settings.start == Start::Prepared {
         string.set_motion(0.0, operation.rotation_rad_per_s());
@@ -142,6 +156,7 @@ pub fn lay(scene: &Scene<'_>, chain: Chain, bit_md_m: f64) -> Result<Initial, So
     Ok(Initial {
         chain: string.chain,
         anchors: string.anchors,
+        body: string.body,
         hook_load_N,
     })
 }
@@ -175,7 +190,8 @@ impl Guide {
             let md = depth(mesh.nodes[i].from_bit_m);
             let load = profile.side_force_at_N_per_m(md).abs();
             let side = profile.contact_direction_at(md);
-            let friction = model.well.hole.at(md).friction.kinetic;
+            let friction = model.well.hole.at(md).friction;
+            let friction = friction.kinetic * friction.around;
             // Wherever the nodes stand, the component touches with its joints.
             let radius = model
                 .string
@@ -238,7 +254,7 @@ fn as_soft_string(scene: &Scene<'_>) -> (Model, Operation) {
     (model, operation)
 }
 
-/// The part of the friction coefficient that acts around the hole.
+/// The part that acts around the hole, of the friction coefficient around it.
 fn around(mu: f64, radius_m: f64, operation: &Operation, law: FrictionLaw) -> f64 {
     match law {
         FrictionLaw::Independent => mu,
@@ -253,6 +269,7 @@ fn around(mu: f64, radius_m: f64, operation: &Operation, law: FrictionLaw) -> f6
 struct Laying<'a> {
     chain: Chain,
     anchors: Vec<Anchor>,
+    body: Body,
     surroundings: &'a Surroundings,
     guide: &'a Guide,
     mesh: &'a Mesh,
@@ -291,7 +308,7 @@ impl Laying<'_> {
     /// Length by which element `i` lacks its tension, m.
     fn shortfall_m(&self, i: usize) -> f64 {
         let k = self.chain.stiffness(i);
-        let mut pose = self.chain.pose(i);
+        let mut pose = self.body.pose(&self.chain, i);
         pose.velocity = Vector::zero();
         let tension = react(&k, &pose, 0.0, 0.0).tension;
         (self.guide.tension_N[i] - tension) / k.axial * k.length
@@ -321,14 +338,10 @@ impl Laying<'_> {
 
     /// Moves every node sideways by a millionth of a metre, never the same way for two seeds.
     fn disturb(&mut self, seed: u64) {
-        let mut state = seed;
+        let mut random = Random::new(seed);
         for i in 1..self.mesh.nodes.len() - 1 {
             let tangent = self.chain.tangent(i);
-            let kick = Vector(
-                uniform(&mut state),
-                uniform(&mut state),
-                uniform(&mut state),
-            );
+            let kick = Vector(random.signed(), random.signed(), random.signed());
             let across = kick.minus(tangent, kick.dot(tangent));
             let moved = self.chain.displacement(i).plus(across, DISTURBANCE_M);
             self.chain.set_displacement(i, moved);
@@ -361,9 +374,20 @@ impl Laying<'_> {
                 block.friction_rise.0.fill(0.0);
             }
         }
+        if !self.body.is_empty() {
+            // A bend would swing the bit out of its hole.
+            node!(
+                self.chain,
+                self.mesh.nodes.len() - 1,
+                inv_mass_lateral = 0.0
+            );
+        }
         let steps = (SETTLING_S / input.dt).ceil() as usize;
-        for _ in 0..steps {
+        for step in 0..steps {
+            let grown = (step + 1) as f64 / (GROWING * steps as f64);
+            self.body.push(&mut self.chain, &input, grown.min(1.0));
             stepper.step(&mut self.chain, &input);
+            self.body.follow(&mut self.chain, input.dt);
         }
         assembly::release(&mut self.chain);
         for i in 0..self.mesh.nodes.len() {
@@ -387,14 +411,4 @@ impl Laying<'_> {
             }
         }
     }
-}
-
-/// A number between −1 and 1 from Steele, Lea and Flood's SplitMix64 (2014).
-fn uniform(state: &mut u64) -> f64 {
-    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let mut z = *state;
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^= z >> 31;
-    (z >> 11) as f64 / (1u64 << 52) as f64 - 1.0
 }

@@ -2,8 +2,9 @@
 
 use super::{
     assembly::Anchor,
-    outcome::{DynamicOutcome, NodeProfile, Numerics, Statistic, TimeSeries},
+    outcome::{DynamicOutcome, HoleWear, NodeProfile, Numerics, Statistic, TimeSeries},
     record::Record,
+    wear::{HOLE_STEP_M, LONGEST_REACH_M, Wear},
 };
 use crate::{
     model::Model,
@@ -18,13 +19,11 @@ pub struct Sources<'a> {
     pub plan: &'a StepPlan,
     pub anchors: &'a [Anchor],
     pub record: &'a Record,
+    pub wear: &'a Wear,
     pub steps: u64,
     pub energy_residual: f64,
     pub instructions: &'static str,
 }
-
-/// Longest stretch of string that one contact is taken to carry on either side of it, m.
-const LONGEST_REACH_M: f64 = 10.0;
 
 /// The answer.
 pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
@@ -74,6 +73,7 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
             instructions: s.instructions,
         },
         nodes,
+        wear: hole_wear(s, from),
         series: series.clone(),
     }
 }
@@ -142,7 +142,27 @@ fn profile(s: &Sources<'_>, from: usize) -> NodeProfile {
     p.side_force_N_per_m = spread(&carries, n, |i| record.signed(i));
     p.axial_friction_N_per_m = spread(&carries, n, |i| -record.axial(i));
     p.friction_torque_N_m_per_m = spread(&carries, n, |i| record.rub(i));
+    p.wear_work_J_per_m = spread(&carries, n, |i| s.wear.string_J(i));
     p
+}
+
+/// What friction has done to the hole in the time since row `from` of the series.
+fn hole_wear(s: &Sources<'_>, from: usize) -> HoleWear {
+    let work = s.wear.hole_J_per_m(|i| s.anchors[i].md_m);
+    let times = &s.record.series.time_s;
+    // The first sample of the window holds the steps before it, too.
+    let begin = from.checked_sub(1).map_or(0.0, |row| times[row]);
+    let seconds = times.last().map_or(0.0, |end| end - begin);
+    HoleWear {
+        md_m: (0..work.len())
+            .map(|i| (i as f64 + 0.5) * HOLE_STEP_M)
+            .collect(),
+        wear_power_W_per_m: work
+            .iter()
+            .map(|w| if seconds > 0.0 { w / seconds } else { 0.0 })
+            .collect(),
+        wear_work_J_per_m: work,
+    }
 }
 
 /// A contact and the stretch of string that it carries: the nodes `first..=last` over `length_m`.

@@ -1,6 +1,6 @@
 //! What the integration tests share: steel, simple strings and wells, verification files.
 // Every test file uses its own part of this module.
-#![allow(dead_code, unreachable_pub)]
+#![allow(dead_code, unreachable_pub, unused_imports)]
 
 use serde_json::Value;
 use wholestring::{
@@ -12,6 +12,7 @@ use wholestring::{
     string::{ComponentLength, ComponentSpec, Material, StringSpec},
     well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Station, TieIn, Well},
 };
+pub use wholestring_verification::{Row, Tolerance, report, report_worst};
 
 /// A file of `verification/`, parsed.
 pub fn verification(name: &str) -> Value {
@@ -79,12 +80,10 @@ pub fn hole_of(frictions: &[(f64, f64)]) -> Hole {
             from_md_m,
             to_md_m,
             diameter_m: 0.3,
-            friction: Friction {
-                kinetic: friction,
-                at_rest: friction,
-            },
+            friction: Friction::uniform(friction),
             youngs_modulus_Pa: 50e9,
             poisson_ratio: 0.3,
+            roughness: 1.0,
         };
         from_md_m = to_md_m;
         section
@@ -98,6 +97,7 @@ pub fn mud(density_kg_per_m3: f64) -> Mud {
         density_kg_per_m3,
         linear_drag_Pa_s: 0.0,
         drag_coefficient: 0.0,
+        rheology: None,
     }
 }
 

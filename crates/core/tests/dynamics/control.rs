@@ -1,7 +1,7 @@
 //! The three ways in which the hoist is controlled, on a string whose answer is known in closed form.
 
 use wholestring::{
-    dynamics::{Autodriller, HoistControl, RodDamping},
+    dynamics::{Autodriller, BitLaw, HoistControl, RodDamping},
     operation::{Operation, OperationKind},
 };
 
@@ -40,7 +40,10 @@ fn stiffness_N_per_m(case: &Case) -> f64 {
         .map(|c| c.length_m / c.axial_stiffness_N())
         .sum();
     let line = 1.0 / case.settings.hoist_line.stiffness_N_per_m;
-    let rock = 1.0 / case.settings.bit.rock_stiffness_N_per_m;
+    let BitLaw::Rate(law) = case.settings.bit.law else {
+        panic!("the rate law is the default")
+    };
+    let rock = 1.0 / law.rock_stiffness_N_per_m;
     1.0 / (pipe + line + rock)
 }
 

@@ -31,6 +31,7 @@ fn free_string() -> Simulation {
         density_kg_per_m3: 0.0,
         linear_drag_Pa_s: 0.0,
         drag_coefficient: 0.0,
+        rheology: None,
     };
     let mut case = Case::new(model, operation(OperationKind::TripIn, LENGTH_M));
     case.operation.trip_speed_m_per_s = 0.0;

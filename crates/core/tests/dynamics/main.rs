@@ -9,6 +9,7 @@ mod wells;
 
 mod break_away;
 mod centred;
+mod checkpoint;
 mod climb;
 mod control;
 mod energy;

@@ -15,6 +15,7 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         numerics: n,
         nodes: p,
         series: t,
+        wear: w,
     } = outcome;
     let mut all = vec![
         ("hook load", vec![s.hook_load_N]),
@@ -32,6 +33,7 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         ("added mass", vec![n.added_axial_mass_fraction]),
         ("penetration", vec![n.max_penetration_m]),
         ("energy residual", vec![n.energy_residual]),
+        ("hole wear", w.wear_work_J_per_m.clone()),
         ("climb", p.climb_rad.iter().copied().flatten().collect()),
     ];
     for (name, x) in statistics {

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::{
+    dynamics::{settings::FrictionLaw, step::Abilities},
     mud::Mud,
     operation::OperationKind,
     rig::Rig,
@@ -26,9 +27,11 @@ fn model(at_rest: f64) -> Model {
         friction: Friction {
             kinetic: 0.25,
             at_rest,
+            around: 1.0,
         },
         youngs_modulus_Pa: 51.5e9,
         poisson_ratio: 0.33,
+        roughness: 1.0,
     };
     let steel = Material {
         density_kg_per_m3: 7860.0,
@@ -50,6 +53,7 @@ fn model(at_rest: f64) -> Model {
             density_kg_per_m3: 1200.0,
             linear_drag_Pa_s: 5.0,
             drag_coefficient: 1.0,
+            rheology: None,
         },
         rig: Rig::default(),
     }

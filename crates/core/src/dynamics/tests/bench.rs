@@ -3,6 +3,7 @@
 use crate::{
     dynamics::{
         assembly,
+        body::Body,
         chain::{Chain, node},
         step::{Abilities, StepInput, Stepper},
     },
@@ -29,6 +30,7 @@ const AIR: Mud = Mud {
     density_kg_per_m3: 0.0,
     linear_drag_Pa_s: 0.0,
     drag_coefficient: 0.0,
+    rheology: None,
 };
 
 /// Their pipe: outside and inside diameter, m.
@@ -77,6 +79,8 @@ pub struct Bench {
     pub mesh: Mesh,
     pub plan: StepPlan,
     pub input: StepInput,
+    /// What turns with the rod: nothing, unless the test puts it there. Bends are all there from the start.
+    pub body: Body,
     stepper: Stepper,
 }
 
@@ -131,12 +135,10 @@ impl Bench {
             from_md_m: 0.0,
             to_md_m: length_m,
             diameter_m: hole_m,
-            friction: Friction {
-                kinetic: 0.0,
-                at_rest: 0.0,
-            },
+            friction: Friction::uniform(0.0),
             youngs_modulus_Pa: 50e9,
             poisson_ratio: 0.3,
+            roughness: 1.0,
         };
         let stations = [station(0.0), station(length_m)];
         let model = Model {
@@ -175,6 +177,7 @@ impl Bench {
             mesh,
             plan,
             input,
+            body: Body::default(),
             stepper: Stepper::new(Abilities {
                 hertz: true,
                 vector: true,
@@ -232,7 +235,9 @@ impl Bench {
 
     /// Goes on by a step.
     pub fn step(&mut self) {
+        self.body.push(&mut self.chain, &self.input, 1.0);
         self.stepper.step(&mut self.chain, &self.input);
+        self.body.follow(&mut self.chain, self.input.dt);
     }
 
     /// Frequency, Hz, of what `measure` gives: over `periods` from its first zero. Zeros are

@@ -10,4 +10,5 @@ mod rest;
 mod step_limit;
 mod stick_slip;
 mod top_drive;
+mod wall;
 mod waves;

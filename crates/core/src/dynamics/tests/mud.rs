@@ -14,6 +14,7 @@ const STILL: Mud = Mud {
     density_kg_per_m3: 1200.0,
     linear_drag_Pa_s: 0.0,
     drag_coefficient: 0.0,
+    rheology: None,
 };
 
 fn rod(mud: Mud) -> Bench {

@@ -58,7 +58,8 @@ struct Stretch {
     to_md_m: f64,
     weight_N_per_m: f64,
     contact_radius_m: f64,
-    friction: f64,
+    /// Coefficients of friction along and around.
+    friction: (f64, f64),
     /// Parts of the sliding direction along and around.
     sliding: (f64, f64),
     axial_stiffness_N: f64,
@@ -90,13 +91,16 @@ impl Stretch {
         let across = down - point.tangent * point.tangent.z;
         let q_N_per_m = point.curvature_per_m * tension_N + across * self.weight_N_per_m;
         let side_force_N_per_m = q_N_per_m.norm();
-        let friction_N_per_m = self.friction * side_force_N_per_m;
+        let (mu_along, mu_around) = self.friction;
         let (along, around) = self.sliding;
         Load {
             q_N_per_m,
             side_force_N_per_m,
-            axial_friction_N_per_m: -friction_N_per_m * along,
-            friction_torque_N_m_per_m: friction_N_per_m * around * self.contact_radius_m,
+            axial_friction_N_per_m: -mu_along * side_force_N_per_m * along,
+            friction_torque_N_m_per_m: mu_around
+                * side_force_N_per_m
+                * around
+                * self.contact_radius_m,
         }
     }
 
@@ -164,6 +168,7 @@ fn stretch(
 ) -> Stretch {
     let middle_m = 0.5 * (from_md_m + to_md_m);
     let (_, component): (_, &Component) = model.string.component_at(bit_depth_m - middle_m);
+    let friction = model.well.hole.at(middle_m).friction;
     let mud_density = model.mud.density_kg_per_m3;
     let contact_radius_m = component.contact_radius_m();
     let material = &component.material;
@@ -172,7 +177,7 @@ fn stretch(
         to_md_m,
         weight_N_per_m: component.buoyed_weight_per_length_N_per_m(mud_density),
         contact_radius_m,
-        friction: model.well.hole.at(middle_m).friction.kinetic,
+        friction: (friction.kinetic, friction.kinetic * friction.around),
         sliding: sliding.direction(contact_radius_m),
         axial_stiffness_N: component.axial_stiffness_N(),
         torsional_stiffness_N_m2: component.torsional_stiffness_N_m2(),

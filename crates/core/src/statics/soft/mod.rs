@@ -14,9 +14,11 @@
 //! bit) and `Ω r` around it, `r` the contact radius; with `V = hypot(v, Ω r)`
 //!
 //! ```text
-//! dF/ds = −w (k·t) + μ N v/V,      dM/ds = −μ N r (Ω r)/V
+//! dF/ds = −w (k·t) + μ N v/V,      dM/ds = −μ' N r (Ω r)/V
 //! ```
 //!
+//! with `μ` the coefficient along the hole and `μ'` the one around it, the same unless the hole says
+//! otherwise: friction lies on an ellipse, as in the dynamics.
 //! from `F = −WOB` and `M = M_bit` at the bit. Drilling at 70 rev/min and 10 m/h therefore keeps a
 //! drag of 0.5 % of `μ N`. Without rotation `V` drops out: a tripping or sliding string drags with all
 //! of `μ N`, however slow; its torque is the motor's, carried unchanged to the surface.
