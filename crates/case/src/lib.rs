@@ -34,6 +34,7 @@ mod range;
 mod reader;
 mod rig;
 mod rule;
+mod schedule;
 mod schema;
 mod settings;
 mod source;
@@ -41,6 +42,7 @@ mod stations;
 mod string;
 pub mod survey;
 mod table;
+mod top_drive;
 mod well;
 
 pub use case::{Case, load, parse};

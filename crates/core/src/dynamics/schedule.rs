@@ -24,8 +24,6 @@ pub struct ScheduleStep {
     pub rotary_speed_rad_per_s: Option<f64>,
     /// What the hoist does.
     pub hoist: Option<HoistSetPoint>,
-    /// Flow rate of the mud, m³/s.
-    pub flow_rate_m3_per_s: Option<f64>,
     /// What it is called in the table against time.
     pub note: Option<String>,
 }
@@ -68,15 +66,21 @@ impl Schedule {
         self.steps.iter().any(|step| step.hoist.is_some())
     }
 
+    /// Whether any line puts the autodriller in control.
+    pub fn holds_a_weight(&self) -> bool {
+        let holds = |step: &ScheduleStep| matches!(step.hoist, Some(HoistSetPoint::WeightOnBit(_)));
+        self.steps.iter().any(holds)
+    }
+
     /// The first line that cannot be followed, and why.
     pub fn fault(&self) -> Option<(usize, ScheduleFault)> {
-        let (mut speed_s, mut hoist_s, mut flow_s) = (None, None, None);
+        let (mut speed_s, mut hoist_s) = (None, None);
         let mut above_s = 0.0;
         for (index, step) in self.steps.iter().enumerate() {
             let hoist = step.hoist.map(|set| match set {
                 HoistSetPoint::BlockVelocity(value) | HoistSetPoint::WeightOnBit(value) => value,
             });
-            let values = [step.rotary_speed_rad_per_s, hoist, step.flow_rate_m3_per_s];
+            let values = [step.rotary_speed_rad_per_s, hoist];
             let sound = |x: f64| x.is_finite();
             if !(sound(step.at_s) && sound(step.ramp_s) && step.at_s >= 0.0 && step.ramp_s >= 0.0)
                 || !values.iter().flatten().all(|x| sound(*x))
@@ -90,7 +94,6 @@ impl Schedule {
             let channels = [
                 ("rpm", values[0], &mut speed_s),
                 ("the hoist", values[1], &mut hoist_s),
-                ("flow_rate", values[2], &mut flow_s),
             ];
             for (name, value, busy) in channels {
                 if value.is_none() {
@@ -149,9 +152,7 @@ impl Schedule {
 impl ScheduleStep {
     /// Whether it changes a set point.
     fn moves(&self) -> bool {
-        self.rotary_speed_rad_per_s.is_some()
-            || self.hoist.is_some()
-            || self.flow_rate_m3_per_s.is_some()
+        self.rotary_speed_rad_per_s.is_some() || self.hoist.is_some()
     }
 }
 
@@ -209,7 +210,6 @@ pub struct SetPoints {
     speed: Ramp,
     /// None until a line moves the hoist; then its kind and its value.
     hoist: Option<(HoistSetPoint, Ramp)>,
-    flow: Option<Ramp>,
 }
 
 impl SetPoints {
@@ -220,7 +220,6 @@ impl SetPoints {
             next: 0,
             speed: Ramp::resting(operation.rotation_rad_per_s()),
             hoist: None,
-            flow: None,
         }
     }
 
@@ -252,10 +251,6 @@ impl SetPoints {
                     }
                 };
                 self.hoist = Some((set, ramp));
-            }
-            if let Some(flow) = step.flow_rate_m3_per_s {
-                let from = self.flow.map_or(flow, |ramp| ramp.at(step.at_s));
-                self.flow = Some(Ramp::begin(from, flow, &step));
             }
         }
     }
