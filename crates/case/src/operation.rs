@@ -172,7 +172,7 @@ impl OperationTable {
             return None;
         }
         let torque = table.torque.optional()?;
-        if let (Some(kind), None, false) = (on_bottom, torque, regenerative) {
+        if let (Some(kind), None, Some(Law::Rate)) = (on_bottom, torque, table.law.get()) {
             reader.report(
                 Diagnostic::warning("no bit torque is given: the bit is taken to turn freely")
                     .at(kind.place, "puts the bit on bottom")

@@ -154,6 +154,7 @@ impl Record {
                 ("bit_depth_m", &series.bit_depth_m),
                 ("weight_on_bit_N", &series.weight_on_bit_N),
                 ("bit_torque_N_m", &series.bit_torque_N_m),
+                ("depth_of_cut_m", &series.depth_of_cut_m),
                 ("hook_load_N", &series.hook_load_N),
                 ("surface_torque_N_m", &series.surface_torque_N_m),
                 ("friction_torque_N_m", &series.friction_torque_N_m),

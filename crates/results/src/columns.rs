@@ -132,6 +132,11 @@ pub const TIME: &[ColumnSpec] = &[
     ColumnSpec::number("weight_on_bit_N", "N", "Weight on bit"),
     ColumnSpec::number("bit_torque_N_m", "N·m", "Torque at the bit"),
     ColumnSpec::number(
+        "depth_of_cut_m",
+        "m",
+        "Rock that a revolution of the bit takes away; `null` where a motor turns it at a speed that is not given",
+    ),
+    ColumnSpec::number(
         "hook_load_N",
         "N",
         "Tension at the top of the string; block and top drive excluded",

@@ -95,8 +95,15 @@ impl Bend {
             self.part = part;
         }
         self.director = chain.director(upper);
-        let (pose, straight_pose) = (self.pose(chain), chain.pose(upper));
-        let bent = react(&k, &pose, input.dt, input.stiffness_damping);
+        let (mut pose, straight_pose) = (self.pose(chain), chain.pose(upper));
+        // The twist is carried on with the directors of half a step ago, where its rate is: with those of now, two ends
+        // that turn about different axes would gain energy of first order in the step.
+        let halfway = Pose {
+            twist: pose.twist,
+            ..assembly::half_a_step_before(pose, input.dt)
+        };
+        pose.twist = react(&k, &halfway, input.dt, 0.0).twist;
+        let bent = react(&k, &pose, 0.0, input.stiffness_damping);
         let straight = react(&k, &straight_pose, input.dt, input.stiffness_damping);
         let force = bent.force - straight.force;
         let above = moment_above(&bent, pose.d1) - moment_above(&straight, straight_pose.d1);

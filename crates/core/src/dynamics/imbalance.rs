@@ -9,8 +9,8 @@ use super::{
 use crate::rod::{bent::carried, vector::Vector};
 
 /// Passes in which momentum and moment of momentum agree. Each leaves the square of the offset over the radius of
-/// gyration, a hundredth at most, of what was left before.
-const PASSES: usize = 4;
+/// gyration, a twentieth at most, of what was left before.
+const PASSES: usize = 8;
 
 /// A node whose centre of mass lies off its axis.
 ///
@@ -120,9 +120,14 @@ impl Imbalance {
         self.toward = carried(q, director, d_moved, (spin_step + ds) * dt);
     }
 
+    /// `q` where the velocities are: half a step before the positions.
+    pub fn halfway(&self) -> Vector<f64> {
+        self.half.unwrap_or(self.toward)
+    }
+
     /// Kinetic and potential energy that the offset adds at the middle of the last step, J.
     pub(super) fn energy_J(&self, chain: &Chain) -> f64 {
-        let q = self.half.unwrap_or(self.toward);
+        let q = self.halfway();
         let turned = whole_turning(chain, self.index).cross(q);
         self.moment_kg_m * chain.velocity(self.index).dot(turned) - self.weight_moment_N_m * q.2
     }

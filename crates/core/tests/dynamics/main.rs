@@ -7,16 +7,19 @@
 mod common;
 mod wells;
 
+mod bit;
 mod break_away;
 mod centred;
 mod checkpoint;
 mod climb;
 mod control;
 mod energy;
+mod friction;
 mod hold;
 mod independent;
 mod np13;
 mod numerics;
 mod operations;
+mod rough;
 mod steadiness;
 mod surroundings;

@@ -84,18 +84,17 @@ impl RateCut {
         if let Some(shaker) = &mut self.shaker {
             shaker.advance((spin + self.motor_rad_per_s) * at.dt, at.dt);
         }
-        let per_revolution = std::f64::consts::TAU / self.nominal_rad_per_s;
-        let depth_of_cut_m = self.rate_m_per_s_per_N * weight * per_revolution;
+        // A motor whose speed nobody gave cuts something, but how much at a time is not known.
+        let depth_of_cut_m = if self.nominal_rad_per_s > 0.0 {
+            self.rate_m_per_s_per_N * weight * std::f64::consts::TAU / self.nominal_rad_per_s
+        } else {
+            f64::NAN
+        };
         Answer {
             weight_N: weight,
             torque_N_m: torque,
             spin_rad_per_s: spin,
-            // A motor whose speed nobody gave cuts something, but how much at a time is not known.
-            depth_of_cut_m: if depth_of_cut_m.is_finite() {
-                depth_of_cut_m
-            } else {
-                0.0
-            },
+            depth_of_cut_m,
         }
     }
 }

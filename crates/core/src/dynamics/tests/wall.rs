@@ -345,3 +345,61 @@ fn a_node_strikes_the_wall_as_hertz_says() {
         assert!((back - expected).abs() < 0.005, "{speed}: {back}");
     }
 }
+
+/// A heavy node pressed on the wall that slides at a speed which friction does not change in a step: the
+/// friction that it meets, along and around, over the contact force.
+fn friction_of(
+    vector: bool,
+    coefficients: [f64; 3],
+    stribeck_speed: f64,
+    along: f64,
+    around: f64,
+) -> [f64; 2] {
+    let mut pipe = Pipe::new(0.10795, 0.07, coefficients[0], 2e-6);
+    let chain = &mut pipe.chain;
+    node!(chain, 0, inv_mass_axial = 1e-9);
+    node!(chain, 0, inv_polar = 1e-9);
+    node!(chain, 0, friction_rise = coefficients[1]);
+    node!(chain, 0, friction_around = coefficients[2]);
+    chain.set_weight(0, Vector(2000.0, 0.0, 0.0));
+    pipe.input.stribeck_speed = stribeck_speed;
+    pipe.stepper = Stepper::new(Abilities {
+        hertz: true,
+        vector,
+        full: true,
+    });
+    pipe.lay(0.0, 2000.0, 0.0);
+    // Of the spin alone: a node that slides sideways would climb.
+    node!(pipe.chain, 0, spin = around / 0.07);
+    pipe.chain.set_velocity(0, Vector(0.0, 0.0, along));
+    pipe.step();
+    let normal = node!(pipe.chain, 0, sum_normal);
+    [
+        node!(pipe.chain, 0, sum_axial) / normal,
+        node!(pipe.chain, 0, sum_torque) / 0.07 / normal,
+    ]
+}
+
+/// Friction by direction and by speed: on the cone `f = N (μ_a u_a, μ_t u_t)/|u|`, or each in full, with the
+/// coefficient `μ_k + (μ_s − μ_k)/(1 + (|u|/v_s)²)`, `μ_t` in its ratio to `μ_a`.
+///
+/// Within 1e-3: in the step of 2 µs friction moves the node around by 2e-4 of these speeds.
+#[test]
+fn friction_knows_direction_and_speed() {
+    for ratio in [1.0f64, 0.5, 1.4, 0.0] {
+        for (along, around) in [(0.3f64, 0.4f64), (-0.05, 0.12), (0.6, -0.2)] {
+            for stribeck in [0.02, 0.1, 1.0] {
+                let speed = along.hypot(around);
+                let mu = 0.25 + 0.1 / (1.0 + (speed / stribeck).powi(2));
+                let [a, t] = friction_of(true, [0.25, 0.1, ratio], stribeck, along, around);
+                let expected = [mu * along / speed, ratio * mu * around / speed];
+                assert!((a - expected[0]).abs() < 1e-3 * mu, "{a} {expected:?}");
+                assert!((t - expected[1]).abs() < 1e-3 * mu, "{t} {expected:?}");
+                let [a, t] = friction_of(false, [0.25, 0.1, ratio], stribeck, along, around);
+                let expected = [mu.copysign(along), (ratio * mu).copysign(around)];
+                assert!((a - expected[0]).abs() < 1e-3 * mu, "{a} {expected:?}");
+                assert!((t - expected[1]).abs() < 1e-3 * mu, "{t} {expected:?}");
+            }
+        }
+    }
+}
