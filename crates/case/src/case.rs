@@ -11,7 +11,7 @@ use crate::{
     assembly,
     bit::BitTable,
     diagnostic::{Diagnostic, Report},
-    dynamics::{DynamicsTable, MeshTable},
+    dynamics::{DynamicsTable, MeshTable, Told},
     effort, fit, hole,
     mud::MudTable,
     names::short,
@@ -26,6 +26,7 @@ use crate::{
     source::{Disk, Files, Place, read_bounded},
     string::{ComponentTable, SteelTable},
     table::{default, optional, required, table},
+    top_drive::TopDriveTable,
     well::WellTable,
 };
 
@@ -116,6 +117,8 @@ table! {
         rig: RigTable = optional(Section::<RigTable>::RULE);
         /// How the top of the string is moved along the hole in the dynamic model.
         hoist: HoistTable = optional(Section::<HoistTable>::RULE);
+        /// What turns the top of the string in the dynamic model.
+        top_drive: TopDriveTable = optional(Section::<TopDriveTable>::RULE);
         /// What the driller is doing.
         operation: OperationTable = required(Section::<OperationTable>::RULE);
         /// How finely the string is cut.
@@ -285,8 +288,21 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         ),
         _ => None,
     };
+    let schedule = operation.and_then(|operation| {
+        let end_s = case.dynamics.get().and_then(DynamicsTable::end_s);
+        operation.schedule(models.as_deref().unwrap_or(&[]), end_s, reader)
+    });
+    let top_drive = case.top_drive.get().and_then(|drive| drive.build(reader));
     let dynamics = match (case.dynamics.get(), case.mesh.get(), case.hoist.get()) {
-        (Some(dynamics), Some(mesh), Some(hoist)) => dynamics.build(mesh, hoist, bit, reader),
+        (Some(dynamics), Some(mesh), Some(hoist)) => {
+            let told = Told {
+                hoist,
+                bit,
+                top_drive,
+                schedule,
+            };
+            dynamics.build(mesh, told, reader)
+        }
         _ => None,
     };
 

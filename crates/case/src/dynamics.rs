@@ -1,7 +1,10 @@
 //! `[mesh]` and `[dynamics]`.
 
 use wholestring::{
-    dynamics::{BitSettings, ContactLaw, DynamicsSettings, FrictionLaw, RodDamping, Start},
+    dynamics::{
+        Autodriller, BitSettings, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl,
+        RodDamping, Schedule, Start, TopDriveSettings,
+    },
     well::{Hole, HoleSection},
 };
 use wholestring_units::Dimension;
@@ -144,16 +147,36 @@ fn hertz_dissipation_default() -> f64 {
     }
 }
 
+/// What other tables tell of a dynamic run; what is missing has been reported.
+pub(crate) struct Told<'a> {
+    pub(crate) hoist: &'a HoistTable,
+    pub(crate) bit: Option<BitSettings>,
+    pub(crate) top_drive: Option<TopDriveSettings>,
+    pub(crate) schedule: Option<Schedule>,
+}
+
 impl DynamicsTable {
+    /// Where the run ends, s.
+    pub(crate) fn end_s(&self) -> Option<f64> {
+        Some(*self.settle.get()? + *self.duration.get()?)
+    }
+
     pub(crate) fn build(
         &self,
         mesh: &MeshTable,
-        hoist: &HoistTable,
-        bit: Option<BitSettings>,
+        told: Told<'_>,
         reader: &mut Reader,
     ) -> Option<DynamicsSettings> {
+        let Told {
+            hoist,
+            bit,
+            top_drive,
+            schedule,
+        } = told;
         let contact_law = self.contact(reader);
-        let hoist_control = hoist.control(reader);
+        let plan = schedule.clone().unwrap_or_default();
+        let hoist_control = hoist.control(&plan, reader);
+        let autodriller = hoist.autodriller(reader);
         self.check_samples(reader)?;
         let damping = self.damping.get()?;
         Some(DynamicsSettings {
@@ -168,7 +191,18 @@ impl DynamicsTable {
                 mass_per_s: *damping.mass.get()?,
                 stiffness_s: *damping.stiffness.get()?,
             },
+            stribeck_speed_m_per_s: *self.stribeck_speed.get()?,
             hoist_control: hoist_control?,
+            // An operation that takes the autodriller by itself takes it as it is by default.
+            autodriller: if hoist_control? == Some(HoistControl::Autodriller)
+                || plan.holds_a_weight()
+            {
+                autodriller?
+            } else {
+                autodriller.map(|_| Autodriller::default())?
+            },
+            top_drive: top_drive?,
+            schedule: schedule?,
             hoist_line: hoist.line()?,
             bit: bit?,
             sample_interval_s: *self.sample_interval.get()?,

@@ -35,6 +35,7 @@ mod reader;
 mod rig;
 mod roughness;
 mod rule;
+mod schedule;
 mod schema;
 mod settings;
 mod source;
@@ -42,6 +43,7 @@ mod stations;
 mod string;
 pub mod survey;
 mod table;
+mod top_drive;
 mod well;
 
 pub use case::{Case, load, parse};

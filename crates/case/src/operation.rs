@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use wholestring::{
-    dynamics::{BitLaw, BitSettings, RegenerativeLaw},
+    dynamics::{BitLaw, BitSettings, RegenerativeLaw, Schedule},
     operation::{Operation, OperationKind},
     outcome::ModelKind,
 };
@@ -15,7 +15,8 @@ use crate::{
     quantity::Quantity,
     range::{Range, number_text},
     reader::Reader,
-    rule::{At, Choice, List, once_each},
+    rule::{At, Choice, List, Section, once_each},
+    schedule::{self, Around, StepTable},
     source::Place,
     table::{Field, default, optional, required, table},
 };
@@ -88,6 +89,14 @@ table! {
             Quantity::si(Dimension::TripSpeed, Range::positive_to(10.0), "0.3 m/s"),
             TRIP_SPEED_M_PER_S,
         );
+        /// What the driller changes while a dynamic run goes on, line by line in the order of time. One operation
+        /// alone can have a schedule.
+        schedule: Vec<At<StepTable>> = optional(List {
+            item: Section::<StepTable>::RULE,
+            or_one: false,
+            noun: "lines ([[operation.schedule]])",
+            most: 5000,
+        });
     }
 }
 
@@ -103,6 +112,25 @@ impl OperationTable {
             Some(at) => Some(at.value),
             None => last_station_m,
         }
+    }
+
+    /// The plan of what changes in the course of a run that ends at `end_s`.
+    pub(crate) fn schedule(
+        &self,
+        models: &[ModelKind],
+        end_s: Option<f64>,
+        reader: &mut Reader,
+    ) -> Option<Schedule> {
+        let Some(lines) = self.schedule.optional()? else {
+            return Some(Schedule::default());
+        };
+        let around = Around {
+            kinds: self.kind.get()?,
+            models,
+            wob_N: self.wob.optional()?.map(|at| at.value),
+            end_s,
+        };
+        schedule::build(lines, &around, reader)
     }
 
     /// The operations, with the set points that each needs.

@@ -2,7 +2,10 @@
 
 use serde_json::{Value as Json, json};
 use wholestring::{
-    dynamics::{Band, BitLaw, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, Start},
+    dynamics::{
+        Band, BitLaw, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistSetPoint,
+        Schedule, ScheduleStep, SpeedController, Start, TopDriveSettings,
+    },
     model::Model,
     operation::Operation,
     outcome::ModelKind,
@@ -42,7 +45,8 @@ pub(crate) fn settings(
             "top_drive_torque_N_m": model.rig.top_drive_torque_N_m,
         },
         "hoist": hoist(dynamics, case.hoist.get()),
-        "operation": operation(operations),
+        "top_drive": top_drive(&dynamics.top_drive),
+        "operation": operation(operations, &dynamics.schedule),
         "mesh": { "element_length_m": dynamics.element_length_m },
         "dynamics": run(dynamics),
     })
@@ -159,20 +163,89 @@ fn hoist(dynamics: &DynamicsSettings, table: Option<&HoistTable>) -> Json {
     let number = |value: Option<&f64>| value.copied();
     json!({
         "control": dynamics.hoist_control.map(|control| match control {
-            HoistControl::Autodriller { .. } => "autodriller",
+            HoistControl::Autodriller => "autodriller",
             HoistControl::BlockVelocity(_) => "block-velocity",
             HoistControl::HookLoad(_) => "hook-load",
         }),
         "gain_m_per_s_per_N": number(table.and_then(|table| table.gain.get())),
+        "integral_time_s": number(table.and_then(|table| table.integral_time.get())),
         "filter_s": number(table.and_then(|table| table.filter.get())),
+        "min_speed_m_per_s": number(table.and_then(|table| table.min_speed.get())),
+        "max_speed_m_per_s": number(table.and_then(|table| table.max_speed.get())),
         "block_velocity_m_per_s": number(table.and_then(|table| table.block_velocity.get())),
         "hook_load_N": number(table.and_then(|table| table.hook_load.get())),
         "stiffness_N_per_m": dynamics.hoist_line.stiffness_N_per_m,
         "damping_N_s_per_m": dynamics.hoist_line.damping_N_s_per_m,
+        "mass_kg": dynamics.hoist_line.block_mass_kg,
     })
 }
 
-fn operation(operations: &[Operation]) -> Json {
+/// The drive as it runs; what it finds by itself from the string is `null`.
+fn top_drive(drive: &TopDriveSettings) -> Json {
+    let TopDriveSettings::Driven {
+        inertia_kg_m2,
+        controller,
+        torque_limit_N_m,
+    } = *drive
+    else {
+        return json!({ "control": "constant" });
+    };
+    let mut json = match controller {
+        SpeedController::Pi {
+            proportional_N_m_s,
+            integral_N_m,
+        } => json!({
+            "control": "pi",
+            "proportional_N_m_s": proportional_N_m_s,
+            "integral_N_m": integral_N_m,
+        }),
+        SpeedController::SoftTorque {
+            impedance_ratio,
+            frequency_Hz,
+        } => json!({
+            "control": "soft-torque",
+            "impedance_ratio": impedance_ratio,
+            "frequency_Hz": frequency_Hz,
+        }),
+        SpeedController::ZTorque {
+            impedance_ratio,
+            frequency_Hz,
+            proportional_N_m_s,
+            integral_N_m,
+        } => json!({
+            "control": "z-torque",
+            "impedance_ratio": impedance_ratio,
+            "frequency_Hz": frequency_Hz,
+            "proportional_N_m_s": proportional_N_m_s,
+            "integral_N_m": integral_N_m,
+        }),
+    };
+    json["inertia_kg_m2"] = json!(inertia_kg_m2);
+    json["torque_limit_N_m"] = json!(torque_limit_N_m);
+    json
+}
+
+/// The lines of a schedule; what a line does not set is `null`.
+fn schedule(schedule: &Schedule) -> Json {
+    let line = |step: &ScheduleStep| {
+        let (velocity, weight) = match step.hoist {
+            Some(HoistSetPoint::BlockVelocity(velocity)) => (Some(velocity), None),
+            Some(HoistSetPoint::WeightOnBit(weight)) => (None, Some(weight)),
+            None => (None, None),
+        };
+        json!({
+            "at_s": step.at_s,
+            "ramp_s": step.ramp_s,
+            "rotary_speed_rad_per_s": step.rotary_speed_rad_per_s,
+            "block_velocity_m_per_s": velocity,
+            "wob_N": weight,
+            "note": step.note,
+        })
+    };
+    schedule.steps.iter().map(line).collect()
+}
+
+fn operation(operations: &[Operation], plan: &Schedule) -> Json {
     let first = operations.first();
     json!({
         "kind": operations.iter().map(|operation| operation.kind.name()).collect::<Vec<_>>(),
@@ -181,6 +254,7 @@ fn operation(operations: &[Operation]) -> Json {
         "wob_N": first.map(|operation| operation.weight_on_bit_N),
         "rop_m_per_s": first.map(|operation| operation.rate_of_penetration_m_per_s),
         "trip_speed_m_per_s": first.map(|operation| operation.trip_speed_m_per_s),
+        "schedule": schedule(plan),
     })
 }
 

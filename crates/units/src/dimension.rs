@@ -51,6 +51,10 @@ pub enum Dimension {
     Frequency,
     /// Masses, kg.
     Mass,
+    /// Moments of inertia about an axis, kg·m².
+    MomentOfInertia,
+    /// Torque per rotary speed, N·m·s.
+    RotaryDamping,
 }
 
 impl Dimension {
@@ -77,6 +81,8 @@ impl Dimension {
         Dimension::Time,
         Dimension::Frequency,
         Dimension::Mass,
+        Dimension::MomentOfInertia,
+        Dimension::RotaryDamping,
     ];
 
     /// The name in a sentence, such as `"rotary speed"`.
@@ -103,6 +109,8 @@ impl Dimension {
             Dimension::Time => "time",
             Dimension::Frequency => "frequency",
             Dimension::Mass => "mass",
+            Dimension::MomentOfInertia => "moment of inertia",
+            Dimension::RotaryDamping => "torque per rotary speed",
         }
     }
 
@@ -130,6 +138,8 @@ impl Dimension {
             Dimension::Time => table::TIME,
             Dimension::Frequency => table::FREQUENCY,
             Dimension::Mass => table::MASS,
+            Dimension::MomentOfInertia => table::MOMENT_OF_INERTIA,
+            Dimension::RotaryDamping => table::ROTARY_DAMPING,
         }
     }
 
@@ -171,6 +181,8 @@ impl Dimension {
             Dimension::Time => ["s", "s", "s"],
             Dimension::Frequency => ["1/s", "1/s", "1/s"],
             Dimension::Mass => ["kg", "t", "lb"],
+            Dimension::MomentOfInertia => ["kg.m2", "kg.m2", "lb.ft2"],
+            Dimension::RotaryDamping => ["kN.m.s", "kN.m.s", "ft-lbf.s"],
         };
         match set {
             UnitSet::Si => si,

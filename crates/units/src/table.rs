@@ -298,3 +298,20 @@ pub(crate) const MASS: &[Unit] = &[
     unit("g", 1e-3, &[]),
     unit("tonUS", 2000.0 * POUND, &["ton[US]", "US ton", "short ton"]),
 ];
+
+pub(crate) const MOMENT_OF_INERTIA: &[Unit] = &[
+    unit("kg.m2", 1.0, &["kg m2", "kgm2"]),
+    unit("t.m2", 1e3, &["t m2"]),
+    unit("lb.ft2", POUND * FOOT * FOOT, &["lbm.ft2", "lb ft2"]),
+];
+
+pub(crate) const ROTARY_DAMPING: &[Unit] = &[
+    unit("kN.m.s", 1e3, &["kN.m.s/rad"]),
+    unit("N.m.s", 1.0, &["N.m.s/rad"]),
+    unit(
+        "ft-lbf.s",
+        FOOT * POUND_FORCE,
+        &["lbf.ft.s", "ft.lbf.s", "ft.lb.s"],
+    ),
+    unit("kN.m/rpm", 1e3 * MINUTE / TURN, &[]),
+];

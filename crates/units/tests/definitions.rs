@@ -152,6 +152,17 @@ fn definition(dimension: Dimension, symbol: &str) -> Option<f64> {
         (D::Mass, "lb") => 0.453_592_37,
         (D::Mass, "klb") => 453.592_37,
         (D::Mass, "tonUS") => 907.184_74,
+
+        (D::MomentOfInertia, "kg.m2") => 1.0,
+        (D::MomentOfInertia, "t.m2") => 1e3,
+        (D::MomentOfInertia, "lb.ft2") => {
+            ratio(&[0.453_592_37, 12.0, 2.54, 12.0, 2.54], &[100.0, 100.0])
+        }
+
+        (D::RotaryDamping, "N.m.s") => 1.0,
+        (D::RotaryDamping, "kN.m.s") => 1e3,
+        (D::RotaryDamping, "ft-lbf.s") => ratio(&[lbf[0], lbf[1], 12.0, 2.54], &[100.0]),
+        (D::RotaryDamping, "kN.m/rpm") => ratio(&[1e3, 60.0], &[2.0, PI]),
         _ => return None,
     };
     Some(value)

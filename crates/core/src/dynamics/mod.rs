@@ -10,6 +10,7 @@ mod hoist;
 mod imbalance;
 mod outcome;
 mod record;
+mod schedule;
 mod settings;
 mod setup;
 mod simulation;
@@ -18,14 +19,17 @@ mod step;
 mod summary;
 #[cfg(test)]
 mod tests;
+mod top_drive;
 mod viscous;
 mod wear;
 
 pub use bit::{Band, BitLaw, BitSettings, Excitation, RateLaw, RegenerativeLaw, SteadyCut};
 pub use energy::EnergyBalance;
 pub use outcome::{DynamicOutcome, HoleWear, NodeProfile, Numerics, Statistic, TimeSeries};
+pub use schedule::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep};
 pub use settings::{
-    ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping, Start,
+    Autodriller, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping,
+    SpeedController, Start, TopDriveSettings,
 };
 pub use setup::{Effort, SetupError};
 pub use simulation::{Checkpoint, Diverged, ResumeError, Simulation};

@@ -44,6 +44,7 @@ fn free_string() -> Simulation {
         hoist_control: Some(HoistControl::BlockVelocity(0.0)),
         // So stiff that the top does not move: it neither stores energy nor, solved implicitly, loses any.
         hoist_line: HoistLine {
+            block_mass_kg: 0.0,
             stiffness_N_per_m: 1e15,
             damping_N_s_per_m: 0.0,
         },
