@@ -13,7 +13,7 @@ mod parquet_file;
 mod summary;
 mod table;
 
-pub use columns::{ColumnSpec, NODES, TIME};
+pub use columns::{ColumnSpec, FRAMES, NODES, SPECTRA, TIME};
 pub use error::ResultsError;
 pub use folder::ResultsFolder;
 pub use summary::{

@@ -2,8 +2,11 @@
 
 mod assembly;
 mod bit;
+mod carry;
 mod chain;
+mod frame;
 mod hoist;
+mod indicators;
 mod outcome;
 mod record;
 mod settings;
@@ -15,7 +18,11 @@ mod summary;
 #[cfg(test)]
 mod tests;
 
-pub use outcome::{DynamicOutcome, NodeProfile, Numerics, Statistic, TimeSeries};
+pub use frame::{Channel, Frame};
+pub use indicators::{Indicators, StickSlip, TorqueUse, Whirl};
+pub use outcome::{
+    ContactClass, DynamicOutcome, NodeProfile, Numerics, Percentiles, Statistic, TimeSeries,
+};
 pub use settings::{
     BitSettings, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping,
     Start,

@@ -6,9 +6,10 @@ use super::{
     assembly::{self, Anchor, Surroundings},
     bit::Bit,
     chain::{Chain, element, node},
+    frame::{self, Frame},
     hoist::Hoist,
     outcome::DynamicOutcome,
-    record::Record,
+    record::{self, Record},
     settings::{ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, Start},
     setup::{self, SetupError},
     start::{self, Scene},
@@ -19,6 +20,7 @@ use crate::{
     model::{Model, MudColumn},
     operation::Operation,
     rod::{
+        lanes::LANES,
         mesh::{Mesh, MeshNode},
         stability::StepPlan,
     },
@@ -87,7 +89,7 @@ pub struct Simulation {
     steps_per_sample: u64,
     since_sample: SinceSample,
     record: Record,
-    /// High side at each node, as plain numbers for the sampling loop.
+    /// High side at each node, as plain numbers for the sampling loop, padded to whole blocks.
     high: Vec<[f64; 3]>,
     ledger: Ledger,
     window_open: bool,
@@ -166,8 +168,9 @@ impl Simulation {
             top,
             initial.hook_load_N,
         );
-        let record = Record::new(&chain);
-        let high = anchors.iter().map(|a| a.high_side.into()).collect();
+        let record = Record::new(model, &mesh);
+        let mut high: Vec<[f64; 3]> = anchors.iter().map(|a| a.high_side.into()).collect();
+        high.resize(high.len().next_multiple_of(LANES), [0.0; 3]);
         let steps_per_sample = (settings.sample_interval_s / plan.dt_s).round().max(1.0) as u64;
         Ok(Self {
             model: model.clone(),
@@ -242,9 +245,10 @@ impl Simulation {
     /// # Errors
     /// A run that diverged; what it had sampled before stays available.
     pub fn advance(&mut self, seconds: f64) -> Result<(), Diverged> {
-        let interval = self.steps_per_sample as f64 * self.plan.dt_s;
-        let samples = (seconds / interval).round().max(1.0) as u64;
+        let samples = (seconds / self.sample_interval_s()).round().max(1.0) as u64;
         for _ in 0..samples {
+            // Until here they are what the last sample saw.
+            self.chain.clear_sums();
             for _ in 0..self.steps_per_sample {
                 self.step();
                 if self.steps.is_multiple_of(FOLLOW_STEPS) {
@@ -393,13 +397,19 @@ impl Simulation {
             };
         }
         let sums = std::mem::take(&mut self.since_sample);
-        let totals = self.record.sample(&mut self.chain, &self.high, sums.steps);
+        let totals = self.record.sample(&self.chain, &self.high, sums.steps);
         let n = sums.steps as f64;
         let last = self.chain.nodes() - 1;
         let elongation = self.elongation_m();
         let twist = -(0..self.chain.elements())
             .map(|i| element!(self.chain, i, twist))
             .sum::<f64>();
+        let neutral_point_m = record::neutral_point_m(&self.chain, &self.anchors, totals.tension_N);
+        let interval_s = self.sample_interval_s();
+        let path = &self.model.well.path;
+        let cutoff_depth_m =
+            self.record
+                .cutoff_depth_m(&self.mesh, path, &self.anchors, interval_s);
         let series = &mut self.record.series;
         series.time_s.push(time);
         series.bit_depth_m.push(
@@ -420,6 +430,26 @@ impl Simulation {
         series
             .bit_rotary_speed_rad_per_s
             .push(node!(self.chain, last, spin));
+        series.neutral_point_m.push(neutral_point_m);
+        series.cutoff_depth_m.push(cutoff_depth_m);
+    }
+
+    /// The whole string as it is now, at the end of a sample: after [`advance`](Self::advance).
+    pub fn frame(&self) -> Frame {
+        frame::Scene {
+            chain: &self.chain,
+            anchors: &self.anchors,
+            high: &self.high,
+            strength: self.record.strength(),
+            time_s: self.time_s(),
+            summed_steps: self.steps_per_sample,
+        }
+        .frame()
+    }
+
+    /// Time between two samples, s: the setting, rounded to whole steps.
+    pub fn sample_interval_s(&self) -> f64 {
+        self.steps_per_sample as f64 * self.plan.dt_s
     }
 
     /// Elongation against the unloaded string, m: by effective tension, less what the mud's pressure
@@ -475,6 +505,7 @@ impl Simulation {
     pub fn outcome(&self) -> DynamicOutcome {
         summary::outcome(&summary::Sources {
             model: &self.model,
+            operation: &self.operation,
             mesh: &self.mesh,
             plan: &self.plan,
             anchors: &self.anchors,
