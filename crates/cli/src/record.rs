@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use wholestring::{
-    dynamics::DynamicOutcome,
+    dynamics::{ContactClass, DynamicOutcome, NodeProfile, TimeSeries},
     operation::Operation,
     outcome::{ModelKind, Scalars},
     statics::soft::SoftProfile,
@@ -57,7 +57,12 @@ impl Record {
             .map(|force| f64::from(u8::from(*force != 0.0)))
             .collect();
         self.nodes.append(
-            &[("model", "soft"), ("operation", operation.kind.name())],
+            &[
+                ("model", &["soft"]),
+                ("operation", &[operation.kind.name()]),
+                ("contact_class", &classes(&contact)),
+                ("contact_side", &sides(&profile.side_force_N_per_m)),
+            ],
             &[
                 ("md_m", &profile.md_m),
                 ("tension_N", &profile.tension_N),
@@ -87,6 +92,7 @@ impl Record {
             scalars,
             statistics,
             numerics,
+            indicators,
             nodes,
             wear,
             series,
@@ -107,6 +113,7 @@ impl Record {
         let solved = OperationSummary {
             status,
             statistics: Some(statistics.collect()),
+            indicators: Some(*indicators),
             numerics: Some(Numerics {
                 elements: numerics.elements,
                 time_step_s: numerics.time_step_s,
@@ -121,15 +128,18 @@ impl Record {
             ..self.solved(ModelKind::Dynamic, operation, *scalars)
         };
         self.summary.operations.push(solved);
-        let operation = operation.kind.name();
-        // The table writes what is not finite as `null`.
-        let climb_rad: Vec<f64> = nodes
-            .climb_rad
-            .iter()
-            .map(|climb| climb.unwrap_or(f64::NAN))
-            .collect();
+        self.add_profile(operation, nodes);
+        self.add_series(operation, series);
+    }
+
+    fn add_profile(&mut self, operation: &Operation, nodes: &NodeProfile) {
         self.nodes.append(
-            &[("model", "dynamic"), ("operation", operation)],
+            &[
+                ("model", &["dynamic"]),
+                ("operation", &[operation.kind.name()]),
+                ("contact_class", &classes(&nodes.contact_fraction)),
+                ("contact_side", &sides(&nodes.side_force_N_per_m)),
+            ],
             &[
                 ("md_m", &nodes.md_m),
                 ("tension_N", &nodes.tension_N),
@@ -141,12 +151,59 @@ impl Record {
                 ("contact_force_N", &nodes.contact_force_N),
                 ("contact_force_std_N", &nodes.contact_force_std_N),
                 ("contact_force_max_N", &nodes.contact_force_max_N),
-                ("climb_rad", &climb_rad),
+                ("climb_rad", &numbers(&nodes.climb_rad)),
                 ("lateral_offset_m", &nodes.lateral_offset_m),
                 ("axial_friction_N_per_m", &nodes.axial_friction_N_per_m),
                 (
                     "friction_torque_N_m_per_m",
                     &nodes.friction_torque_N_m_per_m,
+                ),
+                (
+                    "side_force_per_joint_N",
+                    &numbers(&nodes.side_force_per_joint_N),
+                ),
+                ("tension_p05_N", &nodes.tension_percentiles_N.p05),
+                ("tension_p50_N", &nodes.tension_percentiles_N.p50),
+                ("tension_p95_N", &nodes.tension_percentiles_N.p95),
+                ("torque_p05_N_m", &nodes.torque_percentiles_N_m.p05),
+                ("torque_p50_N_m", &nodes.torque_percentiles_N_m.p50),
+                ("torque_p95_N_m", &nodes.torque_percentiles_N_m.p95),
+                (
+                    "contact_force_p05_N",
+                    &nodes.contact_force_percentiles_N.p05,
+                ),
+                (
+                    "contact_force_p50_N",
+                    &nodes.contact_force_percentiles_N.p50,
+                ),
+                (
+                    "contact_force_p95_N",
+                    &nodes.contact_force_percentiles_N.p95,
+                ),
+                ("true_tension_N", &nodes.true_tension_N),
+                ("bending_moment_N_m", &nodes.bending_moment_N_m),
+                ("bending_moment_max_N_m", &nodes.bending_moment_max_N_m),
+                (
+                    "bending_moment_p05_N_m",
+                    &nodes.bending_moment_percentiles_N_m.p05,
+                ),
+                (
+                    "bending_moment_p50_N_m",
+                    &nodes.bending_moment_percentiles_N_m.p50,
+                ),
+                (
+                    "bending_moment_p95_N_m",
+                    &nodes.bending_moment_percentiles_N_m.p95,
+                ),
+                ("bending_stress_Pa", &nodes.bending_stress_Pa),
+                ("von_mises_stress_Pa", &nodes.von_mises_stress_Pa),
+                ("von_mises_stress_max_Pa", &nodes.von_mises_stress_max_Pa),
+                ("yield_use", &numbers(&nodes.yield_use)),
+                ("whirl_rate_rad_per_s", &nodes.whirl_rate_rad_per_s),
+                ("whirl_coherence", &nodes.whirl_coherence),
+                (
+                    "lateral_speed_rms_m_per_s",
+                    &nodes.lateral_speed_rms_m_per_s,
                 ),
                 ("wear_work_J_per_m", &nodes.wear_work_J_per_m),
             ],
@@ -159,8 +216,11 @@ impl Record {
                 ("wear_power_W_per_m", &wear.wear_power_W_per_m),
             ],
         );
+    }
+
+    fn add_series(&mut self, operation: &Operation, series: &TimeSeries) {
         self.time.append(
-            &[("operation", operation)],
+            &[("operation", &[operation.kind.name()])],
             &[
                 ("time_s", &series.time_s),
                 ("bit_depth_m", &series.bit_depth_m),
@@ -174,6 +234,8 @@ impl Record {
                 ("side_force_total_N", &series.side_force_total_N),
                 ("twist_rad", &series.twist_rad),
                 ("stretch_m", &series.stretch_m),
+                ("neutral_point_m", &numbers(&series.neutral_point_m)),
+                ("cutoff_depth_m", &numbers(&series.cutoff_depth_m)),
                 ("block_velocity_m_per_s", &series.block_velocity_m_per_s),
                 (
                     "bit_rotary_speed_rad_per_s",
@@ -198,6 +260,7 @@ impl Record {
             bit_depth_m: operation.bit_depth_m,
             scalars,
             statistics: None,
+            indicators: None,
             numerics: None,
         }
     }
@@ -219,6 +282,26 @@ impl Record {
         folder.write_summary(&self.summary)?;
         Ok(())
     }
+}
+
+/// The table writes what is not finite as `null`.
+fn numbers(values: &[Option<f64>]) -> Vec<f64> {
+    let number = |value: &Option<f64>| value.unwrap_or(f64::NAN);
+    values.iter().map(number).collect()
+}
+
+fn classes(contact_fraction: &[f64]) -> Vec<&'static str> {
+    let class = |fraction: &f64| ContactClass::of(*fraction).name();
+    contact_fraction.iter().map(class).collect()
+}
+
+fn sides(side_force: &[f64]) -> Vec<&'static str> {
+    let side = |force: &f64| match *force {
+        force if force > 0.0 => "high",
+        force if force < 0.0 => "low",
+        _ => "none",
+    };
+    side_force.iter().map(side).collect()
 }
 
 fn friction(hole: &Hole) -> Vec<f64> {

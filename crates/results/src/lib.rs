@@ -13,7 +13,7 @@ mod parquet_file;
 mod summary;
 mod table;
 
-pub use columns::{ColumnSpec, NODES, TIME, WEAR};
+pub use columns::{ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
 pub use error::ResultsError;
 pub use folder::ResultsFolder;
 pub use summary::{

@@ -4,10 +4,13 @@ mod assembly;
 mod bent;
 mod bit;
 mod body;
+mod carry;
 mod chain;
 mod energy;
+mod frame;
 mod hoist;
 mod imbalance;
+mod indicators;
 mod outcome;
 mod record;
 mod schedule;
@@ -25,7 +28,12 @@ mod wear;
 
 pub use bit::{Band, BitLaw, BitSettings, Excitation, RateLaw, RegenerativeLaw, SteadyCut};
 pub use energy::EnergyBalance;
-pub use outcome::{DynamicOutcome, HoleWear, NodeProfile, Numerics, Statistic, TimeSeries};
+pub use frame::{Channel, Frame};
+pub use indicators::{Indicators, StickSlip, TorqueUse, Whirl};
+pub use outcome::{
+    ContactClass, DynamicOutcome, HoleWear, NodeProfile, Numerics, Percentiles, Statistic,
+    TimeSeries,
+};
 pub use schedule::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep};
 pub use settings::{
     Autodriller, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping,

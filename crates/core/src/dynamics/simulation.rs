@@ -9,12 +9,13 @@ use super::{
     body::Body,
     chain::{Chain, element, node},
     energy::{self, Energies, EnergyBalance, Ledger, StepWork},
+    frame::{self, Frame},
     hoist::{Hoist, Target},
     outcome::DynamicOutcome,
-    record::Record,
+    record::{self, Record},
     schedule::{HoistNow, HoistSetPoint, SetPoints},
     settings::{ContactLaw, DynamicsSettings, HoistControl, Start},
-    setup::{self, Frame, SetupError},
+    setup::{self, Basis, SetupError},
     start::{self, Scene},
     step::{StepInput, Stepper},
     summary,
@@ -26,6 +27,7 @@ use crate::{
     model::{Model, MudColumn},
     operation::Operation,
     rod::{
+        lanes::LANES,
         mesh::{Mesh, MeshNode},
         stability::StepPlan,
         torsion,
@@ -100,7 +102,7 @@ pub struct Simulation {
     since_sample: SinceSample,
     record: Record,
     wear: Wear,
-    /// High side at each node, as plain numbers for the sampling loop.
+    /// High side at each node, as plain numbers for the sampling loop, padded to whole blocks.
     high: Vec<[f64; 3]>,
     ledger: Ledger,
     window_open: bool,
@@ -130,13 +132,13 @@ impl Simulation {
         operation: &Operation,
         settings: &DynamicsSettings,
     ) -> Result<Self, SetupError> {
-        let Frame {
+        let Basis {
             mesh,
             plan,
             surroundings,
             stepper,
             steps_per_sample,
-        } = Frame::new(model, operation, settings)?;
+        } = Basis::new(model, operation, settings)?;
         let (control, velocity) = setup::hoisting(operation, settings);
         let first = settings.schedule.at_time_zero(operation);
         let bit_md_m = setup::first_bit_md_m(operation, settings);
@@ -199,10 +201,11 @@ impl Simulation {
             BitLaw::Rate(law) => bottom + lighter_N / law.rock_stiffness_N_per_m,
             BitLaw::Regenerative(_) => bottom,
         };
-        let record = Record::new(&chain);
         let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
         let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
-        let high = anchors.iter().map(|a| a.high_side.into()).collect();
+        let record = Record::new(model, &mesh);
+        let mut high: Vec<[f64; 3]> = anchors.iter().map(|a| a.high_side.into()).collect();
+        high.resize(high.len().next_multiple_of(LANES), [0.0; 3]);
         Ok(Self {
             model: model.clone(),
             mud: model.mud_column(),
@@ -293,9 +296,10 @@ impl Simulation {
     /// # Errors
     /// A run that diverged; what it had sampled before stays available.
     pub fn advance(&mut self, seconds: f64) -> Result<(), Diverged> {
-        let interval = self.steps_per_sample as f64 * self.plan.dt_s;
-        let samples = (seconds / interval).round().max(1.0) as u64;
+        let samples = (seconds / self.sample_interval_s()).round().max(1.0) as u64;
         for _ in 0..samples {
+            // Until here they are what the last sample saw.
+            self.chain.clear_sums();
             for _ in 0..self.steps_per_sample {
                 self.step();
                 if self.steps.is_multiple_of(FOLLOW_STEPS) {
@@ -494,13 +498,19 @@ impl Simulation {
         }
         self.wear.sample(&self.chain, |i| self.anchors[i].md_m);
         let sums = std::mem::take(&mut self.since_sample);
-        let totals = self.record.sample(&mut self.chain, &self.high, sums.steps);
+        let totals = self.record.sample(&self.chain, &self.high, sums.steps);
         let n = sums.steps as f64;
         let last = self.chain.nodes() - 1;
         let elongation = self.elongation_m();
         let twist = -(0..self.chain.elements())
             .map(|i| element!(self.chain, i, twist))
             .sum::<f64>();
+        let neutral_point_m = record::neutral_point_m(&self.chain, &self.anchors, totals.tension_N);
+        let interval_s = self.sample_interval_s();
+        let path = &self.model.well.path;
+        let cutoff_depth_m =
+            self.record
+                .cutoff_depth_m(&self.mesh, path, &self.anchors, interval_s);
         let series = &mut self.record.series;
         series.time_s.push(time);
         series.bit_depth_m.push(
@@ -536,6 +546,26 @@ impl Simulation {
         series.block_velocity_set_m_per_s.push(block);
         series.weight_on_bit_set_N.push(weight);
         series.schedule_line.push(self.set_points.line());
+        series.neutral_point_m.push(neutral_point_m);
+        series.cutoff_depth_m.push(cutoff_depth_m);
+    }
+
+    /// The whole string as it is now, at the end of a sample: after [`advance`](Self::advance).
+    pub fn frame(&self) -> Frame {
+        frame::Scene {
+            chain: &self.chain,
+            anchors: &self.anchors,
+            high: &self.high,
+            strength: self.record.strength(),
+            time_s: self.time_s(),
+            summed_steps: self.steps_per_sample,
+        }
+        .frame()
+    }
+
+    /// Time between two samples, s: the setting, rounded to whole steps.
+    pub fn sample_interval_s(&self) -> f64 {
+        self.steps_per_sample as f64 * self.plan.dt_s
     }
 
     /// Elongation against the unloaded string, m: by effective tension, less what the mud's pressure
@@ -591,6 +621,7 @@ impl Simulation {
     pub fn outcome(&self) -> DynamicOutcome {
         summary::outcome(&summary::Sources {
             model: &self.model,
+            operation: &self.operation,
             mesh: &self.mesh,
             plan: &self.plan,
             anchors: &self.anchors,

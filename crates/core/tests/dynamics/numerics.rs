@@ -14,6 +14,7 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         statistics,
         hydraulics: h,
         numerics: n,
+        indicators: _,
         nodes: p,
         series: t,
         wear: w,

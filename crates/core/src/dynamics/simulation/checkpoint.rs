@@ -12,7 +12,7 @@ use crate::{
         hoist::Hoist,
         schedule::SetPoints,
         settings::DynamicsSettings,
-        setup::{Frame, SetupError},
+        setup::{Basis, SetupError},
         top_drive::TopDrive,
         viscous::Viscous,
         wear::Wear,
@@ -143,8 +143,8 @@ impl Simulation {
         settings: &DynamicsSettings,
         checkpoint: Checkpoint,
     ) -> Result<Self, ResumeError> {
-        let frame = Frame::new(model, operation, settings)?;
-        let (found, expected) = (checkpoint.chain.nodes(), frame.mesh.nodes.len());
+        let basis = Basis::new(model, operation, settings)?;
+        let (found, expected) = (checkpoint.chain.nodes(), basis.mesh.nodes.len());
         if found != expected {
             return Err(ResumeError::AnotherString { found, expected });
         }
@@ -153,11 +153,11 @@ impl Simulation {
             mud: model.mud_column(),
             operation: *operation,
             settings: settings.clone(),
-            mesh: frame.mesh,
-            plan: frame.plan,
-            surroundings: frame.surroundings,
-            stepper: frame.stepper,
-            steps_per_sample: frame.steps_per_sample,
+            mesh: basis.mesh,
+            plan: basis.plan,
+            surroundings: basis.surroundings,
+            stepper: basis.stepper,
+            steps_per_sample: basis.steps_per_sample,
             chain: checkpoint.chain,
             anchors: checkpoint.anchors,
             set_points: checkpoint.set_points,
