@@ -18,6 +18,7 @@
 
 mod assembly;
 mod bit;
+mod body;
 mod case;
 mod diagnostic;
 mod dynamics;

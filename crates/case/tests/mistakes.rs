@@ -252,6 +252,38 @@ fn of_relation() {
             explicit("od = \"8-1/2 in\"\nid = \"3 in\""),
         ),
         (
+            "bend_without_place",
+            explicit(&format!("{pipe}\nbend = \"1.5 deg\"")),
+        ),
+        (
+            "bend_of_a_turn",
+            explicit(&format!("{pipe}\nbend = \"90 deg\"\nbend_at = \"2 m\"")),
+        ),
+        (
+            "bend_off_its_component",
+            changed(
+                "length = \"0.34 m\"",
+                "length = \"0.34 m\"\nbend = \"1 deg\"\nbend_at = \"1.9 m\"",
+            ),
+        ),
+        (
+            "bend_at_the_bit",
+            changed(
+                "length = \"0.34 m\"",
+                "length = \"0.34 m\"\nbend = \"1 deg\"\nbend_at = \"0.1 m\"",
+            ),
+        ),
+        (
+            "eccentricity_of_a_crank",
+            explicit(&format!("{pipe}\neccentricity = \"30 mm\"")),
+        ),
+        (
+            "eccentricity_cavity_unknown",
+            explicit(&format!(
+                "{pipe}\neccentricity = \"2 mm\"\neccentricity_cavity = \"air\""
+            )),
+        ),
+        (
             "pipe_heavier_than_solid",
             explicit(&format!("{pipe}\nmass_per_length = \"358 kg/m\"")),
         ),
@@ -694,6 +726,16 @@ fn worth_a_warning() {
             "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\nmass_per_length = \"20 kg/m\" ",
         ),
         ("warn_moduli", "\"76.923 GPa\"", "\"27 GPa\""),
+        (
+            "warn_bend_keys",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\nbend_at = 2\nbend_toolface = \"90 deg\" ",
+        ),
+        (
+            "warn_eccentricity_keys",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\neccentricity_phase = 1\neccentricity_cavity = \"mud\" ",
+        ),
         (
             "warn_joint_mass",
             "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
