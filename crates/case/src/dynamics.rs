@@ -133,7 +133,8 @@ table! {
             Quantity::si(Dimension::Time, Range::from_to(1e-4, 10.0), "10 ms"),
             DynamicsSettings::default().sample_interval_s,
         );
-        /// Seed of the microscopic lateral disturbance that breaks the symmetry of the start.
+        /// Seed of the microscopic lateral disturbance that breaks the symmetry of the start, and of the
+        /// bit's excitation.
         seed: u64 = default(Whole, DynamicsSettings::default().seed);
     }
 }
