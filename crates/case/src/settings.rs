@@ -4,6 +4,7 @@ use serde_json::{Value as Json, json};
 use wholestring::{
     dynamics::{ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, Start},
     model::Model,
+    mud::Rheology,
     operation::Operation,
     outcome::ModelKind,
     string::Component,
@@ -33,6 +34,7 @@ pub(crate) fn settings(
             "density_kg_per_m3": model.mud.density_kg_per_m3,
             "linear_drag_Pa_s": model.mud.linear_drag_Pa_s,
             "drag_coefficient": model.mud.drag_coefficient,
+            "rheology": model.mud.rheology.map(rheology),
         },
         "string": model.string.components().iter().map(component).collect::<Vec<_>>(),
         "bit": {
@@ -50,6 +52,31 @@ pub(crate) fn settings(
         "mesh": { "element_length_m": dynamics.element_length_m },
         "dynamics": run(dynamics),
     })
+}
+
+fn rheology(rheology: Rheology) -> Json {
+    match rheology {
+        Rheology::Newtonian { viscosity_Pa_s } => json!({
+            "law": "newtonian",
+            "viscosity_Pa_s": viscosity_Pa_s,
+        }),
+        Rheology::Bingham {
+            plastic_viscosity_Pa_s,
+            yield_point_Pa,
+        } => json!({
+            "law": "bingham",
+            "plastic_viscosity_Pa_s": plastic_viscosity_Pa_s,
+            "yield_point_Pa": yield_point_Pa,
+        }),
+        Rheology::PowerLaw {
+            consistency_Pa_s_n,
+            flow_index,
+        } => json!({
+            "law": "power-law",
+            "consistency_Pa_s_n": consistency_Pa_s_n,
+            "flow_index": flow_index,
+        }),
+    }
 }
 
 fn well(well: &Well, survey: Option<&String>) -> Json {
@@ -130,6 +157,8 @@ fn operation(operations: &[Operation]) -> Json {
         "wob_N": first.map(|operation| operation.weight_on_bit_N),
         "rop_m_per_s": first.map(|operation| operation.rate_of_penetration_m_per_s),
         "trip_speed_m_per_s": first.map(|operation| operation.trip_speed_m_per_s),
+        "flow_rate_m3_per_s": first.map(|operation| operation.flow_rate_m3_per_s),
+        "bit_pressure_drop_Pa": first.map(|operation| operation.bit_pressure_drop_Pa),
     })
 }
 
