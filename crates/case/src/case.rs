@@ -245,7 +245,7 @@ fn as_text(bytes: &[u8]) -> Result<&str, Diagnostic> {
 fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> Option<Case> {
     let case = CaseTable::read(root, Place::default(), reader);
     let models = models(&case, reader);
-    let mud = case.mud.get().and_then(MudTable::build);
+    let mud = case.mud.get().and_then(|mud| mud.build(reader));
     let steel = case.steel.get().and_then(|steel| steel.build(reader));
     let rig = case.rig.get().and_then(|rig| rig.build(reader));
 
@@ -293,6 +293,9 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         operation.schedule(models.as_deref().unwrap_or(&[]), end_s, reader)
     });
     let top_drive = case.top_drive.get().and_then(|drive| drive.build(reader));
+    if let (Some(operation), Some(mud)) = (operation, &mud) {
+        operation.check_flow(mud, reader);
+    }
     let dynamics = match (case.dynamics.get(), case.mesh.get(), case.hoist.get()) {
         (Some(dynamics), Some(mesh), Some(hoist)) => {
             let told = Told {

@@ -192,7 +192,6 @@ impl DynamicsTable {
                 mass_per_s: *damping.mass.get()?,
                 stiffness_s: *damping.stiffness.get()?,
             },
-            stribeck_speed_m_per_s: *self.stribeck_speed.get()?,
             hoist_control: hoist_control?,
             // An operation that takes the autodriller by itself takes it as it is by default.
             autodriller: if hoist_control? == Some(HoistControl::Autodriller)

@@ -7,6 +7,7 @@ use wholestring::{
         Schedule, ScheduleStep, SpeedController, Start, TopDriveSettings,
     },
     model::Model,
+    mud::Rheology,
     operation::Operation,
     outcome::ModelKind,
     string::Component,
@@ -36,6 +37,7 @@ pub(crate) fn settings(
             "density_kg_per_m3": model.mud.density_kg_per_m3,
             "linear_drag_Pa_s": model.mud.linear_drag_Pa_s,
             "drag_coefficient": model.mud.drag_coefficient,
+            "rheology": model.mud.rheology.map(rheology),
         },
         "string": model.string.components().iter().map(component).collect::<Vec<_>>(),
         "bit": bit(dynamics, operations),
@@ -50,6 +52,31 @@ pub(crate) fn settings(
         "mesh": { "element_length_m": dynamics.element_length_m },
         "dynamics": run(dynamics),
     })
+}
+
+fn rheology(rheology: Rheology) -> Json {
+    match rheology {
+        Rheology::Newtonian { viscosity_Pa_s } => json!({
+            "law": "newtonian",
+            "viscosity_Pa_s": viscosity_Pa_s,
+        }),
+        Rheology::Bingham {
+            plastic_viscosity_Pa_s,
+            yield_point_Pa,
+        } => json!({
+            "law": "bingham",
+            "plastic_viscosity_Pa_s": plastic_viscosity_Pa_s,
+            "yield_point_Pa": yield_point_Pa,
+        }),
+        Rheology::PowerLaw {
+            consistency_Pa_s_n,
+            flow_index,
+        } => json!({
+            "law": "power-law",
+            "consistency_Pa_s_n": consistency_Pa_s_n,
+            "flow_index": flow_index,
+        }),
+    }
 }
 
 fn well(well: &Well, survey: Option<&String>) -> Json {
@@ -255,6 +282,8 @@ fn operation(operations: &[Operation], plan: &Schedule) -> Json {
         "rop_m_per_s": first.map(|operation| operation.rate_of_penetration_m_per_s),
         "trip_speed_m_per_s": first.map(|operation| operation.trip_speed_m_per_s),
         "schedule": schedule(plan),
+        "flow_rate_m3_per_s": first.map(|operation| operation.flow_rate_m3_per_s),
+        "bit_pressure_drop_Pa": first.map(|operation| operation.bit_pressure_drop_Pa),
     })
 }
 

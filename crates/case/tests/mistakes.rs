@@ -665,6 +665,31 @@ fn of_the_wall_and_what_touches_it() {
 }
 
 #[test]
+fn of_the_mud() {
+    let cases = [
+        ("rheology_unknown", "\nrheology = \"binghan\""),
+        ("rheology_without_numbers", "\nrheology = \"bingham\""),
+        (
+            "flow_index_above_one",
+            "\nrheology = \"power-law\"\nconsistency_index = \"0.6 Pa.s^n\"\nflow_behaviour_index = 1.4",
+        ),
+        (
+            "viscosity_in_pascals",
+            "\nrheology = \"newtonian\"\nviscosity = \"20 Pa\"",
+        ),
+    ];
+    let flow = changed("rpm = 70", "flow_rate = \"2000 L\"\nrpm = 70");
+    refused("flow_rate_in_litres", read(&flow));
+    for (name, more) in cases {
+        let text = changed(
+            "density = \"1.2 sg\"",
+            &format!("density = \"1.2 sg\"{more}"),
+        );
+        refused(name, read(&text));
+    }
+}
+
+#[test]
 fn worth_a_warning() {
     let cases = [
         (
@@ -717,6 +742,21 @@ fn worth_a_warning() {
             "warn_excitation_key",
             "torque = \"3.1 kN.m\"",
             "torque = \"3.1 kN.m\"\n[bit.excitation]\nlobes = 4\nfrequency = \"20 Hz\"",
+        ),
+        (
+            "warn_mud_key_of_another_rheology",
+            "density = \"1.2 sg\"",
+            "density = \"1.2 sg\"\nrheology = \"newtonian\"\nviscosity = \"20 cP\"\nyield_point = \"15 lbf/100ft2\"",
+        ),
+        (
+            "warn_mud_key_without_rheology",
+            "density = \"1.2 sg\"",
+            "density = \"1.2 sg\"\nplastic_viscosity = \"25 cP\"",
+        ),
+        (
+            "warn_flow_without_rheology",
+            "rpm = 70",
+            "flow_rate = \"2000 L/min\"\nbit_pressure_drop = \"80 bar\"\nrpm = 70",
         ),
         ("warn_hoist_key", "[mesh]", "[hoist]\ngain = 1e-7\n[mesh]"),
         ("warn_weight_on_bit", "wob = \"6 tf\"", "wob = \"200 tf\""),

@@ -91,6 +91,7 @@ impl Record {
         let DynamicOutcome {
             scalars,
             statistics,
+            hydraulics: _,
             numerics,
             indicators,
             nodes,
@@ -129,6 +130,14 @@ impl Record {
         };
         self.summary.operations.push(solved);
         self.add_profile(operation, nodes);
+        self.wear.append(
+            &[("operation", &[operation.kind.name()])],
+            &[
+                ("md_m", &wear.md_m),
+                ("wear_work_J_per_m", &wear.wear_work_J_per_m),
+                ("wear_power_W_per_m", &wear.wear_power_W_per_m),
+            ],
+        );
         self.add_series(operation, series);
     }
 
@@ -206,14 +215,6 @@ impl Record {
                     &nodes.lateral_speed_rms_m_per_s,
                 ),
                 ("wear_work_J_per_m", &nodes.wear_work_J_per_m),
-            ],
-        );
-        self.wear.append(
-            &[("operation", operation)],
-            &[
-                ("md_m", &wear.md_m),
-                ("wear_work_J_per_m", &wear.wear_work_J_per_m),
-                ("wear_power_W_per_m", &wear.wear_power_W_per_m),
             ],
         );
     }
