@@ -139,6 +139,8 @@ pub struct Case {
     pub operations: Vec<Operation>,
     /// What a dynamic run needs beside these.
     pub dynamics: DynamicsSettings,
+    /// Time on the clock between checkpoints of a dynamic run, s.
+    pub checkpoint_interval_s: f64,
     /// How the survey file was understood, in sentences; empty where the stations stand in the case.
     pub survey_notes: Vec<String>,
     /// What is probably not meant, but can be computed.
@@ -324,6 +326,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     };
     let units = *case.units.get()?;
     let settings = settings::settings(&name, units, &models, &model, &operations, &dynamics, &case);
+    let checkpoint_interval_s = *case.dynamics.get()?.checkpoint_interval.get()?;
     Some(Case {
         name,
         units,
@@ -331,6 +334,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         model,
         operations,
         dynamics,
+        checkpoint_interval_s,
         survey_notes: stations.map_or_else(Vec::new, |stations| stations.notes),
         warnings: Report::default(),
         settings,

@@ -48,7 +48,7 @@ pub(crate) fn settings(
         "hoist": hoist(dynamics, case.hoist.get()),
         "operation": operation(operations),
         "mesh": { "element_length_m": dynamics.element_length_m },
-        "dynamics": run(dynamics),
+        "dynamics": run(dynamics, case),
     })
 }
 
@@ -133,7 +133,8 @@ fn operation(operations: &[Operation]) -> Json {
     })
 }
 
-fn run(dynamics: &DynamicsSettings) -> Json {
+fn run(dynamics: &DynamicsSettings, case: &CaseTable) -> Json {
+    let table = case.dynamics.get();
     let mut run = json!({
         "duration_s": dynamics.duration_s,
         "settle_s": dynamics.settle_s,
@@ -150,6 +151,7 @@ fn run(dynamics: &DynamicsSettings) -> Json {
             "stiffness_s": dynamics.damping.stiffness_s,
         },
         "sample_interval_s": dynamics.sample_interval_s,
+        "checkpoint_interval_s": table.and_then(|table| table.checkpoint_interval.get()),
         "seed": dynamics.seed,
     });
     match dynamics.contact_law {

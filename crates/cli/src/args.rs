@@ -1,6 +1,6 @@
 //! The command line as the user writes it.
 
-use std::path::PathBuf;
+use std::{path::PathBuf, time::Duration};
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use wholestring::well::Interpolation;
@@ -62,6 +62,14 @@ pub(crate) struct RunArgs {
     )]
     pub(crate) output: Option<PathBuf>,
 
+    /// Go on with the run in this folder from its checkpoint
+    #[arg(long, value_name = "DIR", conflicts_with = "output")]
+    pub(crate) resume: Option<PathBuf>,
+
+    /// Time on the clock between checkpoints, such as 5min [default: the case's, 30 s]
+    #[arg(long, value_name = "TIME", value_parser = interval)]
+    pub(crate) checkpoint: Option<Duration>,
+
     /// Units on the screen [default: the case's]
     #[arg(long, value_name = "si|metric|field")]
     pub(crate) units: Option<UnitSet>,
@@ -114,6 +122,17 @@ impl From<PathKind> for Interpolation {
 
 /// Shortest step between rows: a well of 10 km is ten million rows of a millimetre.
 const SHORTEST_STEP_M: f64 = 0.01;
+
+fn interval(text: &str) -> Result<Duration, String> {
+    let seconds = Dimension::Time
+        .parse(text)
+        .map_err(|error| error.to_string())?;
+    if (0.01..=86_400.0).contains(&seconds) {
+        Ok(Duration::from_secs_f64(seconds))
+    } else {
+        Err("expected 0.01 s to 86400 s".to_owned())
+    }
+}
 
 fn length(text: &str) -> Result<f64, String> {
     let length = Dimension::Length

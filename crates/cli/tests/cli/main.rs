@@ -4,6 +4,7 @@ mod check;
 mod contract;
 mod desk;
 mod documentation;
+mod resume;
 mod run;
 mod shipped;
 mod survey;
