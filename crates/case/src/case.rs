@@ -14,7 +14,6 @@ use crate::{
     dynamics::{DynamicsTable, MeshTable},
     effort, fit, hole,
     mud::MudTable,
-    names::short,
     node::{self, Entries, Node, Value},
     operation::OperationTable,
     overrides::{self, Override},
@@ -22,9 +21,10 @@ use crate::{
     rig::{HoistTable, RigTable},
     rule::{At, Choice, List, Rule, Section, Table, Text, once_each},
     settings,
-    source::{Disk, Files, Place, read_bounded},
+    source::{Files, Place},
     string::{ComponentTable, SteelTable},
     table::{default, optional, required, table},
+    template::Template,
     well::WellTable,
 };
 
@@ -154,18 +154,7 @@ pub struct Case {
 /// # Errors
 /// A report of every mistake that was found, if there is one.
 pub fn load(path: &FilePath, changes: &[Override]) -> Result<Case, Report> {
-    let name = path.display().to_string();
-    match read_bounded(path) {
-        Ok(bytes) => parse(&name, &bytes, &Disk::beside(path), changes),
-        Err(error) => {
-            let why = match error.kind() {
-                std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
-                _ => short(&error.to_string()),
-            };
-            let diagnostic = Diagnostic::error(format!("the case cannot be read: {why}"));
-            Err(Report::about_file(&name, diagnostic))
-        }
-    }
+    Template::read(path)?.case(changes)
 }
 
 /// Reads a case from its text; `name` is what diagnostics call it.

@@ -41,6 +41,8 @@ mod stations;
 mod string;
 pub mod survey;
 mod table;
+mod template;
+mod vary;
 mod well;
 
 pub use case::{Case, load, parse};
@@ -48,3 +50,5 @@ pub use diagnostic::{Diagnostic, Label, Report, Severity};
 pub use overrides::{Override, OverrideError};
 pub use schema::schema;
 pub use source::{Disk, Files, InMemory, Place, Source};
+pub use template::Template;
+pub use vary::Variation;

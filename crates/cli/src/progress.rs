@@ -23,7 +23,7 @@ impl Watch {
             Self::Screen { quiet } => Progress::Own(OwnBar::new(name, from_s, end_s, *quiet)),
             Self::Sweep(bar) => Progress::Part {
                 bar: bar.clone(),
-                reached: Cell::new(milliseconds(from_s)),
+                reached: Cell::new(0),
             },
         }
     }

@@ -99,7 +99,7 @@ fn laid_aside(folder: &ResultsFolder, case: &Case) -> Result<Laid, Failure> {
     }
     let summary = Summary::read(&folder.path().join("summary.json")).ok();
     let statuses = summary.iter().flat_map(|summary| &summary.operations);
-    let last = statuses.map(|solved| &solved.status).last();
+    let last = statuses.map(|solved| &solved.status).next_back();
     Err(bad(match last {
         Some(Status::Complete) => format!("the run in {place} is finished: nothing is left to do"),
         Some(Status::Failed(reason)) => {
@@ -132,6 +132,15 @@ pub(crate) enum Stop {
 }
 
 impl Stop {
+    /// Why the case failed; nothing where the user stopped it.
+    pub(crate) fn reason(&self) -> Option<String> {
+        match self {
+            Self::Interrupted => None,
+            Self::Unsolved(reason) => Some(reason.clone()),
+            Self::Unwritten(failure) => Some(failure.to_string()),
+        }
+    }
+
     fn failure(self, folder: &ResultsFolder) -> Failure {
         let place = folder.path().display();
         match self {

@@ -8,3 +8,4 @@ mod resume;
 mod run;
 mod shipped;
 mod survey;
+mod sweep;

@@ -139,6 +139,15 @@ pub struct TimeSeries {
     pub bit_rotary_speed_rad_per_s: Vec<f64>,
 }
 
+impl DynamicOutcome {
+    /// The scalars that [`Self::statistics`] tells of, in its order.
+    pub fn quantities() -> impl Iterator<Item = &'static str> {
+        super::summary::varying(&TimeSeries::default())
+            .map(|(name, _)| name)
+            .into_iter()
+    }
+}
+
 /// Everything that a run answers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DynamicOutcome {
