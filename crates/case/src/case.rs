@@ -14,7 +14,6 @@ use crate::{
     dynamics::{DynamicsTable, MeshTable, Told},
     effort, fit, hole,
     mud::MudTable,
-    names::short,
     node::{self, Entries, Node, Value},
     operation::OperationTable,
     overrides::{self, Override},
@@ -23,9 +22,10 @@ use crate::{
     roughness,
     rule::{At, Choice, List, Rule, Section, Table, Text, once_each},
     settings,
-    source::{Disk, Files, Place, read_bounded},
+    source::{Files, Place},
     string::{ComponentTable, SteelTable},
     table::{default, optional, required, table},
+    template::Template,
     top_drive::TopDriveTable,
     well::WellTable,
 };
@@ -143,6 +143,8 @@ pub struct Case {
     pub operations: Vec<Operation>,
     /// What a dynamic run needs beside these.
     pub dynamics: DynamicsSettings,
+    /// Time on the clock between checkpoints of a dynamic run, s.
+    pub checkpoint_interval_s: f64,
     /// How the survey file was understood, in sentences; empty where the stations stand in the case.
     pub survey_notes: Vec<String>,
     /// What is probably not meant, but can be computed.
@@ -156,18 +158,7 @@ pub struct Case {
 /// # Errors
 /// A report of every mistake that was found, if there is one.
 pub fn load(path: &FilePath, changes: &[Override]) -> Result<Case, Report> {
-    let name = path.display().to_string();
-    match read_bounded(path) {
-        Ok(bytes) => parse(&name, &bytes, &Disk::beside(path), changes),
-        Err(error) => {
-            let why = match error.kind() {
-                std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
-                _ => short(&error.to_string()),
-            };
-            let diagnostic = Diagnostic::error(format!("the case cannot be read: {why}"));
-            Err(Report::about_file(&name, diagnostic))
-        }
-    }
+    Template::read(path)?.case(changes)
 }
 
 /// Reads a case from its text; `name` is what diagnostics call it.
@@ -354,6 +345,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     };
     let units = *case.units.get()?;
     let settings = settings::settings(&name, units, &models, &model, &operations, &dynamics, &case);
+    let checkpoint_interval_s = *case.dynamics.get()?.checkpoint_interval.get()?;
     Some(Case {
         name,
         units,
@@ -361,6 +353,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         model,
         operations,
         dynamics,
+        checkpoint_interval_s,
         survey_notes: stations.map_or_else(Vec::new, |stations| stations.notes),
         warnings: Report::default(),
         settings,

@@ -50,7 +50,7 @@ pub(crate) fn settings(
         "top_drive": top_drive(&dynamics.top_drive),
         "operation": operation(operations, &dynamics.schedule),
         "mesh": { "element_length_m": dynamics.element_length_m },
-        "dynamics": run(dynamics),
+        "dynamics": run(dynamics, case),
     })
 }
 
@@ -287,7 +287,8 @@ fn operation(operations: &[Operation], plan: &Schedule) -> Json {
     })
 }
 
-fn run(dynamics: &DynamicsSettings) -> Json {
+fn run(dynamics: &DynamicsSettings, case: &CaseTable) -> Json {
+    let table = case.dynamics.get();
     let mut run = json!({
         "duration_s": dynamics.duration_s,
         "settle_s": dynamics.settle_s,
@@ -305,6 +306,7 @@ fn run(dynamics: &DynamicsSettings) -> Json {
             "stiffness_s": dynamics.damping.stiffness_s,
         },
         "sample_interval_s": dynamics.sample_interval_s,
+        "checkpoint_interval_s": table.and_then(|table| table.checkpoint_interval.get()),
         "seed": dynamics.seed,
     });
     match dynamics.contact_law {

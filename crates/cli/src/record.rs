@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use serde::{Deserialize, Serialize};
 use wholestring::{
     dynamics::{ContactClass, DynamicOutcome, NodeProfile, TimeSeries},
     operation::Operation,
@@ -17,6 +18,16 @@ use wholestring_results::{
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::{failure::Failure, picture};
+
+/// What a run has solved to its end, as a checkpoint keeps it.
+#[derive(Serialize, Deserialize)]
+pub(crate) struct Solved {
+    /// The operations of the summary, as JSON.
+    operations: String,
+    nodes: Table,
+    time: Table,
+    wear: Table,
+}
 
 /// Everything that a run leaves.
 pub(crate) struct Record {
@@ -45,6 +56,43 @@ impl Record {
             subtitle: subtitle(case, units),
             units,
         }
+    }
+
+    /// What was solved so far; nothing that was only begun is in it.
+    pub(crate) fn solved_so_far(&self) -> Solved {
+        // Every field is named: a new one is either found anew or kept.
+        let Self {
+            summary,
+            nodes,
+            time,
+            wear,
+            hole: _,
+            subtitle: _,
+            units: _,
+        } = self;
+        Solved {
+            operations: serde_json::to_string(&summary.operations).expect("numbers and words"),
+            nodes: nodes.clone(),
+            time: time.clone(),
+            wear: wear.clone(),
+        }
+    }
+
+    /// Takes up what was solved before.
+    pub(crate) fn restore(&mut self, solved: Solved) -> Result<(), String> {
+        let operations = serde_json::from_str(&solved.operations);
+        self.summary.operations = operations.map_err(|error| error.to_string())?;
+        self.nodes = solved.nodes;
+        self.time = solved.time;
+        self.wear = solved.wear;
+        Ok(())
+    }
+
+    /// Whether a model has solved an operation already.
+    pub(crate) fn has(&self, model: ModelKind, operation: &Operation) -> bool {
+        let name = operation.kind.name();
+        let mut solved = self.summary.operations.iter();
+        solved.any(|solved| solved.model == model && solved.operation == name)
     }
 
     pub(crate) fn add_soft(&mut self, operation: &Operation, profile: &SoftProfile) {

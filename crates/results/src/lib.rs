@@ -5,6 +5,7 @@
 //! apply, and appear whole or not at all: each is written beside its final name and then renamed.
 #![warn(missing_docs)]
 
+mod checkpoint;
 mod columns;
 mod error;
 mod file;

@@ -2,10 +2,12 @@
 
 use std::{io, path::Path};
 
+use serde::{Deserialize, Serialize};
+
 use crate::{ColumnSpec, ResultsError, file::write_whole, parquet_file};
 
 /// The values of one column.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Data {
     /// Numbers; `None` where one does not apply. A number that is not finite is written as `None`.
     Number(Vec<Option<f64>>),
@@ -29,7 +31,7 @@ impl Data {
 }
 
 /// A column: its values and what they mean.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Column {
     /// Name, with the unit in it: `tension_N`.
     pub name: String,
@@ -42,7 +44,7 @@ pub struct Column {
 }
 
 /// A table: columns of equal length.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Table {
     columns: Vec<Column>,
 }

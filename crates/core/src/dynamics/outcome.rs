@@ -262,6 +262,15 @@ pub struct TimeSeries {
     pub cutoff_depth_m: Vec<Option<f64>>,
 }
 
+impl DynamicOutcome {
+    /// The scalars that [`Self::statistics`] tells of, in its order.
+    pub fn quantities() -> impl Iterator<Item = &'static str> {
+        super::summary::varying(&TimeSeries::default())
+            .map(|(name, _)| name)
+            .into_iter()
+    }
+}
+
 /// Everything that a run answers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DynamicOutcome {

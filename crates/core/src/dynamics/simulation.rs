@@ -254,6 +254,11 @@ impl Simulation {
         self.plan.dt_s
     }
 
+    /// Name of the instruction set that the time loop was compiled for.
+    pub fn instructions(&self) -> &'static str {
+        self.stepper.instructions
+    }
+
     /// Number of elements.
     pub fn elements(&self) -> usize {
         self.mesh.elements.len()

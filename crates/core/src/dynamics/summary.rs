@@ -100,7 +100,8 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
     }
 }
 
-fn varying(series: &TimeSeries) -> [(&'static str, &Vec<f64>); 10] {
+/// The scalars that vary, with their samples.
+pub fn varying(series: &TimeSeries) -> [(&'static str, &Vec<f64>); 10] {
     [
         ("hook_load_N", &series.hook_load_N),
         ("surface_torque_N_m", &series.surface_torque_N_m),
