@@ -11,6 +11,7 @@ mod outcome;
 mod record;
 mod settings;
 mod setup;
+mod signal;
 mod simulation;
 mod start;
 mod step;
@@ -28,4 +29,5 @@ pub use settings::{
     Start,
 };
 pub use setup::{Effort, SetupError};
+pub use signal::Signal;
 pub use simulation::{Diverged, Simulation};
