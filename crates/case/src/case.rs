@@ -19,6 +19,7 @@ use crate::{
     operation::OperationTable,
     overrides::{self, Override},
     reader::Reader,
+    records::{Records, RecordsTable},
     rig::{HoistTable, RigTable},
     rule::{At, Choice, List, Rule, Section, Table, Text, once_each},
     settings,
@@ -121,6 +122,8 @@ table! {
         mesh: MeshTable = optional(Section::<MeshTable>::RULE);
         /// Settings of the dynamic model.
         dynamics: DynamicsTable = optional(Section::<DynamicsTable>::RULE);
+        /// What a dynamic run keeps beside its tables.
+        records: RecordsTable = optional(Section::<RecordsTable>::RULE);
     }
 }
 
@@ -139,6 +142,8 @@ pub struct Case {
     pub operations: Vec<Operation>,
     /// What a dynamic run needs beside these.
     pub dynamics: DynamicsSettings,
+    /// What a dynamic run keeps beside its tables.
+    pub records: Records,
     /// How the survey file was understood, in sentences; empty where the stations stand in the case.
     pub survey_notes: Vec<String>,
     /// What is probably not meant, but can be computed.
@@ -280,6 +285,11 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         _ => None,
     };
 
+    let records = match (&dynamics, case.records.get()) {
+        (Some(dynamics), Some(records)) => records.build(dynamics, reader),
+        _ => None,
+    };
+
     let components = case.string.get();
     let spec = components
         .zip(steel.as_ref())
@@ -313,7 +323,8 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         mud: mud?,
         rig: rig?,
     };
-    let (models, operations, dynamics) = (models?, operations?, dynamics?);
+    let (models, operations) = (models?, operations?);
+    let (dynamics, records) = (dynamics?, records?);
     effort::check_effort(&models, &model, &operations, &dynamics, &case, reader)?;
     let name = match case.name.optional()? {
         Some(given) => given.value.clone(),
@@ -323,7 +334,9 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         ),
     };
     let units = *case.units.get()?;
-    let settings = settings::settings(&name, units, &models, &model, &operations, &dynamics, &case);
+    let mut settings =
+        settings::settings(&name, units, &models, &model, &operations, &dynamics, &case);
+    settings["records"] = records.settings();
     Some(Case {
         name,
         units,
@@ -331,6 +344,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         model,
         operations,
         dynamics,
+        records,
         survey_notes: stations.map_or_else(Vec::new, |stations| stations.notes),
         warnings: Report::default(),
         settings,

@@ -4,6 +4,8 @@ mod args;
 mod check;
 mod comparison;
 mod failure;
+mod frames;
+mod indicators;
 mod interrupt;
 mod picture;
 mod progress;

@@ -18,6 +18,8 @@ use crate::{
     args::RunArgs,
     comparison,
     failure::Failure,
+    frames::Frames,
+    indicators,
     interrupt::Interrupt,
     load,
     progress::Progress,
@@ -36,23 +38,28 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let folder = ResultsFolder::create(output)?;
     let interrupt = Interrupt::listen();
     let mut record = Record::new(&case, units);
+    record.frames = Frames::begin(&case, &folder)?;
     let solved = solve(&case, args, &interrupt, &mut record, &folder);
+    // However it ended: an interrupted run keeps the frames that it has.
+    let frames = record.frames.take().map_or(Ok(()), Frames::finish);
     if !args.quiet && !record.summary.operations.is_empty() {
         let width = terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
         let title = format!("{}: {}", case.name, record::subtitle(&case, units));
         let table = comparison::table(&record.summary, units, width);
         let notes = comparison::notes(&record.summary);
+        let indicators = indicators::notes(&record.summary, units);
         let warnings = rig::warnings(&record.summary, &case.model.rig, units);
         let place = folder.path().display();
         say(&format!(
             "{title}
 
 {table}
-{notes}{warnings}Results in {place}
+{notes}{indicators}{warnings}Results in {place}
 "
         ))?;
     }
-    solved
+    solved?;
+    Ok(frames?)
 }
 
 /// Solves operation after operation, each with every model, and writes after each, so that whatever
@@ -123,7 +130,14 @@ fn solve_dynamic(
     let end_s = simulation.end_time_s();
     let progress = Progress::new(operation.kind.name(), end_s, quiet);
     // The run goes on by whole samples.
-    let enough_s = end_s - 0.5 * case.dynamics.sample_interval_s;
+    let sample_s = simulation.sample_interval_s();
+    let enough_s = end_s - 0.5 * sample_s;
+    let frame_samples = record
+        .frames
+        .as_ref()
+        .map(|frames| frames.samples(sample_s));
+    let look_samples = ((LOOK_INTERVAL_S / sample_s).round() as u64).max(1);
+    let mut samples = 0;
     let status = loop {
         let time_s = simulation.time_s();
         progress.reach(time_s);
@@ -133,8 +147,18 @@ fn solve_dynamic(
         if interrupt.asked() {
             break Status::Interrupted;
         }
-        if let Err(diverged) = simulation.advance(LOOK_INTERVAL_S.min(end_s - time_s)) {
+        let missing = ((end_s - time_s) / sample_s).round() as u64;
+        let to_frame = frame_samples.map_or(u64::MAX, |every| every - samples % every);
+        let next = look_samples.min(missing.max(1)).min(to_frame);
+        if let Err(diverged) = simulation.advance(next as f64 * sample_s) {
             break Status::Failed(diverged.to_string());
+        }
+        samples += next;
+        if next == to_frame
+            && let Some(frames) = &mut record.frames
+            && let Err(error) = frames.take(operation, &simulation)
+        {
+            break Status::Failed(error.to_string());
         }
     };
     progress.finish();

@@ -15,7 +15,14 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         numerics: n,
         nodes: p,
         series: t,
+        indicators: i,
     } = outcome;
+    let stick_slip = i.stick_slip.map(|of| {
+        let rare = [of.severity, of.torque_severity, of.period_s].into_iter();
+        let always = [of.stuck_fraction, of.bit_speed_max_rad_per_s];
+        rare.flatten().chain(always).collect()
+    });
+    let whirl = [i.backward_whirl, i.forward_whirl].into_iter().flatten();
     let mut all = vec![
         ("hook load", vec![s.hook_load_N]),
         ("surface torque", vec![s.surface_torque_N_m]),
@@ -33,6 +40,29 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         ("penetration", vec![n.max_penetration_m]),
         ("energy residual", vec![n.energy_residual]),
         ("climb", p.climb_rad.iter().copied().flatten().collect()),
+        ("stick-slip", stick_slip.unwrap_or_default()),
+        (
+            "whirl",
+            whirl
+                .flat_map(|of| [of.rate_rad_per_s, of.ratio, of.length_fraction])
+                .collect(),
+        ),
+        (
+            "force of a joint",
+            p.side_force_per_joint_N.iter().copied().flatten().collect(),
+        ),
+        (
+            "use of the yield",
+            p.yield_use.iter().copied().flatten().collect(),
+        ),
+        (
+            "neutral point in time",
+            t.neutral_point_m.iter().copied().flatten().collect(),
+        ),
+        (
+            "cut-off in time",
+            t.cutoff_depth_m.iter().copied().flatten().collect(),
+        ),
     ];
     for (name, x) in statistics {
         all.push((name, vec![x.mean, x.std, x.min, x.max, x.p05, x.p95]));
@@ -51,6 +81,19 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         ("axial friction of a node", &p.axial_friction_N_per_m),
         ("friction torque of a node", &p.friction_torque_N_m_per_m),
         ("offset", &p.lateral_offset_m),
+        ("low tension", &p.tension_percentiles_N.p05),
+        ("middle torque", &p.torque_percentiles_N_m.p50),
+        ("high contact force", &p.contact_force_percentiles_N.p95),
+        ("high moment", &p.bending_moment_percentiles_N_m.p95),
+        ("true tension", &p.true_tension_N),
+        ("moment", &p.bending_moment_N_m),
+        ("largest moment", &p.bending_moment_max_N_m),
+        ("bending stress", &p.bending_stress_Pa),
+        ("stress", &p.von_mises_stress_Pa),
+        ("largest stress", &p.von_mises_stress_max_Pa),
+        ("rate of whirl", &p.whirl_rate_rad_per_s),
+        ("coherence of whirl", &p.whirl_coherence),
+        ("lateral speed", &p.lateral_speed_rms_m_per_s),
         ("time", &t.time_s),
         ("bit depth", &t.bit_depth_m),
         ("hook load in time", &t.hook_load_N),
