@@ -7,6 +7,7 @@
 mod common;
 mod wells;
 
+mod bending;
 mod break_away;
 mod centred;
 mod climb;
