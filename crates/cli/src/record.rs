@@ -10,14 +10,14 @@ use wholestring::{
     statics::soft::SoftProfile,
     well::Hole,
 };
-use wholestring_case::Case;
+use wholestring_case::{Case, Records};
 use wholestring_results::{
-    Friction, NODES, Numerics, OperationSummary, ResultsFolder, SCHEMA_VERSION, Statistic, Status,
-    Summary, TIME, Table, WEAR,
+    Friction, NODES, Numerics, OperationSummary, ResultsFolder, SCHEMA_VERSION, SPECTRA, Spectrum,
+    Statistic, Status, Summary, TIME, Table, WEAR,
 };
 use wholestring_units::{Dimension, UnitSet};
 
-use crate::{failure::Failure, picture};
+use crate::{failure::Failure, frames::Frames, picture};
 
 /// What a run has solved to its end, as a checkpoint keeps it.
 #[derive(Serialize, Deserialize)]
@@ -27,6 +27,7 @@ pub(crate) struct Solved {
     nodes: Table,
     time: Table,
     wear: Table,
+    spectra: Table,
 }
 
 /// Everything that a run leaves.
@@ -35,6 +36,11 @@ pub(crate) struct Record {
     nodes: Table,
     time: Table,
     wear: Table,
+    spectra: Table,
+    /// Frames of the whole string, while they are written.
+    pub(crate) frames: Option<Frames>,
+    records: Records,
+    settle_s: f64,
     hole: Hole,
     subtitle: String,
     units: UnitSet,
@@ -52,6 +58,10 @@ impl Record {
             nodes: Table::with_columns(NODES),
             time: Table::with_columns(TIME),
             wear: Table::with_columns(WEAR),
+            spectra: Table::with_columns(SPECTRA),
+            frames: None,
+            records: case.records.clone(),
+            settle_s: case.dynamics.settle_s,
             hole: case.model.well.hole.clone(),
             subtitle: subtitle(case, units),
             units,
@@ -66,6 +76,10 @@ impl Record {
             nodes,
             time,
             wear,
+            spectra,
+            frames: _,
+            records: _,
+            settle_s: _,
             hole: _,
             subtitle: _,
             units: _,
@@ -75,6 +89,7 @@ impl Record {
             nodes: nodes.clone(),
             time: time.clone(),
             wear: wear.clone(),
+            spectra: spectra.clone(),
         }
     }
 
@@ -85,6 +100,7 @@ impl Record {
         self.nodes = solved.nodes;
         self.time = solved.time;
         self.wear = solved.wear;
+        self.spectra = solved.spectra;
         Ok(())
     }
 
@@ -187,6 +203,7 @@ impl Record {
             ],
         );
         self.add_series(operation, series);
+        self.add_spectra(operation, series);
     }
 
     fn add_profile(&mut self, operation: &Operation, nodes: &NodeProfile) {
@@ -294,6 +311,35 @@ impl Record {
         );
     }
 
+    /// Adds the spectra that the case asks for; a window that was interrupted before a segment of it was full is
+    /// one segment.
+    fn add_spectra(&mut self, operation: &Operation, series: &TimeSeries) {
+        let from = series.time_s.partition_point(|time| *time < self.settle_s);
+        let [first, .., last] = series.time_s[from..] else {
+            return;
+        };
+        let interval_s = (last - first) / (series.time_s.len() - from - 1) as f64;
+        // Rounding to whole steps may leave the window a sample short.
+        let segment = (self.records.spectrum_segment_s / interval_s).round() as usize;
+        for signal in &self.records.spectra {
+            let samples = &signal.of(series)[from..];
+            let segment = segment.min(samples.len());
+            if let Some(spectrum) = Spectrum::welch(samples, interval_s, segment) {
+                self.spectra.append(
+                    &[
+                        ("operation", &[operation.kind.name()]),
+                        ("signal", &[signal.name()]),
+                        ("unit", &[signal.unit()]),
+                    ],
+                    &[
+                        ("frequency_Hz", &spectrum.frequency_Hz),
+                        ("density", &spectrum.density),
+                    ],
+                );
+            }
+        }
+    }
+
     /// The summary of an operation that was solved to its end.
     fn solved(
         &self,
@@ -319,6 +365,15 @@ impl Record {
         folder.write_table("nodes", &self.nodes, csv)?;
         folder.write_table("time", &self.time, csv)?;
         folder.write_table("wear", &self.wear, csv)?;
+        if self.records.spectra.is_empty() {
+            folder.remove("spectra.parquet")?;
+            folder.remove("spectra.csv")?;
+        } else {
+            folder.write_table("spectra", &self.spectra, csv)?;
+        }
+        if self.frames.is_none() {
+            folder.remove("frames.parquet")?;
+        }
         let picture = picture::draw(
             &self.summary.case,
             &self.subtitle,

@@ -14,11 +14,17 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         statistics,
         hydraulics: h,
         numerics: n,
-        indicators: _,
+        indicators: i,
         nodes: p,
         series: t,
         wear: w,
     } = outcome;
+    let stick_slip = i.stick_slip.map(|of| {
+        let rare = [of.severity, of.torque_severity, of.period_s].into_iter();
+        let always = [of.stuck_fraction, of.bit_speed_max_rad_per_s];
+        rare.flatten().chain(always).collect()
+    });
+    let whirl = [i.backward_whirl, i.forward_whirl].into_iter().flatten();
     let mut all = vec![
         ("hook load", vec![s.hook_load_N]),
         ("surface torque", vec![s.surface_torque_N_m]),
@@ -35,8 +41,30 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         ("added mass", vec![n.added_axial_mass_fraction]),
         ("penetration", vec![n.max_penetration_m]),
         ("energy residual", vec![n.energy_residual]),
-        ("hole wear", w.wear_work_J_per_m.clone()),
         ("climb", p.climb_rad.iter().copied().flatten().collect()),
+        ("stick-slip", stick_slip.unwrap_or_default()),
+        (
+            "whirl",
+            whirl
+                .flat_map(|of| [of.rate_rad_per_s, of.ratio, of.length_fraction])
+                .collect(),
+        ),
+        (
+            "force of a joint",
+            p.side_force_per_joint_N.iter().copied().flatten().collect(),
+        ),
+        (
+            "use of the yield",
+            p.yield_use.iter().copied().flatten().collect(),
+        ),
+        (
+            "neutral point in time",
+            t.neutral_point_m.iter().copied().flatten().collect(),
+        ),
+        (
+            "cut-off in time",
+            t.cutoff_depth_m.iter().copied().flatten().collect(),
+        ),
     ];
     if let Some(h) = h {
         all.push((
@@ -72,6 +100,19 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         ("wear of a node", &p.wear_work_J_per_m),
         ("wear of the hole", &w.wear_work_J_per_m),
         ("power of wear", &w.wear_power_W_per_m),
+        ("low tension", &p.tension_percentiles_N.p05),
+        ("middle torque", &p.torque_percentiles_N_m.p50),
+        ("high contact force", &p.contact_force_percentiles_N.p95),
+        ("high moment", &p.bending_moment_percentiles_N_m.p95),
+        ("true tension", &p.true_tension_N),
+        ("moment", &p.bending_moment_N_m),
+        ("largest moment", &p.bending_moment_max_N_m),
+        ("bending stress", &p.bending_stress_Pa),
+        ("stress", &p.von_mises_stress_Pa),
+        ("largest stress", &p.von_mises_stress_max_Pa),
+        ("rate of whirl", &p.whirl_rate_rad_per_s),
+        ("coherence of whirl", &p.whirl_coherence),
+        ("lateral speed", &p.lateral_speed_rms_m_per_s),
         ("time", &t.time_s),
         ("bit depth", &t.bit_depth_m),
         ("hook load in time", &t.hook_load_N),
