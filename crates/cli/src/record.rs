@@ -112,7 +112,10 @@ impl Record {
     }
 
     pub(crate) fn add_soft(&mut self, operation: &Operation, profile: &SoftProfile) {
-        let solved = self.solved(ModelKind::Soft, operation, profile.scalars);
+        let solved = OperationSummary {
+            hydraulics: profile.hydraulics,
+            ..self.solved(ModelKind::Soft, operation, profile.scalars)
+        };
         self.summary.operations.push(solved);
         // A soft string lies on the wall all the time, wherever anything presses it there.
         let contact: Vec<f64> = profile
@@ -155,7 +158,7 @@ impl Record {
         let DynamicOutcome {
             scalars,
             statistics,
-            hydraulics: _,
+            hydraulics,
             numerics,
             indicators,
             nodes,
@@ -177,6 +180,7 @@ impl Record {
         let wall_time_s = took.as_secs_f64();
         let solved = OperationSummary {
             status,
+            hydraulics: *hydraulics,
             statistics: Some(statistics.collect()),
             indicators: Some(*indicators),
             numerics: Some(Numerics {
@@ -186,6 +190,7 @@ impl Record {
                 added_axial_mass_fraction: numerics.added_axial_mass_fraction,
                 max_penetration_m: numerics.max_penetration_m,
                 energy_residual: numerics.energy_residual,
+                energy: numerics.energy,
                 instructions: numerics.instructions.into(),
                 wall_time_s,
                 real_time_factor: simulated_s / wall_time_s,
@@ -354,6 +359,7 @@ impl Record {
             friction: Friction::of(&friction(&self.hole)),
             bit_depth_m: operation.bit_depth_m,
             scalars,
+            hydraulics: None,
             statistics: None,
             indicators: None,
             numerics: None,

@@ -1,11 +1,12 @@
 //! What a run says about itself.
 
+use nalgebra::Vector3;
 use wholestring::{
-    dynamics::{DynamicOutcome, FrictionLaw},
+    dynamics::{DynamicOutcome, FrictionLaw, HoistControl},
     operation::OperationKind,
 };
 
-use crate::wells::{Case, each, moderate, np13};
+use crate::wells::{Case, MODERATE_M, each, go, moderate, np13};
 
 /// Every number of an outcome, by a name that finds it again.
 fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
@@ -183,4 +184,41 @@ fn the_same_case_gives_the_same_bits() {
     let (a, b) = (found[0].scalars, found[2].scalars);
     assert!((a.hook_load_N - b.hook_load_N).abs() < 10.0);
     assert!((a.surface_torque_N_m / b.surface_torque_N_m - 1.0).abs() < 1e-3);
+}
+
+/// Absurd set points end a run within a sample of where it left its range, by name and place, and what was
+/// sampled before stays finite: a lift of ten thousand tonnes, and a blow that makes a node spin at ten million rad/s.
+#[test]
+fn what_diverges_is_named_and_leaves_numbers() {
+    let mut lifted = moderate(OperationKind::TripOut, 0.3);
+    lifted.settings.settle_s = 0.0;
+    lifted.settings.hoist_control = Some(HoistControl::HookLoad(1e8));
+    let mut struck = moderate(OperationKind::RotateOffBottom, 0.3);
+    struck.settings.settle_s = 0.0;
+    for (case, quantity) in [(lifted, "velocity (m/s)"), (struck, "spin (rad/s)")] {
+        let mut simulation = case.start();
+        if quantity.starts_with("spin") {
+            go(&mut simulation, 0.1);
+            simulation.strike(|node| {
+                let there = (node.from_bit_m - 700.0).abs() < 5.0;
+                (Vector3::zeros(), if there { 1e7 } else { 0.0 })
+            });
+        }
+        let error = simulation.advance(5.0).expect_err("it diverges");
+        assert_eq!(error.quantity, quantity);
+        // The lifted string leaves the hole.
+        assert!((-1000.0..=MODERATE_M).contains(&error.md_m), "{error}");
+        let outcome = simulation.outcome();
+        let last_s = outcome.series.time_s.last().copied().unwrap_or(0.0);
+        let late_s = error.time_s - last_s;
+        let interval_s = case.settings.sample_interval_s;
+        assert!((0.0..1.1 * interval_s).contains(&late_s), "{late_s} s late");
+        assert_eq!(
+            (outcome.numerics.energy_residual, outcome.numerics.energy),
+            (1.0, None)
+        );
+        for (name, values) in numbers(&outcome) {
+            assert!(values.iter().all(|x| x.is_finite()), "{name}");
+        }
+    }
 }
