@@ -252,6 +252,38 @@ fn of_relation() {
             explicit("od = \"8-1/2 in\"\nid = \"3 in\""),
         ),
         (
+            "bend_without_place",
+            explicit(&format!("{pipe}\nbend = \"1.5 deg\"")),
+        ),
+        (
+            "bend_of_a_turn",
+            explicit(&format!("{pipe}\nbend = \"90 deg\"\nbend_at = \"2 m\"")),
+        ),
+        (
+            "bend_off_its_component",
+            changed(
+                "length = \"0.34 m\"",
+                "length = \"0.34 m\"\nbend = \"1 deg\"\nbend_at = \"1.9 m\"",
+            ),
+        ),
+        (
+            "bend_at_the_bit",
+            changed(
+                "length = \"0.34 m\"",
+                "length = \"0.34 m\"\nbend = \"1 deg\"\nbend_at = \"0.1 m\"",
+            ),
+        ),
+        (
+            "eccentricity_of_a_crank",
+            explicit(&format!("{pipe}\neccentricity = \"30 mm\"")),
+        ),
+        (
+            "eccentricity_cavity_unknown",
+            explicit(&format!(
+                "{pipe}\neccentricity = \"2 mm\"\neccentricity_cavity = \"air\""
+            )),
+        ),
+        (
             "pipe_heavier_than_solid",
             explicit(&format!("{pipe}\nmass_per_length = \"358 kg/m\"")),
         ),
@@ -633,6 +665,31 @@ fn of_the_wall_and_what_touches_it() {
 }
 
 #[test]
+fn of_the_mud() {
+    let cases = [
+        ("rheology_unknown", "\nrheology = \"binghan\""),
+        ("rheology_without_numbers", "\nrheology = \"bingham\""),
+        (
+            "flow_index_above_one",
+            "\nrheology = \"power-law\"\nconsistency_index = \"0.6 Pa.s^n\"\nflow_behaviour_index = 1.4",
+        ),
+        (
+            "viscosity_in_pascals",
+            "\nrheology = \"newtonian\"\nviscosity = \"20 Pa\"",
+        ),
+    ];
+    let flow = changed("rpm = 70", "flow_rate = \"2000 L\"\nrpm = 70");
+    refused("flow_rate_in_litres", read(&flow));
+    for (name, more) in cases {
+        let text = changed(
+            "density = \"1.2 sg\"",
+            &format!("density = \"1.2 sg\"{more}"),
+        );
+        refused(name, read(&text));
+    }
+}
+
+#[test]
 fn worth_a_warning() {
     let cases = [
         (
@@ -686,6 +743,21 @@ fn worth_a_warning() {
             "torque = \"3.1 kN.m\"",
             "torque = \"3.1 kN.m\"\n[bit.excitation]\nlobes = 4\nfrequency = \"20 Hz\"",
         ),
+        (
+            "warn_mud_key_of_another_rheology",
+            "density = \"1.2 sg\"",
+            "density = \"1.2 sg\"\nrheology = \"newtonian\"\nviscosity = \"20 cP\"\nyield_point = \"15 lbf/100ft2\"",
+        ),
+        (
+            "warn_mud_key_without_rheology",
+            "density = \"1.2 sg\"",
+            "density = \"1.2 sg\"\nplastic_viscosity = \"25 cP\"",
+        ),
+        (
+            "warn_flow_without_rheology",
+            "rpm = 70",
+            "flow_rate = \"2000 L/min\"\nbit_pressure_drop = \"80 bar\"\nrpm = 70",
+        ),
         ("warn_hoist_key", "[mesh]", "[hoist]\ngain = 1e-7\n[mesh]"),
         ("warn_weight_on_bit", "wob = \"6 tf\"", "wob = \"200 tf\""),
         (
@@ -694,6 +766,16 @@ fn worth_a_warning() {
             "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\nmass_per_length = \"20 kg/m\" ",
         ),
         ("warn_moduli", "\"76.923 GPa\"", "\"27 GPa\""),
+        (
+            "warn_bend_keys",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\nbend_at = 2\nbend_toolface = \"90 deg\" ",
+        ),
+        (
+            "warn_eccentricity_keys",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\neccentricity_phase = 1\neccentricity_cavity = \"mud\" ",
+        ),
         (
             "warn_joint_mass",
             "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
@@ -710,4 +792,47 @@ fn worth_a_warning() {
                 .replace("to = \"4305 m\"", "to = \"4500 m\""),
         ),
     );
+}
+
+/// `[records]` with these keys.
+fn records(keys: &str) -> String {
+    changed("[mesh]", &format!("[records]\n{keys}\n\n[mesh]"))
+}
+
+#[test]
+fn of_records() {
+    for (name, keys) in [
+        ("frames_as_a_time", "frames = \"0.1 s\""),
+        ("frames_never", "frames = 0"),
+        ("frames_faster_than_samples", "frames = \"1 kHz\""),
+        (
+            "channel_unknown",
+            "frames = \"10 Hz\"\nchannels = [\"position\", \"velocities\"]",
+        ),
+        (
+            "channel_twice",
+            "frames = \"10 Hz\"\nchannels = [\"force\", \"force\"]",
+        ),
+        ("channels_empty", "frames = \"10 Hz\"\nchannels = []"),
+        ("signal_with_its_unit", "spectra = \"surface_torque_N_m\""),
+        (
+            "spectrum_segment_longer_than_the_window",
+            "spectra = \"twist\"\nspectrum_segment = \"10 min\"",
+        ),
+        (
+            "spectrum_segment_of_few_samples",
+            "spectra = \"twist\"\nspectrum_segment = \"0.1 s\"",
+        ),
+    ] {
+        refused(name, read(&records(keys)));
+    }
+    for (name, keys) in [
+        ("channels_without_frames", "channels = \"force\""),
+        (
+            "spectrum_segment_without_spectra",
+            "spectrum_segment = \"5 s\"",
+        ),
+    ] {
+        warned(name, read(&records(keys)));
+    }
 }

@@ -109,6 +109,27 @@ impl Operation {
         }
     }
 
+    /// Axial speed of the string at another weight on bit and rotary speed, m/s, positive towards the bit: on
+    /// bottom in proportion to both, but that a motor turns the bit of a string that slides.
+    pub fn axial_velocity_at_m_per_s(
+        &self,
+        weight_on_bit_N: f64,
+        rotary_speed_rad_per_s: f64,
+    ) -> f64 {
+        let part = |value: f64, of: f64| if of > 0.0 { value / of } else { 1.0 };
+        let cutting = if self.kind.on_bottom() {
+            part(weight_on_bit_N, self.weight_on_bit_N)
+        } else {
+            1.0
+        };
+        let turning = if self.kind.on_bottom() && self.kind.rotates() {
+            part(rotary_speed_rad_per_s, self.rotary_speed_rad_per_s)
+        } else {
+            1.0
+        };
+        self.axial_velocity_m_per_s() * cutting * turning
+    }
+
     /// Weight on bit, N; zero off bottom.
     pub fn weight_on_bit_now_N(&self) -> f64 {
         if self.kind.on_bottom() {

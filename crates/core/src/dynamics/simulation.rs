@@ -5,18 +5,21 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     assembly::{self, Anchor, Surroundings},
-    bit::Bit,
+    bit::{Bit, BitLaw},
     body::Body,
     chain::{Chain, element, node},
     energy::{self, Energies, EnergyBalance, Ledger, StepWork},
-    hoist::Hoist,
+    frame::{self, Frame},
+    hoist::{Hoist, Target},
     outcome::DynamicOutcome,
-    record::Record,
+    record::{self, Record},
+    schedule::{HoistNow, HoistSetPoint, SetPoints},
     settings::{ContactLaw, DynamicsSettings, HoistControl, Start},
-    setup::{self, Frame, SetupError},
+    setup::{self, Basis, SetupError},
     start::{self, Scene},
     step::{StepInput, Stepper},
     summary,
+    top_drive::{StringSeen, TopDrive},
     viscous::Viscous,
     wear::Wear,
 };
@@ -24,8 +27,10 @@ use crate::{
     model::{Model, MudColumn},
     operation::Operation,
     rod::{
+        lanes::LANES,
         mesh::{Mesh, MeshNode},
         stability::StepPlan,
+        torsion,
     },
 };
 
@@ -36,7 +41,7 @@ pub use checkpoint::{Checkpoint, ResumeError};
 /// Extra damping of the first seconds of a prepared start, relative to the rigid motion, 1/s.
 const FADING_DAMPING_PER_S: f64 = 4.0;
 
-/// Time over which it fades, s.
+/// Time over which it fades, s; a schedule that changes something before has nothing of it against itself.
 const FADING_S: f64 = 5.0;
 
 /// Time in which a centred start brings the top to its speed, s.
@@ -83,17 +88,21 @@ pub struct Simulation {
     anchors: Vec<Anchor>,
     surroundings: Surroundings,
     stepper: Stepper,
+    set_points: SetPoints,
+    top_drive: TopDrive,
     hoist: Hoist,
     body: Body,
     bit: Bit,
     viscous: Option<Viscous>,
     rigid_velocity_m_per_s: f64,
+    /// Time over which the extra damping of the start fades, s.
+    fading_s: f64,
     steps: u64,
     steps_per_sample: u64,
     since_sample: SinceSample,
     record: Record,
     wear: Wear,
-    /// High side at each node, as plain numbers for the sampling loop.
+    /// High side at each node, as plain numbers for the sampling loop, padded to whole blocks.
     high: Vec<[f64; 3]>,
     ledger: Ledger,
     window_open: bool,
@@ -123,23 +132,24 @@ impl Simulation {
         operation: &Operation,
         settings: &DynamicsSettings,
     ) -> Result<Self, SetupError> {
-        let Frame {
+        let Basis {
             mesh,
             plan,
             surroundings,
             stepper,
             steps_per_sample,
-        } = Frame::new(model, operation, settings)?;
+        } = Basis::new(model, operation, settings)?;
         let (control, velocity) = setup::hoisting(operation, settings);
+        let first = settings.schedule.at_time_zero(operation);
         let bit_md_m = setup::first_bit_md_m(operation, settings);
         let chain = assembly::chain(model, &mesh, &plan);
-        let mut viscous = Viscous::new(model, &mesh, operation, velocity, bit_md_m);
+        let mut viscous = Viscous::new(model, &mesh, &first, velocity, bit_md_m);
         let input = StepInput {
             dt: plan.dt_s,
             stiffness_damping: settings.damping.stiffness_s,
             mass_damping: settings.damping.mass_per_s,
             rigid_velocity: velocity,
-            rigid_spin: operation.rotation_rad_per_s(),
+            rigid_spin: first.rotation_rad_per_s(),
             dissipation: match settings.contact_law {
                 ContactLaw::Hertz {
                     dissipation_s_per_m,
@@ -148,9 +158,11 @@ impl Simulation {
             },
             stribeck_speed: settings.stribeck_speed_m_per_s,
         };
+        let (moving, at_rest) = start::motion(&first, velocity, settings);
         let scene = Scene {
             model,
-            operation,
+            operation: &moving,
+            at_rest,
             settings,
             mesh: &mesh,
             surroundings: &surroundings,
@@ -170,31 +182,52 @@ impl Simulation {
         let hoist = Hoist::new(
             settings.hoist_line,
             control,
-            operation.weight_on_bit_now_N(),
-            velocity,
+            settings.autodriller,
+            Target {
+                weight_N: first.weight_on_bit_now_N(),
+                velocity_m_per_s: velocity,
+            },
             top,
             initial.hook_load_N,
         );
-        let record = Record::new(&chain);
+        let string = StringSeen {
+            impedance_N_m_s: torsion::impedance_N_m_s(&mesh.elements[0].section),
+            frequency_Hz: torsion::lowest_frequency_Hz(&mesh),
+        };
+        let top_drive = TopDrive::new(&settings.top_drive, string, &mut chain);
+        // The front on which the bit stands with its first weight.
+        let lighter_N = operation.weight_on_bit_now_N() - first.weight_on_bit_now_N();
+        let bottom = match settings.bit.law {
+            BitLaw::Rate(law) => bottom + lighter_N / law.rock_stiffness_N_per_m,
+            BitLaw::Regenerative(_) => bottom,
+        };
         let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
         let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
-        let high = anchors.iter().map(|a| a.high_side.into()).collect();
+        let record = Record::new(model, &mesh);
+        let mut high: Vec<[f64; 3]> = anchors.iter().map(|a| a.high_side.into()).collect();
+        high.resize(high.len().next_multiple_of(LANES), [0.0; 3]);
         Ok(Self {
             model: model.clone(),
             mud: model.mud_column(),
             operation: *operation,
-            settings: *settings,
+            settings: settings.clone(),
             mesh,
             plan,
             chain,
             anchors,
             surroundings,
             stepper,
+            set_points: SetPoints::new(&first, &settings.schedule),
+            top_drive,
             hoist,
             body: initial.body,
             bit: Bit::new(settings.bit, operation, bottom, settings.seed),
             viscous,
             rigid_velocity_m_per_s: velocity,
+            fading_s: settings
+                .schedule
+                .first_change_s()
+                .map_or(FADING_S, |change_s| change_s.min(FADING_S)),
             steps: 0,
             steps_per_sample,
             since_sample: SinceSample::default(),
@@ -219,6 +252,11 @@ impl Simulation {
     /// Step, s.
     pub fn time_step_s(&self) -> f64 {
         self.plan.dt_s
+    }
+
+    /// Name of the instruction set that the time loop was compiled for.
+    pub fn instructions(&self) -> &'static str {
+        self.stepper.instructions
     }
 
     /// Number of elements.
@@ -263,9 +301,10 @@ impl Simulation {
     /// # Errors
     /// A run that diverged; what it had sampled before stays available.
     pub fn advance(&mut self, seconds: f64) -> Result<(), Diverged> {
-        let interval = self.steps_per_sample as f64 * self.plan.dt_s;
-        let samples = (seconds / interval).round().max(1.0) as u64;
+        let samples = (seconds / self.sample_interval_s()).round().max(1.0) as u64;
         for _ in 0..samples {
+            // Until here they are what the last sample saw.
+            self.chain.clear_sums();
             for _ in 0..self.steps_per_sample {
                 self.step();
                 if self.steps.is_multiple_of(FOLLOW_STEPS) {
@@ -295,13 +334,13 @@ impl Simulation {
     fn step(&mut self) {
         let time = self.time_s();
         let dt = self.plan.dt_s;
-        let input = self.step_input(time);
-        let rotation = self.operation.rotation_rad_per_s();
         let ramp = match self.settings.start {
             Start::Prepared => 1.0,
             Start::Centred => (time / RAMP_S).min(1.0),
         };
-        node!(self.chain, 0, spin = rotation * ramp);
+        let rotation = ramp * self.follow_schedule(time);
+        let input = self.step_input(time, rotation);
+        self.top_drive.prescribe(&mut self.chain, rotation);
         let last = self.chain.nodes() - 1;
         let top_before = self.chain.velocity(0).dot(self.chain.tangent(0));
         let bit_before = self.chain.velocity(last);
@@ -327,9 +366,9 @@ impl Simulation {
         );
         self.clamp_top();
         self.body.follow(&mut self.chain, dt);
-        let surface_torque = -element!(self.chain, 0, torque);
+        let drive = self.top_drive.act(&mut self.chain, rotation, dt);
         let work = StepWork {
-            top_drive: surface_torque * node!(self.chain, 0, spin) * dt,
+            top_drive: drive.work_J,
             hoist: hoist.work_J,
             bit: bit.work_J,
             body: body.work_J,
@@ -340,11 +379,37 @@ impl Simulation {
         let sum = &mut self.since_sample;
         sum.steps += 1;
         sum.hook_load += hoist.hook_load_N;
-        sum.surface_torque += surface_torque;
+        sum.surface_torque += drive.string_torque_N_m;
         sum.weight_on_bit += bit.weight_on_bit_N;
         sum.bit_torque += bit.torque_N_m;
         sum.depth_of_cut += bit.depth_of_cut_m;
         self.steps += 1;
+    }
+
+    /// Brings the set points to where they are at `time`; the rotary speed, rad/s.
+    fn follow_schedule(&mut self, time: f64) -> f64 {
+        let hoist = &self.hoist;
+        self.set_points.reach(time, || HoistNow {
+            block_velocity_m_per_s: hoist.velocity_m_per_s(),
+            weight_on_bit_N: hoist.filtered_N(),
+        });
+        let rotation = self.set_points.rotary_speed_rad_per_s(time);
+        match self.set_points.hoist_at(time) {
+            None => {}
+            Some(HoistSetPoint::BlockVelocity(velocity)) => {
+                self.set_hoist(HoistControl::BlockVelocity(velocity));
+            }
+            Some(HoistSetPoint::WeightOnBit(weight_N)) => {
+                let velocity_m_per_s = self.operation.axial_velocity_at_m_per_s(weight_N, rotation);
+                self.rigid_velocity_m_per_s = velocity_m_per_s;
+                self.hoist.set_target(Target {
+                    weight_N,
+                    velocity_m_per_s,
+                });
+                self.hoist.set_control(HoistControl::Autodriller);
+            }
+        }
+        rotation
     }
 
     /// Keeps the top on the hole's axis and along it, wherever it has slid to.
@@ -360,10 +425,10 @@ impl Simulation {
         chain.set_director(0, along);
     }
 
-    fn step_input(&self, time: f64) -> StepInput {
+    fn step_input(&self, time: f64, rotation: f64) -> StepInput {
         let fading = match self.settings.start {
-            Start::Prepared if time < FADING_S => {
-                FADING_DAMPING_PER_S * (1.0 - time / FADING_S).powi(2)
+            Start::Prepared if time < self.fading_s => {
+                FADING_DAMPING_PER_S * (1.0 - time / self.fading_s).powi(2)
             }
             _ => 0.0,
         };
@@ -372,7 +437,7 @@ impl Simulation {
             stiffness_damping: self.settings.damping.stiffness_s,
             mass_damping: self.settings.damping.mass_per_s + fading,
             rigid_velocity: self.rigid_velocity_m_per_s,
-            rigid_spin: node!(self.chain, 0, spin),
+            rigid_spin: self.top_drive.rigid_spin(&self.chain, rotation),
             dissipation: match self.settings.contact_law {
                 ContactLaw::Hertz {
                     dissipation_s_per_m,
@@ -438,13 +503,19 @@ impl Simulation {
         }
         self.wear.sample(&self.chain, |i| self.anchors[i].md_m);
         let sums = std::mem::take(&mut self.since_sample);
-        let totals = self.record.sample(&mut self.chain, &self.high, sums.steps);
+        let totals = self.record.sample(&self.chain, &self.high, sums.steps);
         let n = sums.steps as f64;
         let last = self.chain.nodes() - 1;
         let elongation = self.elongation_m();
         let twist = -(0..self.chain.elements())
             .map(|i| element!(self.chain, i, twist))
             .sum::<f64>();
+        let neutral_point_m = record::neutral_point_m(&self.chain, &self.anchors, totals.tension_N);
+        let interval_s = self.sample_interval_s();
+        let path = &self.model.well.path;
+        let cutoff_depth_m =
+            self.record
+                .cutoff_depth_m(&self.mesh, path, &self.anchors, interval_s);
         let series = &mut self.record.series;
         series.time_s.push(time);
         series.bit_depth_m.push(
@@ -466,6 +537,40 @@ impl Simulation {
         series
             .bit_rotary_speed_rad_per_s
             .push(node!(self.chain, last, spin));
+        let none = f64::NAN;
+        let (block, weight) = match self.hoist.control() {
+            HoistControl::BlockVelocity(velocity) => (velocity, none),
+            HoistControl::Autodriller => (none, self.hoist.target_N()),
+            HoistControl::HookLoad(_) => (none, none),
+        };
+        let rotation = self.set_points.rotary_speed_rad_per_s(time);
+        series
+            .rotary_speed_rad_per_s
+            .push(node!(self.chain, 0, spin));
+        series.rotary_speed_set_rad_per_s.push(rotation);
+        series.block_velocity_set_m_per_s.push(block);
+        series.weight_on_bit_set_N.push(weight);
+        series.schedule_line.push(self.set_points.line());
+        series.neutral_point_m.push(neutral_point_m);
+        series.cutoff_depth_m.push(cutoff_depth_m);
+    }
+
+    /// The whole string as it is now, at the end of a sample: after [`advance`](Self::advance).
+    pub fn frame(&self) -> Frame {
+        frame::Scene {
+            chain: &self.chain,
+            anchors: &self.anchors,
+            high: &self.high,
+            strength: self.record.strength(),
+            time_s: self.time_s(),
+            summed_steps: self.steps_per_sample,
+        }
+        .frame()
+    }
+
+    /// Time between two samples, s: the setting, rounded to whole steps.
+    pub fn sample_interval_s(&self) -> f64 {
+        self.steps_per_sample as f64 * self.plan.dt_s
     }
 
     /// Elongation against the unloaded string, m: by effective tension, less what the mud's pressure
@@ -510,8 +615,9 @@ impl Simulation {
         self.viscous.as_ref().map_or(0.0, work)
     }
 
-    /// Where energy came from and went since the window began; none before it does, and none of a run that diverged.
-    pub fn energy_balance(&self) -> Option<EnergyBalance> {
+    /// Where energy came from and went since the window began, and the relative residual; none before it does, and
+    /// none of a run that diverged.
+    fn energy_balance(&self) -> Option<(EnergyBalance, f64)> {
         self.window_open
             .then(|| self.ledger.balance(&self.energies(), self.flow_work_J()))
             .flatten()
@@ -521,6 +627,7 @@ impl Simulation {
     pub fn outcome(&self) -> DynamicOutcome {
         summary::outcome(&summary::Sources {
             model: &self.model,
+            operation: &self.operation,
             mesh: &self.mesh,
             plan: &self.plan,
             anchors: &self.anchors,

@@ -57,8 +57,10 @@ pub struct Initial {
 pub struct Scene<'a> {
     /// Well, string and mud.
     pub model: &'a Model,
-    /// What the driller does.
+    /// What the driller does, as the string moves at time zero: [`motion`].
     pub operation: &'a Operation,
+    /// Whether the string neither turns nor slides at time zero.
+    pub at_rest: bool,
     /// How the string starts.
     pub settings: &'a DynamicsSettings,
     /// The string cut into elements.
@@ -71,6 +73,37 @@ pub struct Scene<'a> {
     pub stepper: &'a Stepper,
     /// The step, and the rigid motion that the string is to have.
     pub input: &'a StepInput,
+}
+
+/// What `operation` is at time zero by the motion of the string, and whether it is at rest.
+///
+/// Without a schedule it is what it is called. A schedule may begin it otherwise: a string that is to turn and
+/// does not yet is run in or pulled out, or hangs still.
+pub fn motion(
+    operation: &Operation,
+    axial_m_per_s: f64,
+    settings: &DynamicsSettings,
+) -> (Operation, bool) {
+    if settings.schedule.is_empty() {
+        return (*operation, false);
+    }
+    let pressed = operation.weight_on_bit_now_N() > 0.0;
+    let turns = operation.rotation_rad_per_s() > 0.0;
+    let kind = match (turns, pressed) {
+        (_, true) if turns == operation.kind.rotates() => operation.kind,
+        (_, true) => OperationKind::Slide,
+        (true, false) if axial_m_per_s > 0.0 => OperationKind::Ream,
+        (true, false) if axial_m_per_s < 0.0 => OperationKind::BackReam,
+        (true, false) => OperationKind::RotateOffBottom,
+        (false, false) if axial_m_per_s < 0.0 => OperationKind::TripOut,
+        (false, false) => OperationKind::TripIn,
+    };
+    let operation = Operation {
+        kind,
+        trip_speed_m_per_s: axial_m_per_s.abs(),
+        ..*operation
+    };
+    (operation, !turns && axial_m_per_s == 0.0)
 }
 
 /// Lays the string with its bit at `bit_md_m`.
@@ -89,7 +122,7 @@ pub fn lay(
         mesh,
         ..
     } = *scene;
-    let guide = Guide::new(scene.model, operation, settings, mesh, scene.viscous)?;
+    let guide = Guide::new(scene)?;
     let mut string = Laying {
         anchors: vec![
             Anchor {
@@ -142,14 +175,14 @@ struct Guide {
 }
 
 impl Guide {
-    fn new(
-        model: &Model,
-        operation: &Operation,
-        settings: &DynamicsSettings,
-        mesh: &Mesh,
-        viscous: Option<&Viscous>,
-    ) -> Result<Self, SoftError> {
-        let (model, operation) = as_soft_string(model, operation, settings);
+    fn new(scene: &Scene<'_>) -> Result<Self, SoftError> {
+        let Scene {
+            settings,
+            mesh,
+            viscous,
+            ..
+        } = *scene;
+        let (model, operation) = as_soft_string(scene);
         let profile = soft::solve(&model, &operation, &SoftSettings::default())?;
         let depth = |from_bit_m: f64| operation.bit_depth_m - from_bit_m;
         let middle = |i: usize| depth(mesh.nodes[i].from_bit_m - 0.5 * mesh.elements[i].length_m);
@@ -205,18 +238,17 @@ fn operation_turns(operation: &Operation, settings: &DynamicsSettings) -> bool {
         && (operation.kind.rotates() || settings.friction_law == FrictionLaw::Independent)
 }
 
-/// The soft string whose tension the start takes: without friction for a centred start; with the full
-/// axial friction of a sliding string for the independent law.
-fn as_soft_string(
-    model: &Model,
-    operation: &Operation,
-    settings: &DynamicsSettings,
-) -> (Model, Operation) {
-    let (mut model, mut operation) = (model.clone(), *operation);
+/// The soft string whose tension the start takes: without friction for a centred start and for a string at rest,
+/// as if it had been turned before; with the full axial friction of a sliding string for the independent law.
+fn as_soft_string(scene: &Scene<'_>) -> (Model, Operation) {
+    let Scene {
+        settings, at_rest, ..
+    } = *scene;
+    let (mut model, mut operation) = (scene.model.clone(), *scene.operation);
     if !operation.kind.rotates() {
         operation.rotary_speed_rad_per_s = 0.0;
     }
-    if settings.start == Start::Centred {
+    if settings.start == Start::Centred || at_rest {
         // Zero is a coefficient that every hole takes.
         if let Ok(frictionless) = model.well.hole.with_friction(0.0) {
             model.well.hole = frictionless;

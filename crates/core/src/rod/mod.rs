@@ -10,4 +10,5 @@ pub mod mesh;
 pub mod number;
 pub mod section;
 pub mod stability;
+pub mod torsion;
 pub mod vector;

@@ -147,7 +147,7 @@ fn wear_is_the_loss_to_friction() {
             ..Default::default()
         };
         let mut run = Simulation::new(&model(0.3), &operation, &settings).unwrap();
-        let input = run.step_input(0.0);
+        let input = run.step_input(0.0, operation.rotary_speed_rad_per_s);
         let mut lost = 0.0;
         run.chain.clear_sums();
         for _ in 0..2000 {

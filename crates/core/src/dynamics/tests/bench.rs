@@ -28,6 +28,13 @@ pub const STEEL: Material = Material {
     shear_modulus_Pa: 79.3e9,
 };
 
+const AIR: Mud = Mud {
+    density_kg_per_m3: 0.0,
+    linear_drag_Pa_s: 0.0,
+    drag_coefficient: 0.0,
+    rheology: None,
+};
+
 /// Their pipe: outside and inside diameter, m.
 pub const PIPE_M: [f64; 2] = [0.127, 0.1086];
 
@@ -84,13 +91,7 @@ impl Bench {
     /// A rod of `parts` (outside and inside diameter, length, m) from the lower end up, free at both
     /// ends and at rest, in air.
     pub fn new(parts: &[([f64; 2], f64)], element_length_m: f64, stiffness_damping_s: f64) -> Self {
-        let air = Mud {
-            density_kg_per_m3: 0.0,
-            linear_drag_Pa_s: 0.0,
-            drag_coefficient: 0.0,
-            rheology: None,
-        };
-        Self::in_mud(parts, element_length_m, stiffness_damping_s, air, 2.0)
+        Self::in_mud(parts, element_length_m, stiffness_damping_s, AIR, 2.0)
     }
 
     /// The same full of `mud` and in it, in a hole of a diameter.
@@ -101,11 +102,30 @@ impl Bench {
         mud: Mud,
         hole_m: f64,
     ) -> Self {
-        let length_m: f64 = parts.iter().map(|(_, length)| length).sum();
+        let parts: Vec<_> = parts
+            .iter()
+            .map(|&(pipe, length)| (pipe, length, STEEL))
+            .collect();
+        Self::made_of(&parts, element_length_m, stiffness_damping_s, mud, hole_m)
+    }
+
+    /// A rod in air of parts that have their own metals, undamped.
+    pub fn of(parts: &[([f64; 2], f64, Material)], element_length_m: f64) -> Self {
+        Self::made_of(parts, element_length_m, 0.0, AIR, 2.0)
+    }
+
+    fn made_of(
+        parts: &[([f64; 2], f64, Material)],
+        element_length_m: f64,
+        stiffness_damping_s: f64,
+        mud: Mud,
+        hole_m: f64,
+    ) -> Self {
+        let length_m: f64 = parts.iter().map(|(_, length, _)| length).sum();
         let components = parts
             .iter()
-            .map(|&([od, id], length)| {
-                ComponentSpec::uniform("rod", od, id, ComponentLength::Metres(length), STEEL)
+            .map(|&([od, id], length, metal)| {
+                ComponentSpec::uniform("rod", od, id, ComponentLength::Metres(length), metal)
             })
             .collect();
         let station = |md_m| Station {

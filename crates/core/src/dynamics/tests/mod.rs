@@ -11,6 +11,8 @@ mod mud;
 mod rest;
 mod rough;
 mod step_limit;
+mod stick_slip;
+mod top_drive;
 mod viscous;
 mod wall;
 mod waves;
