@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::{
     assembly::Anchor,
     bent::Bend,
-    chain::{Chain, node},
+    chain::{Chain, element, node},
     imbalance::Imbalance,
     step::StepInput,
 };
@@ -41,11 +41,15 @@ impl Loads {
 
             let d = chain.director(index);
             let about = moment.dot(d);
-            node!(
-                chain,
-                index,
-                spin += dt * node!(chain, index, inv_polar) * about
-            );
+            let spun = dt * node!(chain, index, inv_polar) * about;
+            node!(chain, index, spin += spun);
+            // The step carries the twist on by the spin that it finds: that of half a step ago, without this kick.
+            if index > 0 {
+                element!(chain, index - 1, twist -= dt * spun);
+            }
+            if index < chain.elements() {
+                element!(chain, index, twist += dt * spun);
+            }
             // Half of a kick precesses in the step, half does not: the first half is turned back before.
             let kick = moment
                 .minus(d, about)

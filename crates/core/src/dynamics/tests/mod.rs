@@ -3,11 +3,16 @@
 mod beams;
 mod bench;
 mod bit;
+mod damping;
 mod gyroscope;
 mod hoist;
 mod imbalance;
 mod large;
 mod mud;
+mod order;
+mod pendulum;
 mod rest;
+mod rotor;
 mod step_limit;
+mod stiction;
 mod waves;
