@@ -280,7 +280,7 @@ impl Simulation {
         let bit_before = self.chain.velocity(last);
         let bit_spin_before = node!(self.chain, last, spin);
 
-        let body = self.body.push(&mut self.chain, &input, ramp);
+        let before = self.body.push(&mut self.chain, &input, ramp);
         let losses = self.stepper.step(&mut self.chain, &input);
 
         let bit = self.bit.act(
@@ -299,11 +299,11 @@ impl Simulation {
             dt,
         );
         self.clamp_top();
-        self.body.follow(&mut self.chain, dt);
+        let after = self.body.follow(&mut self.chain, dt);
         let surface_torque = -element!(self.chain, 0, torque);
         let drive = surface_torque * node!(self.chain, 0, spin) * dt;
-        self.ledger.work += bit.work_J + hoist.work_J + drive + body.work_J;
-        self.ledger.losses += losses.total() + body.loss_J;
+        self.ledger.work += bit.work_J + hoist.work_J + drive + before.work_J;
+        self.ledger.losses += losses.total() + before.loss_J + after.loss_J;
 
         let sum = &mut self.since_sample;
         sum.steps += 1;

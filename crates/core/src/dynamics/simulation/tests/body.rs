@@ -86,7 +86,8 @@ fn bends_and_eccentric_masses_find_their_nodes() {
     assert!((sum / expected - 1.0).abs() < 1e-12, "{sum} {expected}");
 }
 
-/// A string that does not turn keeps its tool face, within the quarter of a degree by which the start twists the string.
+/// A string that does not turn keeps its tool face within 0.3° for 10 s of tripping: 0.1° is what the string untwists while it
+/// settles.
 #[test]
 fn a_tool_face_holds_while_the_string_does_not_turn() {
     let mut simulation = start(OperationKind::TripIn, 0.0);
@@ -94,12 +95,12 @@ fn a_tool_face_holds_while_the_string_does_not_turn() {
     simulation.advance(10.0).unwrap();
     let after = toolface_rad(&simulation).to_degrees();
     println!("tool face {before:.2} then {after:.2} deg");
-    assert!((before - 90.0).abs() < 1.0, "{before}");
-    assert!((after - before).abs() < 1.0, "{after}");
+    assert!((before - 90.0).abs() < 0.3, "{before}");
+    assert!((after - before).abs() < 0.3, "{after}");
 }
 
 /// Turned at 60 rev/min for 15 s a bend turns 15 times with its node, whose turns its spin sums up, the string starts without a
-/// blow (no node beyond 3 m/s), and the energies balance within the 1 % that the whole is held to.
+/// blow (no node beyond 3 m/s), and the energies balance within 1e-3 (2e-4 with the bend and 2e-6 without were found).
 #[test]
 fn a_bent_string_turns() {
     let mut simulation = start(OperationKind::RotateOffBottom, 60.0);
@@ -133,5 +134,5 @@ fn a_bent_string_turns() {
     assert!((shown - spun).abs() < 0.05, "{shown} {spun}");
     assert!((spun / std::f64::consts::TAU - 15.0).abs() < 1.0);
     assert!(fastest < 3.0, "{fastest}");
-    assert!(residual.abs() < 0.01, "{residual}");
+    assert!(residual.abs() < 1e-3, "{residual}");
 }
