@@ -346,7 +346,7 @@ impl Simulation {
         let bit_before = self.chain.velocity(last);
         let bit_spin_before = node!(self.chain, last, spin);
 
-        let body = self.body.push(&mut self.chain, &input, ramp);
+        let before = self.body.push(&mut self.chain, &input, ramp);
         let mut losses = self.stepper.step(&mut self.chain, &input);
 
         let bit = self.bit.act(
@@ -365,15 +365,15 @@ impl Simulation {
             dt,
         );
         self.clamp_top();
-        self.body.follow(&mut self.chain, dt);
+        let after = self.body.follow(&mut self.chain, dt);
         let drive = self.top_drive.act(&mut self.chain, rotation, dt);
         let work = StepWork {
             top_drive: drive.work_J,
             hoist: hoist.work_J,
             bit: bit.work_J,
-            body: body.work_J,
+            body: before.work_J,
         };
-        losses.damping += body.loss_J;
+        losses.damping += before.loss_J + after.loss_J;
         self.ledger.book(&work, &losses);
 
         let sum = &mut self.since_sample;
