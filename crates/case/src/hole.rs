@@ -42,6 +42,7 @@ impl Rule for FrictionRule {
             Value::Number { .. } => {
                 let kinetic = coefficient().read(node, reader)?;
                 Some(Friction {
+                    around: 1.0,
                     kinetic,
                     at_rest: kinetic,
                 })
@@ -51,6 +52,7 @@ impl Rule for FrictionRule {
                 let kinetic = table.kinetic.get()?;
                 let Some(at_rest) = table.r#static.optional()? else {
                     return Some(Friction {
+                        around: 1.0,
                         kinetic: *kinetic,
                         at_rest: *kinetic,
                     });
@@ -63,6 +65,7 @@ impl Rule for FrictionRule {
                     return None;
                 }
                 Some(Friction {
+                    around: 1.0,
                     kinetic: *kinetic,
                     at_rest: at_rest.value,
                 })
@@ -218,6 +221,7 @@ fn section(table: &HoleTable, from_md_m: f64) -> Option<HoleSection> {
         from_md_m,
         to_md_m: *table.to.get()?,
         diameter_m: *table.diameter.get()?,
+        roughness: 0.0,
         friction: *table.friction.get()?,
         youngs_modulus_Pa: youngs_modulus.map_or(youngs_modulus_Pa, |at| at.value),
         poisson_ratio: poisson.map_or(poisson_ratio, |at| at.value),

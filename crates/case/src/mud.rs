@@ -39,6 +39,7 @@ table! {
 impl MudTable {
     pub(crate) fn build(&self) -> Option<Mud> {
         Some(Mud {
+            rheology: None,
             density_kg_per_m3: *self.density.get()?,
             linear_drag_Pa_s: *self.linear_drag.get()?,
             drag_coefficient: *self.drag_coefficient.get()?,

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use wholestring::{
-    dynamics::DynamicOutcome,
+    dynamics::{DynamicOutcome, ScheduleStep},
     operation::Operation,
     outcome::{ModelKind, Scalars},
     statics::soft::SoftProfile,
@@ -23,6 +23,8 @@ pub(crate) struct Record {
     pub(crate) summary: Summary,
     nodes: Table,
     time: Table,
+    /// Lines of the case's schedule.
+    schedule: Vec<ScheduleStep>,
     hole: Hole,
     subtitle: String,
     units: UnitSet,
@@ -39,6 +41,7 @@ impl Record {
             },
             nodes: Table::with_columns(NODES),
             time: Table::with_columns(TIME),
+            schedule: case.dynamics.schedule.steps.clone(),
             hole: case.model.well.hole.clone(),
             subtitle: subtitle(case, units),
             units,
@@ -87,6 +90,7 @@ impl Record {
             numerics,
             nodes,
             series,
+            ..
         } = outcome;
         let statistics = statistics.iter().map(|(name, of)| {
             let statistic = Statistic {
@@ -119,12 +123,7 @@ impl Record {
         };
         self.summary.operations.push(solved);
         let operation = operation.kind.name();
-        // The table writes what is not finite as `null`.
-        let climb_rad: Vec<f64> = nodes
-            .climb_rad
-            .iter()
-            .map(|climb| climb.unwrap_or(f64::NAN))
-            .collect();
+        let climb_rad = or_null(&nodes.climb_rad);
         self.nodes.append(
             &[("model", "dynamic"), ("operation", operation)],
             &[
@@ -147,8 +146,9 @@ impl Record {
                 ),
             ],
         );
+        let first_row = self.time.rows();
         self.time.append(
-            &[("operation", operation)],
+            &[("operation", operation), ("note", "")],
             &[
                 ("time_s", &series.time_s),
                 ("bit_depth_m", &series.bit_depth_m),
@@ -167,8 +167,31 @@ impl Record {
                     "bit_rotary_speed_rad_per_s",
                     &series.bit_rotary_speed_rad_per_s,
                 ),
+                ("rotary_speed_rad_per_s", &series.rotary_speed_rad_per_s),
+                (
+                    "rotary_speed_set_rad_per_s",
+                    &series.rotary_speed_set_rad_per_s,
+                ),
+                (
+                    "block_velocity_set_m_per_s",
+                    &or_null(&series.block_velocity_set_m_per_s),
+                ),
+                ("weight_on_bit_set_N", &or_null(&series.weight_on_bit_set_N)),
             ],
         );
+        self.note(first_row, &series.schedule_line);
+    }
+
+    /// Writes the notes of the schedule to the rows of an operation, by the line that began last at each.
+    fn note(&mut self, first_row: usize, lines: &[usize]) {
+        let mut begun = 0;
+        for (row, &line) in lines.iter().enumerate() {
+            let news = self.schedule.get(begun..line).unwrap_or_default();
+            if let Some(note) = news.iter().rev().find_map(|step| step.note.as_deref()) {
+                self.time.say_from("note", first_row + row, note);
+            }
+            begun = line;
+        }
     }
 
     /// The summary of an operation that was solved to its end.
@@ -206,6 +229,11 @@ impl Record {
         folder.write_summary(&self.summary)?;
         Ok(())
     }
+}
+
+/// What does not apply as a number that the table writes as `null`.
+fn or_null(values: &[Option<f64>]) -> Vec<f64> {
+    values.iter().map(|v| v.unwrap_or(f64::NAN)).collect()
 }
 
 fn friction(hole: &Hole) -> Vec<f64> {

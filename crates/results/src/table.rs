@@ -101,6 +101,21 @@ impl Table {
         }
     }
 
+    /// Writes a word into a text column, from a row to the last one.
+    ///
+    /// # Panics
+    /// If the table has no such column of words.
+    pub fn say_from(&mut self, column: &str, row: usize, word: &str) {
+        let found = self.columns.iter_mut().find(|one| one.name == column);
+        match found.map(|column| &mut column.data) {
+            Some(Data::Text(words)) => words
+                .iter_mut()
+                .skip(row)
+                .for_each(|w| *w = word.to_owned()),
+            _ => panic!("the table has no `{column}` of words"),
+        }
+    }
+
     /// The columns, in the order of the file.
     pub fn columns(&self) -> &[Column] {
         &self.columns

@@ -32,6 +32,11 @@ impl ScheduleStep {
     fn end_s(&self) -> f64 {
         self.at_s + self.ramp_s
     }
+
+    /// Whether it changes a set point.
+    fn moves(&self) -> bool {
+        self.rotary_speed_rad_per_s.is_some() || self.hoist.is_some()
+    }
 }
 
 /// A plan: lines in the order of their times. Empty, the operation's own set points hold throughout.
@@ -146,13 +151,6 @@ impl Schedule {
             start.bit_torque_N_m *= start.weight_on_bit_N / operation.weight_on_bit_N;
         }
         start
-    }
-}
-
-impl ScheduleStep {
-    /// Whether it changes a set point.
-    fn moves(&self) -> bool {
-        self.rotary_speed_rad_per_s.is_some() || self.hoist.is_some()
     }
 }
 

@@ -486,11 +486,10 @@ impl Simulation {
         series
             .bit_rotary_speed_rad_per_s
             .push(node!(self.chain, last, spin));
-        let none = f64::NAN;
         let (block, weight) = match self.hoist.control() {
-            HoistControl::BlockVelocity(velocity) => (velocity, none),
-            HoistControl::Autodriller => (none, self.hoist.target_N()),
-            HoistControl::HookLoad(_) => (none, none),
+            HoistControl::BlockVelocity(velocity) => (Some(velocity), None),
+            HoistControl::Autodriller => (None, Some(self.hoist.target_N())),
+            HoistControl::HookLoad(_) => (None, None),
         };
         let rotation = self.set_points.rotary_speed_rad_per_s(time);
         series

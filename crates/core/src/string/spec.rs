@@ -1,11 +1,7 @@
 //! The string as a list of parts, before it is known how deep the bit is.
 
 use super::{
-<<<<<<< HEAD
     Blades, BodyBend, Component, DrillString, Eccentricity, Material, ToolJoints, body,
-=======
-    BodyBend, Component, DrillString, Eccentricity, Material, ToolJoints, body,
->>>>>>> fef17d8
     component::ring_area_m2,
 };
 

@@ -29,7 +29,10 @@ const LAW: RegenerativeLaw = RegenerativeLaw {
 /// Collars and pipe in a vertical well, drilling with a drag bit at a rotary speed.
 fn vertical(revolutions_per_minute: f64) -> Case {
     let vertical = model(
-        path(&[[0.0, 0.0, 0.0], [DEPTH_M + 20.0, 0.0, 0.0]], Interpolation::Spline),
+        path(
+            &[[0.0, 0.0, 0.0], [DEPTH_M + 20.0, 0.0, 0.0]],
+            Interpolation::Spline,
+        ),
         vec![section(HoleKind::Open, 0.0, DEPTH_M + 20.0, 0.2159, 0.2)],
         vec![
             tool("bit", ComponentLength::Metres(0.3), 0.2159, 0.0),
@@ -68,8 +71,25 @@ fn probe() {
         let spin = statistic(&outcome, "bit_rotary_speed_rad_per_s");
         let w = statistic(&outcome, "weight_on_bit_N");
         let t = statistic(&outcome, "bit_torque_N_m");
-        println!("{speed} spin {:.2} {:.2} [{:.2} {:.2}] wob {:.0} {:.0} [{:.0} {:.0}] T {:.0} {:.0} steady {:.0} rop {:.2} of {:.2} m/h residual {:.1e} dt {:.2e} {:?}", spin.mean, spin.std, spin.min, spin.max, w.mean, w.std, w.min, w.max, t.mean, t.std, case.operation.bit_torque_N_m,
-         (outcome.series.bit_depth_m.last().unwrap() - outcome.series.bit_depth_m[6000]) / 30.0 * 3600.0, case.operation.rate_of_penetration_m_per_s * 3600.0,
-         outcome.numerics.energy_residual, outcome.numerics.time_step_s, t0.elapsed());
+        println!(
+            "{speed} spin {:.2} {:.2} [{:.2} {:.2}] wob {:.0} {:.0} [{:.0} {:.0}] T {:.0} {:.0} steady {:.0} rop {:.2} of {:.2} m/h residual {:.1e} dt {:.2e} {:?}",
+            spin.mean,
+            spin.std,
+            spin.min,
+            spin.max,
+            w.mean,
+            w.std,
+            w.min,
+            w.max,
+            t.mean,
+            t.std,
+            case.operation.bit_torque_N_m,
+            (outcome.series.bit_depth_m.last().unwrap() - outcome.series.bit_depth_m[6000]) / 30.0
+                * 3600.0,
+            case.operation.rate_of_penetration_m_per_s * 3600.0,
+            outcome.numerics.energy_residual,
+            outcome.numerics.time_step_s,
+            t0.elapsed()
+        );
     }
 }

@@ -21,5 +21,6 @@ mod np13;
 mod numerics;
 mod operations;
 mod rough;
+mod schedule;
 mod steadiness;
 mod surroundings;
