@@ -14,17 +14,18 @@ use crate::{
     dynamics::{DynamicsTable, MeshTable, Told},
     effort, fit, hole,
     mud::MudTable,
-    names::short,
     node::{self, Entries, Node, Value},
     operation::OperationTable,
     overrides::{self, Override},
     reader::Reader,
     rig::{HoistTable, RigTable},
+    roughness,
     rule::{At, Choice, List, Rule, Section, Table, Text, once_each},
     settings,
-    source::{Disk, Files, Place, read_bounded},
+    source::{Files, Place},
     string::{ComponentTable, SteelTable},
     table::{default, optional, required, table},
+    template::Template,
     top_drive::TopDriveTable,
     well::WellTable,
 };
@@ -142,6 +143,8 @@ pub struct Case {
     pub operations: Vec<Operation>,
     /// What a dynamic run needs beside these.
     pub dynamics: DynamicsSettings,
+    /// Time on the clock between checkpoints of a dynamic run, s.
+    pub checkpoint_interval_s: f64,
     /// How the survey file was understood, in sentences; empty where the stations stand in the case.
     pub survey_notes: Vec<String>,
     /// What is probably not meant, but can be computed.
@@ -155,18 +158,7 @@ pub struct Case {
 /// # Errors
 /// A report of every mistake that was found, if there is one.
 pub fn load(path: &FilePath, changes: &[Override]) -> Result<Case, Report> {
-    let name = path.display().to_string();
-    match read_bounded(path) {
-        Ok(bytes) => parse(&name, &bytes, &Disk::beside(path), changes),
-        Err(error) => {
-            let why = match error.kind() {
-                std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
-                _ => short(&error.to_string()),
-            };
-            let diagnostic = Diagnostic::error(format!("the case cannot be read: {why}"));
-            Err(Report::about_file(&name, diagnostic))
-        }
-    }
+    Template::read(path)?.case(changes)
 }
 
 /// Reads a case from its text; `name` is what diagnostics call it.
@@ -244,7 +236,7 @@ fn as_text(bytes: &[u8]) -> Result<&str, Diagnostic> {
 fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> Option<Case> {
     let case = CaseTable::read(root, Place::default(), reader);
     let models = models(&case, reader);
-    let mud = case.mud.get().and_then(MudTable::build);
+    let mud = case.mud.get().and_then(|mud| mud.build(reader));
     let steel = case.steel.get().and_then(|steel| steel.build(reader));
     let rig = case.rig.get().and_then(|rig| rig.build(reader));
 
@@ -254,7 +246,9 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         .zip(stations.as_ref())
         .and_then(|(at, stations)| at.value.path(stations, reader));
     let sections = well.and_then(|at| at.value.hole.get());
-    let hole = sections.and_then(|sections| hole::build(sections, reader));
+    let rough = well.and_then(|at| at.value.roughness.given());
+    let hole =
+        sections.and_then(|sections| hole::build(sections, rough.map(|at| &at.value), reader));
 
     let last_md_m = path.as_ref().map(|path| path.last_md_m());
     let operation = case.operation.get();
@@ -290,6 +284,9 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         operation.schedule(models.as_deref().unwrap_or(&[]), end_s, reader)
     });
     let top_drive = case.top_drive.get().and_then(|drive| drive.build(reader));
+    if let (Some(operation), Some(mud)) = (operation, &mud) {
+        operation.check_flow(mud, reader);
+    }
     let dynamics = match (case.dynamics.get(), case.mesh.get(), case.hoist.get()) {
         (Some(dynamics), Some(mesh), Some(hoist)) => {
             let told = Told {
@@ -303,6 +300,9 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         _ => None,
     };
 
+    if let (Some(dynamics), Some(hole)) = (case.dynamics.get(), &hole) {
+        dynamics.check_stribeck(hole, reader);
+    }
     let drill_string = match (&spec, components, bit_depth_m) {
         (Some(spec), Some(components), Some(bit_depth_m)) => {
             assembly::assemble(spec, components, bit_depth_m, bit_place, reader)
@@ -312,6 +312,8 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     if let (Some(drill_string), Some(components)) = (&drill_string, components) {
         if let (Some(hole), Some(sections)) = (&hole, sections) {
             fit::check_clearance(drill_string, components, hole, sections, reader);
+            let rms = rough.and_then(|at| at.value.rms.given());
+            roughness::check_clearance(drill_string, hole, rms.map(|at| at.place), reader);
         }
         if let Some(mud) = &mud {
             let wob = operation.and_then(|operation| operation.wob.given());
@@ -343,6 +345,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     };
     let units = *case.units.get()?;
     let settings = settings::settings(&name, units, &models, &model, &operations, &dynamics, &case);
+    let checkpoint_interval_s = *case.dynamics.get()?.checkpoint_interval.get()?;
     Some(Case {
         name,
         units,
@@ -350,6 +353,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         model,
         operations,
         dynamics,
+        checkpoint_interval_s,
         survey_notes: stations.map_or_else(Vec::new, |stations| stations.notes),
         warnings: Report::default(),
         settings,

@@ -18,6 +18,7 @@
 
 mod assembly;
 mod bit;
+mod body;
 mod case;
 mod diagnostic;
 mod dynamics;
@@ -33,6 +34,7 @@ mod quantity;
 mod range;
 mod reader;
 mod rig;
+mod roughness;
 mod rule;
 mod schedule;
 mod schema;
@@ -42,7 +44,9 @@ mod stations;
 mod string;
 pub mod survey;
 mod table;
+mod template;
 mod top_drive;
+mod vary;
 mod well;
 
 pub use case::{Case, load, parse};
@@ -50,3 +54,5 @@ pub use diagnostic::{Diagnostic, Label, Report, Severity};
 pub use overrides::{Override, OverrideError};
 pub use schema::schema;
 pub use source::{Disk, Files, InMemory, Place, Source};
+pub use template::Template;
+pub use vary::Variation;

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use wholestring::{
     dynamics::{BitLaw, BitSettings, RegenerativeLaw, Schedule},
+    mud::Mud,
     operation::{Operation, OperationKind},
     outcome::ModelKind,
 };
@@ -89,6 +90,18 @@ table! {
             Quantity::si(Dimension::TripSpeed, Range::positive_to(10.0), "0.3 m/s"),
             TRIP_SPEED_M_PER_S,
         );
+        /// What the pumps deliver. They rest while the string trips without rotation. It acts on a mud with a rheology:
+        /// raising it raises the pressure losses and the lift of the stream, which lowers the hook load.
+        flow_rate: f64 = default(
+            Quantity::si(Dimension::FlowRate, Range::from_to(0.0, 0.5), "2000 L/min"),
+            0.0,
+        );
+        /// Pressure drop of the bit's nozzles at this flow rate. Raising it lifts the string with the thrust of the
+        /// jets and lengthens it with the pressure inside.
+        bit_pressure_drop: f64 = default(
+            Quantity::si(Dimension::Pressure, Range::from_to(0.0, 1e8), "80 bar"),
+            0.0,
+        );
         /// What the driller changes while a dynamic run goes on, line by line in the order of time. One operation
         /// alone can have a schedule.
         schedule: Vec<At<StepTable>> = optional(List {
@@ -131,6 +144,46 @@ impl OperationTable {
             end_s,
         };
         schedule::build(lines, &around, reader)
+    }
+
+    /// Warns of a flow that does nothing.
+    pub(crate) fn check_flow(&self, mud: &Mud, reader: &mut Reader) -> Option<()> {
+        let flowing = *self.flow_rate.get()? > 0.0;
+        let circulates = |kind: &At<OperationKind>| {
+            !matches!(kind.value, OperationKind::TripIn | OperationKind::TripOut)
+        };
+        let why = if mud.rheology.is_none() {
+            "acts on a mud with a rheology"
+        } else if !self.kind.get()?.iter().any(circulates) {
+            "the pumps rest while the string trips"
+        } else {
+            ""
+        };
+        let keys = [
+            (&self.flow_rate, "flow_rate", why),
+            (
+                &self.bit_pressure_drop,
+                "bit_pressure_drop",
+                if why.is_empty() && !flowing {
+                    "needs a flow_rate"
+                } else {
+                    why
+                },
+            ),
+        ];
+        for (field, name, why) in keys {
+            if let (Some(given), false) = (field.given(), why.is_empty()) {
+                let message = format!("`{name}` has no effect here");
+                reader.report(Diagnostic::warning(message).at(given.place, why));
+            }
+        }
+        let lines = self.schedule.optional()?.map_or(&[][..], |at| &at.value);
+        let scheduled = lines.iter().find_map(|line| line.value.flow_rate.given());
+        if let (Some(given), false) = (scheduled, why.is_empty()) {
+            let message = "`flow_rate` has no effect here";
+            reader.report(Diagnostic::warning(message).at(given.place, why));
+        }
+        Some(())
     }
 
     /// The operations, with the set points that each needs.
@@ -180,6 +233,8 @@ impl OperationTable {
             );
         }
         let trip_speed = *self.trip_speed.get()?;
+        let flow_rate = *self.flow_rate.get()?;
+        let bit_pressure_drop = *self.bit_pressure_drop.get()?;
         let (rpm, wob, rop) = (rpm?, wob?, rop?);
         let bit = bit?;
         if let (Some(kind), None) = (
@@ -207,6 +262,8 @@ impl OperationTable {
                 bit_torque_N_m: torque.map_or(0.0, |torque| torque.value),
                 rate_of_penetration_m_per_s: rop.unwrap_or(SLIDE_ROP_M_PER_S),
                 trip_speed_m_per_s: trip_speed,
+                flow_rate_m3_per_s: flow_rate,
+                bit_pressure_drop_Pa: bit_pressure_drop,
             })
         };
         Some(kinds.iter().map(operation).collect())

@@ -7,6 +7,7 @@ use wholestring::{
         Schedule, ScheduleStep, SpeedController, Start, TopDriveSettings,
     },
     model::Model,
+    mud::Rheology,
     operation::Operation,
     outcome::ModelKind,
     string::Component,
@@ -36,6 +37,7 @@ pub(crate) fn settings(
             "density_kg_per_m3": model.mud.density_kg_per_m3,
             "linear_drag_Pa_s": model.mud.linear_drag_Pa_s,
             "drag_coefficient": model.mud.drag_coefficient,
+            "rheology": model.mud.rheology.map(rheology),
         },
         "string": model.string.components().iter().map(component).collect::<Vec<_>>(),
         "bit": bit(dynamics, operations),
@@ -48,8 +50,33 @@ pub(crate) fn settings(
         "top_drive": top_drive(&dynamics.top_drive),
         "operation": operation(operations, &dynamics.schedule),
         "mesh": { "element_length_m": dynamics.element_length_m },
-        "dynamics": run(dynamics),
+        "dynamics": run(dynamics, case),
     })
+}
+
+fn rheology(rheology: Rheology) -> Json {
+    match rheology {
+        Rheology::Newtonian { viscosity_Pa_s } => json!({
+            "law": "newtonian",
+            "viscosity_Pa_s": viscosity_Pa_s,
+        }),
+        Rheology::Bingham {
+            plastic_viscosity_Pa_s,
+            yield_point_Pa,
+        } => json!({
+            "law": "bingham",
+            "plastic_viscosity_Pa_s": plastic_viscosity_Pa_s,
+            "yield_point_Pa": yield_point_Pa,
+        }),
+        Rheology::PowerLaw {
+            consistency_Pa_s_n,
+            flow_index,
+        } => json!({
+            "law": "power-law",
+            "consistency_Pa_s_n": consistency_Pa_s_n,
+            "flow_index": flow_index,
+        }),
+    }
 }
 
 fn well(well: &Well, survey: Option<&String>) -> Json {
@@ -67,6 +94,13 @@ fn well(well: &Well, survey: Option<&String>) -> Json {
             Interpolation::MinimumCurvature => "minimum-curvature",
         },
         "tie_in": { "north_m": start.x, "east_m": start.y, "tvd_m": start.z },
+        "roughness": well.hole.roughness().map(|roughness| json!({
+            "rms_m": roughness.radius_rms_m,
+            "tortuosity_m": roughness.tortuosity_rms_m,
+            "shortest_wavelength_m": roughness.shortest_m,
+            "longest_wavelength_m": roughness.longest_m,
+            "seed": roughness.seed,
+        })),
         "hole": well.hole.sections().iter().map(section).collect::<Vec<_>>(),
     })
 }
@@ -80,9 +114,14 @@ fn section(section: &HoleSection) -> Json {
         "from_m": section.from_md_m,
         "to_m": section.to_md_m,
         "diameter_m": section.diameter_m,
-        "friction": { "kinetic": section.friction.kinetic, "static": section.friction.at_rest },
+        "friction": {
+            "kinetic": section.friction.kinetic,
+            "static": section.friction.at_rest,
+            "around": section.friction.kinetic * section.friction.around,
+        },
         "youngs_modulus_Pa": section.youngs_modulus_Pa,
         "poisson_ratio": section.poisson_ratio,
+        "roughness": section.roughness,
     })
 }
 
@@ -94,6 +133,8 @@ fn component(component: &Component) -> Json {
         "id_m": component.id_m,
         "joint_od_m": component.joints.map(|joints| joints.od_m),
         "joint_spacing_m": component.joints.map(|joints| joints.spacing_m),
+        "blade_od_m": component.blades.map(|blades| blades.od_m),
+        "blade_length_m": component.blades.map(|blades| blades.length_m),
         "mass_per_length_kg_per_m": component.mass_per_length_kg_per_m,
         "density_kg_per_m3": component.material.density_kg_per_m3,
         "youngs_modulus_Pa": component.material.youngs_modulus_Pa,
@@ -225,6 +266,7 @@ fn schedule(schedule: &Schedule) -> Json {
             "rotary_speed_rad_per_s": step.rotary_speed_rad_per_s,
             "block_velocity_m_per_s": velocity,
             "wob_N": weight,
+            "flow_rate_m3_per_s": step.flow_rate_m3_per_s,
             "note": step.note,
         })
     };
@@ -241,10 +283,13 @@ fn operation(operations: &[Operation], plan: &Schedule) -> Json {
         "rop_m_per_s": first.map(|operation| operation.rate_of_penetration_m_per_s),
         "trip_speed_m_per_s": first.map(|operation| operation.trip_speed_m_per_s),
         "schedule": schedule(plan),
+        "flow_rate_m3_per_s": first.map(|operation| operation.flow_rate_m3_per_s),
+        "bit_pressure_drop_Pa": first.map(|operation| operation.bit_pressure_drop_Pa),
     })
 }
 
-fn run(dynamics: &DynamicsSettings) -> Json {
+fn run(dynamics: &DynamicsSettings, case: &CaseTable) -> Json {
+    let table = case.dynamics.get();
     let mut run = json!({
         "duration_s": dynamics.duration_s,
         "settle_s": dynamics.settle_s,
@@ -262,6 +307,7 @@ fn run(dynamics: &DynamicsSettings) -> Json {
             "stiffness_s": dynamics.damping.stiffness_s,
         },
         "sample_interval_s": dynamics.sample_interval_s,
+        "checkpoint_interval_s": table.and_then(|table| table.checkpoint_interval.get()),
         "seed": dynamics.seed,
     });
     match dynamics.contact_law {

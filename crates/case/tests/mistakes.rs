@@ -252,6 +252,38 @@ fn of_relation() {
             explicit("od = \"8-1/2 in\"\nid = \"3 in\""),
         ),
         (
+            "bend_without_place",
+            explicit(&format!("{pipe}\nbend = \"1.5 deg\"")),
+        ),
+        (
+            "bend_of_a_turn",
+            explicit(&format!("{pipe}\nbend = \"90 deg\"\nbend_at = \"2 m\"")),
+        ),
+        (
+            "bend_off_its_component",
+            changed(
+                "length = \"0.34 m\"",
+                "length = \"0.34 m\"\nbend = \"1 deg\"\nbend_at = \"1.9 m\"",
+            ),
+        ),
+        (
+            "bend_at_the_bit",
+            changed(
+                "length = \"0.34 m\"",
+                "length = \"0.34 m\"\nbend = \"1 deg\"\nbend_at = \"0.1 m\"",
+            ),
+        ),
+        (
+            "eccentricity_of_a_crank",
+            explicit(&format!("{pipe}\neccentricity = \"30 mm\"")),
+        ),
+        (
+            "eccentricity_cavity_unknown",
+            explicit(&format!(
+                "{pipe}\neccentricity = \"2 mm\"\neccentricity_cavity = \"air\""
+            )),
+        ),
+        (
             "pipe_heavier_than_solid",
             explicit(&format!("{pipe}\nmass_per_length = \"358 kg/m\"")),
         ),
@@ -560,8 +592,126 @@ fn of_the_bit() {
 }
 
 #[test]
+fn of_the_wall_and_what_touches_it() {
+    let friction = "friction = 0.3\n[[";
+    let stabiliser = "# ...\n";
+    let body =
+        "[[string]]\ncomponent = \"stabiliser\"\nod = \"165 mm\"\nid = \"71.4 mm\"\nlength = 1.5\n";
+    let cases = [
+        (
+            "friction_around_negative",
+            friction,
+            "friction = { kinetic = 0.3, around = -0.1 }\n[[".to_owned(),
+        ),
+        (
+            "friction_around_without_axial",
+            friction,
+            "friction = { kinetic = 0, around = 0.2 }\n[[".to_owned(),
+        ),
+        (
+            "roughness_in_metres_meant_millimetres",
+            "[mud]",
+            "[well.roughness]\nrms = 2\n[mud]".to_owned(),
+        ),
+        (
+            "roughness_too_steep",
+            "[mud]",
+            "[well.roughness]\ntortuosity = \"20 cm\"\n[mud]".to_owned(),
+        ),
+        (
+            "roughness_band_upside_down",
+            "[mud]",
+            "[well.roughness]\nrms = \"1 mm\"\nshortest_wavelength = \"20 m\"\nlongest_wavelength = \"2 m\"\n[mud]".to_owned(),
+        ),
+        (
+            "roughness_key_misspelt",
+            "[mud]",
+            "[well.roughness]\nrms = \"1 mm\"\nwavelength = \"20 m\"\n[mud]".to_owned(),
+        ),
+        (
+            "stribeck_speed_zero",
+            "seed = 1",
+            "seed = 1\nstribeck_speed = 0".to_owned(),
+        ),
+        (
+            "blade_length_without_gauge",
+            stabiliser,
+            format!("{body}blade_length = \"0.6 m\"\n"),
+        ),
+        (
+            "blades_thinner_than_body",
+            stabiliser,
+            format!("{body}blade_od = \"150 mm\"\n"),
+        ),
+        (
+            "blades_longer_than_component",
+            stabiliser,
+            format!("{body}blade_od = \"210 mm\"\nblade_length = 2\n"),
+        ),
+        (
+            "blades_wider_than_hole",
+            stabiliser,
+            format!("{body}blade_od = \"220 mm\"\n"),
+        ),
+        (
+            "blades_beside_joints",
+            "length = \"to surface\"",
+            "length = \"to surface\"\nblade_od = \"210 mm\"".to_owned(),
+        ),
+    ];
+    for (name, from, to) in cases {
+        refused(name, read(&changed(from, &to)));
+    }
+}
+
+#[test]
+fn of_the_mud() {
+    let cases = [
+        ("rheology_unknown", "\nrheology = \"binghan\""),
+        ("rheology_without_numbers", "\nrheology = \"bingham\""),
+        (
+            "flow_index_above_one",
+            "\nrheology = \"power-law\"\nconsistency_index = \"0.6 Pa.s^n\"\nflow_behaviour_index = 1.4",
+        ),
+        (
+            "viscosity_in_pascals",
+            "\nrheology = \"newtonian\"\nviscosity = \"20 Pa\"",
+        ),
+    ];
+    let flow = changed("rpm = 70", "flow_rate = \"2000 L\"\nrpm = 70");
+    refused("flow_rate_in_litres", read(&flow));
+    for (name, more) in cases {
+        let text = changed(
+            "density = \"1.2 sg\"",
+            &format!("density = \"1.2 sg\"{more}"),
+        );
+        refused(name, read(&text));
+    }
+}
+
+#[test]
 fn worth_a_warning() {
     let cases = [
+        (
+            "warn_stribeck_speed",
+            "seed = 1",
+            "seed = 1\nstribeck_speed = \"0.2 m/s\"",
+        ),
+        (
+            "warn_section_roughness",
+            "friction = 0.3\n[[",
+            "friction = 0.3\nroughness = 0\n[[",
+        ),
+        (
+            "warn_roughness_without_amplitude",
+            "[mud]",
+            "[well.roughness]\nseed = 4\n[mud]",
+        ),
+        (
+            "warn_roughness_closes_in",
+            "[mud]",
+            "[well.roughness]\nrms = \"9 mm\"\n[mud]",
+        ),
         ("warn_bit_torque", "torque = \"3.1 kN.m\"", "# torque"),
         (
             "warn_contact_key",
@@ -593,6 +743,21 @@ fn worth_a_warning() {
             "torque = \"3.1 kN.m\"",
             "torque = \"3.1 kN.m\"\n[bit.excitation]\nlobes = 4\nfrequency = \"20 Hz\"",
         ),
+        (
+            "warn_mud_key_of_another_rheology",
+            "density = \"1.2 sg\"",
+            "density = \"1.2 sg\"\nrheology = \"newtonian\"\nviscosity = \"20 cP\"\nyield_point = \"15 lbf/100ft2\"",
+        ),
+        (
+            "warn_mud_key_without_rheology",
+            "density = \"1.2 sg\"",
+            "density = \"1.2 sg\"\nplastic_viscosity = \"25 cP\"",
+        ),
+        (
+            "warn_flow_without_rheology",
+            "rpm = 70",
+            "flow_rate = \"2000 L/min\"\nbit_pressure_drop = \"80 bar\"\nrpm = 70",
+        ),
         ("warn_hoist_key", "[mesh]", "[hoist]\ngain = 1e-7\n[mesh]"),
         ("warn_weight_on_bit", "wob = \"6 tf\"", "wob = \"200 tf\""),
         (
@@ -601,6 +766,16 @@ fn worth_a_warning() {
             "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\nmass_per_length = \"20 kg/m\" ",
         ),
         ("warn_moduli", "\"76.923 GPa\"", "\"27 GPa\""),
+        (
+            "warn_bend_keys",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\nbend_at = 2\nbend_toolface = \"90 deg\" ",
+        ),
+        (
+            "warn_eccentricity_keys",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\neccentricity_phase = 1\neccentricity_cavity = \"mud\" ",
+        ),
         (
             "warn_joint_mass",
             "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
@@ -697,6 +872,11 @@ fn of_the_schedule() {
     warned("warn_schedule_soft", read(&soft));
     let both = scheduled(&plan).replace("model = \"dynamic\" ", "model = [\"soft\", \"dynamic\"]");
     warned("warn_schedule_soft_too", read(&both));
+    let pumps = format!("{LINE}at = \"30 s\"\nflow_rate = 0");
+    warned(
+        "warn_schedule_flow_without_rheology",
+        read(&scheduled(&pumps)),
+    );
     // Where a schedule holds a weight, the autodriller's keys have their effect.
     let tuned = format!("{held}\n[hoist]\ngain = 1e-7\nintegral_time = \"60 s\"");
     let case = read(&scheduled(&tuned)).expect("a sound case");

@@ -2,8 +2,9 @@
 
 use std::time::Duration;
 
+use serde::{Deserialize, Serialize};
 use wholestring::{
-    dynamics::{DynamicOutcome, ScheduleStep},
+    dynamics::{ContactClass, DynamicOutcome, NodeProfile, ScheduleStep, TimeSeries},
     operation::Operation,
     outcome::{ModelKind, Scalars},
     statics::soft::SoftProfile,
@@ -12,11 +13,21 @@ use wholestring::{
 use wholestring_case::Case;
 use wholestring_results::{
     Friction, NODES, Numerics, OperationSummary, ResultsFolder, SCHEMA_VERSION, Statistic, Status,
-    Summary, TIME, Table,
+    Summary, TIME, Table, WEAR,
 };
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::{failure::Failure, picture};
+
+/// What a run has solved to its end, as a checkpoint keeps it.
+#[derive(Serialize, Deserialize)]
+pub(crate) struct Solved {
+    /// The operations of the summary, as JSON.
+    operations: String,
+    nodes: Table,
+    time: Table,
+    wear: Table,
+}
 
 /// Everything that a run leaves.
 pub(crate) struct Record {
@@ -25,6 +36,7 @@ pub(crate) struct Record {
     time: Table,
     /// Lines of the case's schedule.
     schedule: Vec<ScheduleStep>,
+    wear: Table,
     hole: Hole,
     subtitle: String,
     units: UnitSet,
@@ -42,10 +54,49 @@ impl Record {
             nodes: Table::with_columns(NODES),
             time: Table::with_columns(TIME),
             schedule: case.dynamics.schedule.steps.clone(),
+            wear: Table::with_columns(WEAR),
             hole: case.model.well.hole.clone(),
             subtitle: subtitle(case, units),
             units,
         }
+    }
+
+    /// What was solved so far; nothing that was only begun is in it.
+    pub(crate) fn solved_so_far(&self) -> Solved {
+        // Every field is named: a new one is either found anew or kept.
+        let Self {
+            summary,
+            nodes,
+            time,
+            wear,
+            schedule: _,
+            hole: _,
+            subtitle: _,
+            units: _,
+        } = self;
+        Solved {
+            operations: serde_json::to_string(&summary.operations).expect("numbers and words"),
+            nodes: nodes.clone(),
+            time: time.clone(),
+            wear: wear.clone(),
+        }
+    }
+
+    /// Takes up what was solved before.
+    pub(crate) fn restore(&mut self, solved: Solved) -> Result<(), String> {
+        let operations = serde_json::from_str(&solved.operations);
+        self.summary.operations = operations.map_err(|error| error.to_string())?;
+        self.nodes = solved.nodes;
+        self.time = solved.time;
+        self.wear = solved.wear;
+        Ok(())
+    }
+
+    /// Whether a model has solved an operation already.
+    pub(crate) fn has(&self, model: ModelKind, operation: &Operation) -> bool {
+        let name = operation.kind.name();
+        let mut solved = self.summary.operations.iter();
+        solved.any(|solved| solved.model == model && solved.operation == name)
     }
 
     pub(crate) fn add_soft(&mut self, operation: &Operation, profile: &SoftProfile) {
@@ -58,7 +109,12 @@ impl Record {
             .map(|force| f64::from(u8::from(*force != 0.0)))
             .collect();
         self.nodes.append(
-            &[("model", "soft"), ("operation", operation.kind.name())],
+            &[
+                ("model", &["soft"]),
+                ("operation", &[operation.kind.name()]),
+                ("contact_class", &classes(&contact)),
+                ("contact_side", &sides(&profile.side_force_N_per_m)),
+            ],
             &[
                 ("md_m", &profile.md_m),
                 ("tension_N", &profile.tension_N),
@@ -87,10 +143,12 @@ impl Record {
         let DynamicOutcome {
             scalars,
             statistics,
+            hydraulics: _,
             numerics,
+            indicators,
             nodes,
+            wear,
             series,
-            ..
         } = outcome;
         let statistics = statistics.iter().map(|(name, of)| {
             let statistic = Statistic {
@@ -108,6 +166,7 @@ impl Record {
         let solved = OperationSummary {
             status,
             statistics: Some(statistics.collect()),
+            indicators: Some(*indicators),
             numerics: Some(Numerics {
                 elements: numerics.elements,
                 time_step_s: numerics.time_step_s,
@@ -122,10 +181,26 @@ impl Record {
             ..self.solved(ModelKind::Dynamic, operation, *scalars)
         };
         self.summary.operations.push(solved);
-        let operation = operation.kind.name();
-        let climb_rad = or_null(&nodes.climb_rad);
+        self.add_profile(operation, nodes);
+        self.wear.append(
+            &[("operation", &[operation.kind.name()])],
+            &[
+                ("md_m", &wear.md_m),
+                ("wear_work_J_per_m", &wear.wear_work_J_per_m),
+                ("wear_power_W_per_m", &wear.wear_power_W_per_m),
+            ],
+        );
+        self.add_series(operation, series);
+    }
+
+    fn add_profile(&mut self, operation: &Operation, nodes: &NodeProfile) {
         self.nodes.append(
-            &[("model", "dynamic"), ("operation", operation)],
+            &[
+                ("model", &["dynamic"]),
+                ("operation", &[operation.kind.name()]),
+                ("contact_class", &classes(&nodes.contact_fraction)),
+                ("contact_side", &sides(&nodes.side_force_N_per_m)),
+            ],
             &[
                 ("md_m", &nodes.md_m),
                 ("tension_N", &nodes.tension_N),
@@ -137,18 +212,69 @@ impl Record {
                 ("contact_force_N", &nodes.contact_force_N),
                 ("contact_force_std_N", &nodes.contact_force_std_N),
                 ("contact_force_max_N", &nodes.contact_force_max_N),
-                ("climb_rad", &climb_rad),
+                ("climb_rad", &numbers(&nodes.climb_rad)),
                 ("lateral_offset_m", &nodes.lateral_offset_m),
                 ("axial_friction_N_per_m", &nodes.axial_friction_N_per_m),
                 (
                     "friction_torque_N_m_per_m",
                     &nodes.friction_torque_N_m_per_m,
                 ),
+                (
+                    "side_force_per_joint_N",
+                    &numbers(&nodes.side_force_per_joint_N),
+                ),
+                ("tension_p05_N", &nodes.tension_percentiles_N.p05),
+                ("tension_p50_N", &nodes.tension_percentiles_N.p50),
+                ("tension_p95_N", &nodes.tension_percentiles_N.p95),
+                ("torque_p05_N_m", &nodes.torque_percentiles_N_m.p05),
+                ("torque_p50_N_m", &nodes.torque_percentiles_N_m.p50),
+                ("torque_p95_N_m", &nodes.torque_percentiles_N_m.p95),
+                (
+                    "contact_force_p05_N",
+                    &nodes.contact_force_percentiles_N.p05,
+                ),
+                (
+                    "contact_force_p50_N",
+                    &nodes.contact_force_percentiles_N.p50,
+                ),
+                (
+                    "contact_force_p95_N",
+                    &nodes.contact_force_percentiles_N.p95,
+                ),
+                ("true_tension_N", &nodes.true_tension_N),
+                ("bending_moment_N_m", &nodes.bending_moment_N_m),
+                ("bending_moment_max_N_m", &nodes.bending_moment_max_N_m),
+                (
+                    "bending_moment_p05_N_m",
+                    &nodes.bending_moment_percentiles_N_m.p05,
+                ),
+                (
+                    "bending_moment_p50_N_m",
+                    &nodes.bending_moment_percentiles_N_m.p50,
+                ),
+                (
+                    "bending_moment_p95_N_m",
+                    &nodes.bending_moment_percentiles_N_m.p95,
+                ),
+                ("bending_stress_Pa", &nodes.bending_stress_Pa),
+                ("von_mises_stress_Pa", &nodes.von_mises_stress_Pa),
+                ("von_mises_stress_max_Pa", &nodes.von_mises_stress_max_Pa),
+                ("yield_use", &numbers(&nodes.yield_use)),
+                ("whirl_rate_rad_per_s", &nodes.whirl_rate_rad_per_s),
+                ("whirl_coherence", &nodes.whirl_coherence),
+                (
+                    "lateral_speed_rms_m_per_s",
+                    &nodes.lateral_speed_rms_m_per_s,
+                ),
+                ("wear_work_J_per_m", &nodes.wear_work_J_per_m),
             ],
         );
-        let first_row = self.time.rows();
+    }
+
+    fn add_series(&mut self, operation: &Operation, series: &TimeSeries) {
+        let notes = notes(&self.schedule, &series.schedule_line);
         self.time.append(
-            &[("operation", operation), ("note", "")],
+            &[("operation", &[operation.kind.name()]), ("note", &notes)],
             &[
                 ("time_s", &series.time_s),
                 ("bit_depth_m", &series.bit_depth_m),
@@ -162,6 +288,8 @@ impl Record {
                 ("side_force_total_N", &series.side_force_total_N),
                 ("twist_rad", &series.twist_rad),
                 ("stretch_m", &series.stretch_m),
+                ("neutral_point_m", &numbers(&series.neutral_point_m)),
+                ("cutoff_depth_m", &numbers(&series.cutoff_depth_m)),
                 ("block_velocity_m_per_s", &series.block_velocity_m_per_s),
                 (
                     "bit_rotary_speed_rad_per_s",
@@ -174,24 +302,11 @@ impl Record {
                 ),
                 (
                     "block_velocity_set_m_per_s",
-                    &or_null(&series.block_velocity_set_m_per_s),
+                    &numbers(&series.block_velocity_set_m_per_s),
                 ),
-                ("weight_on_bit_set_N", &or_null(&series.weight_on_bit_set_N)),
+                ("weight_on_bit_set_N", &numbers(&series.weight_on_bit_set_N)),
             ],
         );
-        self.note(first_row, &series.schedule_line);
-    }
-
-    /// Writes the notes of the schedule to the rows of an operation, by the line that began last at each.
-    fn note(&mut self, first_row: usize, lines: &[usize]) {
-        let mut begun = 0;
-        for (row, &line) in lines.iter().enumerate() {
-            let news = self.schedule.get(begun..line).unwrap_or_default();
-            if let Some(note) = news.iter().rev().find_map(|step| step.note.as_deref()) {
-                self.time.say_from("note", first_row + row, note);
-            }
-            begun = line;
-        }
     }
 
     /// The summary of an operation that was solved to its end.
@@ -209,6 +324,7 @@ impl Record {
             bit_depth_m: operation.bit_depth_m,
             scalars,
             statistics: None,
+            indicators: None,
             numerics: None,
         }
     }
@@ -217,6 +333,7 @@ impl Record {
     pub(crate) fn write(&self, folder: &ResultsFolder, csv: bool) -> Result<(), Failure> {
         folder.write_table("nodes", &self.nodes, csv)?;
         folder.write_table("time", &self.time, csv)?;
+        folder.write_table("wear", &self.wear, csv)?;
         let picture = picture::draw(
             &self.summary.case,
             &self.subtitle,
@@ -231,9 +348,34 @@ impl Record {
     }
 }
 
-/// What does not apply as a number that the table writes as `null`.
-fn or_null(values: &[Option<f64>]) -> Vec<f64> {
-    values.iter().map(|v| v.unwrap_or(f64::NAN)).collect()
+/// The table writes what is not finite as `null`.
+fn numbers(values: &[Option<f64>]) -> Vec<f64> {
+    let number = |value: &Option<f64>| value.unwrap_or(f64::NAN);
+    values.iter().map(number).collect()
+}
+
+/// The note of the line of a schedule that began last, at each row.
+fn notes<'a>(schedule: &'a [ScheduleStep], lines: &[usize]) -> Vec<&'a str> {
+    let note = |line: &usize| {
+        let begun = schedule.get(..*line).unwrap_or_default();
+        let notes = begun.iter().rev().map(|step| step.note.as_deref());
+        notes.flatten().next().unwrap_or_default()
+    };
+    lines.iter().map(note).collect()
+}
+
+fn classes(contact_fraction: &[f64]) -> Vec<&'static str> {
+    let class = |fraction: &f64| ContactClass::of(*fraction).name();
+    contact_fraction.iter().map(class).collect()
+}
+
+fn sides(side_force: &[f64]) -> Vec<&'static str> {
+    let side = |force: &f64| match *force {
+        force if force > 0.0 => "high",
+        force if force < 0.0 => "low",
+        _ => "none",
+    };
+    side_force.iter().map(side).collect()
 }
 
 fn friction(hole: &Hole) -> Vec<f64> {

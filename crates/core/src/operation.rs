@@ -83,6 +83,10 @@ pub struct Operation {
     pub rate_of_penetration_m_per_s: f64,
     /// Axial speed of tripping and reaming, m/s, positive.
     pub trip_speed_m_per_s: f64,
+    /// What the pumps deliver while they run, m³/s.
+    pub flow_rate_m3_per_s: f64,
+    /// Pressure drop of the bit's nozzles at that flow rate, Pa.
+    pub bit_pressure_drop_Pa: f64,
 }
 
 impl Operation {
@@ -140,6 +144,23 @@ impl Operation {
     pub fn bit_torque_now_N_m(&self) -> f64 {
         if self.kind.on_bottom() {
             self.bit_torque_N_m
+        } else {
+            0.0
+        }
+    }
+
+    /// What the pumps deliver, m³/s; zero while the string trips without rotation, for the top drive is off it.
+    pub fn flow_now_m3_per_s(&self) -> f64 {
+        match self.kind {
+            OperationKind::TripOut | OperationKind::TripIn => 0.0,
+            _ => self.flow_rate_m3_per_s,
+        }
+    }
+
+    /// Pressure drop of the nozzles at a flow rate, Pa: by its square.
+    pub fn bit_loss_Pa(&self, flow_m3_per_s: f64) -> f64 {
+        if self.flow_rate_m3_per_s > 0.0 {
+            self.bit_pressure_drop_Pa * (flow_m3_per_s / self.flow_rate_m3_per_s).powi(2)
         } else {
             0.0
         }

@@ -1,10 +1,11 @@
-//! What a run leaves behind: `summary.json`, `nodes.parquet` and `time.parquet`, and the same
+//! What a run leaves behind: `summary.json`, `nodes.parquet`, `time.parquet` and `wear.parquet`, and the same
 //! tables as CSV.
 //!
 //! Files are SI with the unit in every name, hold `null` where a number is not finite or does not
 //! apply, and appear whole or not at all: each is written beside its final name and then renamed.
 #![warn(missing_docs)]
 
+mod checkpoint;
 mod columns;
 mod error;
 mod file;
@@ -13,7 +14,7 @@ mod parquet_file;
 mod summary;
 mod table;
 
-pub use columns::{ColumnSpec, NODES, TIME};
+pub use columns::{ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
 pub use error::ResultsError;
 pub use folder::ResultsFolder;
 pub use summary::{

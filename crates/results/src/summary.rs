@@ -3,7 +3,10 @@
 use std::{collections::BTreeMap, fs::File, io::BufReader, io::Write, path::Path};
 
 use serde::{Deserialize, Serialize};
-use wholestring::outcome::{ModelKind, Scalars};
+use wholestring::{
+    dynamics::Indicators,
+    outcome::{ModelKind, Scalars},
+};
 
 use crate::{ResultsError, file::write_whole};
 
@@ -77,6 +80,9 @@ pub struct OperationSummary {
     /// Statistics over the window by quantity; dynamic models only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub statistics: Option<BTreeMap<String, Statistic>>,
+    /// Whirl, stick-slip and the use of the top drive over the window; dynamic models only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub indicators: Option<Indicators>,
     /// What the numbers cost and how sound they are; dynamic models only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub numerics: Option<Numerics>,

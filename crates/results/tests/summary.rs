@@ -3,7 +3,10 @@
 use std::{collections::BTreeMap, fs};
 
 use serde_json::{Value, json};
-use wholestring::outcome::{ModelKind, Scalars};
+use wholestring::{
+    dynamics::{Indicators, StickSlip, TorqueUse, Whirl},
+    outcome::{ModelKind, Scalars},
+};
 use wholestring_results::{
     Friction, Numerics, OperationSummary, SCHEMA_VERSION, Statistic, Status, Summary,
 };
@@ -31,6 +34,7 @@ fn soft() -> OperationSummary {
         bit_depth_m: 4305.0,
         scalars: SCALARS,
         statistics: None,
+        indicators: None,
         numerics: None,
     }
 }
@@ -49,6 +53,26 @@ fn dynamic() -> OperationSummary {
         status: Status::Failed("the string flew off at 3.2 s".into()),
         friction: Friction::of(&[0.2, 0.3]),
         statistics: Some(BTreeMap::from([("hook_load_N".into(), statistic)])),
+        indicators: Some(Indicators {
+            stick_slip: Some(StickSlip {
+                severity: Some(1.25),
+                torque_severity: Some(0.5),
+                period_s: None,
+                stuck_fraction: 0.25,
+                bit_speed_max_rad_per_s: 16.0,
+            }),
+            backward_whirl: Some(Whirl {
+                md_m: 4290.0,
+                rate_rad_per_s: -24.0,
+                ratio: -3.0,
+                length_fraction: 0.125,
+            }),
+            forward_whirl: None,
+            top_drive: Some(TorqueUse {
+                p95: 0.5,
+                max: 0.75,
+            }),
+        }),
         numerics: Some(Numerics {
             elements: 1350,
             time_step_s: 2e-4,
@@ -106,6 +130,17 @@ fn the_keys_are_the_contract() {
                 "statistics": {"hook_load_N": {
                     "mean": 1.0, "std": 2.0, "min": 3.0, "max": 4.0, "p05": 5.0, "p95": 6.0
                 }},
+                "indicators": {
+                    "stick_slip": {
+                        "severity": 1.25, "torque_severity": 0.5, "period_s": null,
+                        "stuck_fraction": 0.25, "bit_speed_max_rad_per_s": 16.0
+                    },
+                    "backward_whirl": {
+                        "md_m": 4290.0, "rate_rad_per_s": -24.0, "ratio": -3.0, "length_fraction": 0.125
+                    },
+                    "forward_whirl": null,
+                    "top_drive": {"p95": 0.5, "max": 0.75}
+                },
                 "numerics": {
                     "elements": 1350, "time_step_s": 2e-4, "steps": 400_000,
                     "added_axial_mass_fraction": 0.003, "max_penetration_m": 1e-5,

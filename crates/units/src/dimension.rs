@@ -41,6 +41,12 @@ pub enum Dimension {
     Damping,
     /// Viscosities, Pa·s.
     Viscosity,
+    /// Consistency indices of power-law fluids, Pa·sⁿ.
+    Consistency,
+    /// Yield points and shear stresses of fluids, Pa.
+    ShearStress,
+    /// Flow rates of pumps, m³/s.
+    FlowRate,
     /// Dissipation of an impact per velocity (Hunt and Crossley), s/m.
     DissipationTime,
     /// Velocity of the hoist per error of force, m/s/N.
@@ -76,6 +82,9 @@ impl Dimension {
         Dimension::Stiffness,
         Dimension::Damping,
         Dimension::Viscosity,
+        Dimension::Consistency,
+        Dimension::ShearStress,
+        Dimension::FlowRate,
         Dimension::DissipationTime,
         Dimension::HoistGain,
         Dimension::Time,
@@ -104,6 +113,9 @@ impl Dimension {
             Dimension::Stiffness => "stiffness",
             Dimension::Damping => "damping",
             Dimension::Viscosity => "viscosity",
+            Dimension::Consistency => "consistency index",
+            Dimension::ShearStress => "shear stress",
+            Dimension::FlowRate => "flow rate",
             Dimension::DissipationTime => "dissipation time",
             Dimension::HoistGain => "hoist gain",
             Dimension::Time => "time",
@@ -133,6 +145,9 @@ impl Dimension {
             Dimension::Stiffness => table::STIFFNESS,
             Dimension::Damping => table::DAMPING,
             Dimension::Viscosity => table::VISCOSITY,
+            Dimension::Consistency => table::CONSISTENCY,
+            Dimension::ShearStress => table::SHEAR_STRESS,
+            Dimension::FlowRate => table::FLOW_RATE,
             Dimension::DissipationTime => table::DISSIPATION_TIME,
             Dimension::HoistGain => table::HOIST_GAIN,
             Dimension::Time => table::TIME,
@@ -176,6 +191,9 @@ impl Dimension {
             Dimension::Stiffness => ["kN/m", "kN/m", "lbf/in"],
             Dimension::Damping => ["kN.s/m", "kN.s/m", "lbf.s/ft"],
             Dimension::Viscosity => ["mPa.s", "mPa.s", "cP"],
+            Dimension::Consistency => ["Pa.s^n", "Pa.s^n", "lbf.s^n/100ft2"],
+            Dimension::ShearStress => ["Pa", "Pa", "lbf/100ft2"],
+            Dimension::FlowRate => ["L/min", "L/min", "gpm"],
             Dimension::DissipationTime => ["s/m", "s/m", "s/ft"],
             Dimension::HoistGain => ["m/s/kN", "m/s/t", "ft/s/klbf"],
             Dimension::Time => ["s", "s", "s"],

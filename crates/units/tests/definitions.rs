@@ -126,6 +126,25 @@ fn definition(dimension: Dimension, symbol: &str) -> Option<f64> {
         // One poise is 0.1 Pa.s.
         (D::Viscosity, "cP") => ratio(&[1.0], &[10.0, 100.0]),
 
+        (D::Consistency, "Pa.s^n") => 1.0,
+        (D::Consistency, "mPa.s^n" | "eq cP") => ratio(&[1.0], &[1000.0]),
+        (D::Consistency, "lbf.s^n/100ft2") | (D::ShearStress, "lbf/100ft2") => {
+            ratio(&[lbf[0], lbf[1]], &[100.0, 0.3048, 0.3048])
+        }
+
+        (D::ShearStress, "Pa") => 1.0,
+        // A dyne is 1e-5 N.
+        (D::ShearStress, "dyn/cm2") => ratio(&[1.0], &[10.0]),
+
+        (D::FlowRate, "m3/s") => 1.0,
+        (D::FlowRate, "m3/min") => ratio(&[1.0], &[60.0]),
+        (D::FlowRate, "m3/h") => ratio(&[1.0], &[60.0, 60.0]),
+        (D::FlowRate, "L/s") => ratio(&[1.0], &[1000.0]),
+        (D::FlowRate, "L/min") => ratio(&[1.0], &[1000.0, 60.0]),
+        (D::FlowRate, "gpm") => ratio(&[231.0, 0.0254, 0.0254, 0.0254], &[60.0]),
+        // A barrel is 42 US gallons.
+        (D::FlowRate, "bbl/min") => ratio(&[42.0, 231.0, 0.0254, 0.0254, 0.0254], &[60.0]),
+
         (D::DissipationTime, "s/m") => 1.0,
         (D::DissipationTime, "s/mm") => 1000.0,
         (D::DissipationTime, "s/ft") => ratio(&[100.0], &[12.0, 2.54]),

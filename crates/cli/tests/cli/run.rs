@@ -336,7 +336,11 @@ fn interrupted() {
     assert_eq!(status.code(), Some(130));
     let mut message = String::new();
     std::io::Read::read_to_string(&mut child.stderr.take().unwrap(), &mut message).unwrap();
-    assert_eq!(message, "interrupted: what was computed is in results\n");
+    assert_eq!(
+        message,
+        "interrupted: what was computed is in results\n\
+         to go on, run the case with --resume results\n"
+    );
 
     let summary = desk.summary("results");
     let statuses: Vec<_> = summary

@@ -199,11 +199,14 @@ impl Body {
         }
     }
 
-    /// Energy that it adds to that of the chain at the middle of the last step, J.
-    pub fn energy_J(&self, chain: &Chain, dt: f64) -> f64 {
-        let bends: f64 = self.bends.iter().map(|b| b.energy_J(chain, dt)).sum();
-        let imbalances: f64 = self.imbalances.iter().map(|i| i.energy_J(chain)).sum();
-        bends + imbalances
+    /// Elastic energy of the bends at the middle of the last step, J.
+    pub fn bends_J(&self, chain: &Chain, dt: f64) -> f64 {
+        self.bends.iter().map(|b| b.energy_J(chain, dt)).sum()
+    }
+
+    /// Energy that eccentric masses add at the middle of the last step, J.
+    pub fn imbalances_J(&self, chain: &Chain) -> f64 {
+        self.imbalances.iter().map(|i| i.energy_J(chain)).sum()
     }
 }
 

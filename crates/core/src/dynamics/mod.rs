@@ -4,9 +4,13 @@ mod assembly;
 mod bent;
 mod bit;
 mod body;
+mod carry;
 mod chain;
+mod energy;
+mod frame;
 mod hoist;
 mod imbalance;
+mod indicators;
 mod outcome;
 mod record;
 mod schedule;
@@ -19,10 +23,17 @@ mod summary;
 #[cfg(test)]
 mod tests;
 mod top_drive;
+mod viscous;
 mod wear;
 
 pub use bit::{Band, BitLaw, BitSettings, Excitation, RateLaw, RegenerativeLaw, SteadyCut};
-pub use outcome::{DynamicOutcome, HoleWear, NodeProfile, Numerics, Statistic, TimeSeries};
+pub use energy::EnergyBalance;
+pub use frame::{Channel, Frame};
+pub use indicators::{Indicators, StickSlip, TorqueUse, Whirl};
+pub use outcome::{
+    ContactClass, DynamicOutcome, HoleWear, NodeProfile, Numerics, Percentiles, Statistic,
+    TimeSeries,
+};
 pub use schedule::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep};
 pub use settings::{
     Autodriller, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping,

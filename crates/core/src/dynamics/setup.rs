@@ -243,7 +243,7 @@ pub(super) fn mesh_and_plan(
 
 /// What the model, the operation and the settings of a run determine: the same at its start and
 /// wherever it is taken up again.
-pub(super) struct Frame {
+pub(super) struct Basis {
     pub(super) mesh: Mesh,
     pub(super) plan: StepPlan,
     pub(super) surroundings: Surroundings,
@@ -251,7 +251,7 @@ pub(super) struct Frame {
     pub(super) steps_per_sample: u64,
 }
 
-impl Frame {
+impl Basis {
     pub(super) fn new(
         model: &Model,
         operation: &Operation,
@@ -263,7 +263,7 @@ impl Frame {
         let stepper = Stepper::new(Abilities {
             hertz: matches!(settings.contact_law, ContactLaw::Hertz { .. }),
             vector: settings.friction_law == FrictionLaw::Vector,
-            full: surroundings.intricate,
+            full: surroundings.intricate || model.mud.rheology.is_some(),
         });
         let steps_per_sample = (settings.sample_interval_s / plan.dt_s).round().max(1.0) as u64;
         Ok(Self {

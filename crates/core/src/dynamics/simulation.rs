@@ -8,22 +8,26 @@ use super::{
     bit::{Bit, BitLaw},
     body::Body,
     chain::{Chain, element, node},
+    energy::{self, Energies, EnergyBalance, Ledger, StepWork},
+    frame::{self, Frame},
     hoist::{Hoist, Target},
     outcome::DynamicOutcome,
-    record::Record,
+    record::{self, Record},
     schedule::{HoistNow, HoistSetPoint, SetPoints},
     settings::{ContactLaw, DynamicsSettings, HoistControl, Start},
-    setup::{self, Frame, SetupError},
+    setup::{self, Basis, SetupError},
     start::{self, Scene},
     step::{StepInput, Stepper},
     summary,
     top_drive::{StringSeen, TopDrive},
+    viscous::Viscous,
     wear::Wear,
 };
 use crate::{
     model::{Model, MudColumn},
     operation::Operation,
     rod::{
+        lanes::LANES,
         mesh::{Mesh, MeshNode},
         stability::StepPlan,
         torsion,
@@ -46,11 +50,14 @@ const RAMP_S: f64 = 1.0;
 /// Steps after which anchors follow their nodes: at 3.2 m elements some 10 ms.
 const FOLLOW_STEPS: u64 = 16;
 
-/// Steps after which the numbers are looked at.
-const CHECK_STEPS: u64 = 128;
+/// Steps after which directors are squared up.
+const SQUARE_UP_STEPS: u64 = 128;
 
 /// Speed beyond which a run has diverged, m/s: no drill string moves at that of a bullet.
 const DIVERGED_M_PER_S: f64 = 1e3;
+
+/// Spin beyond which a run has diverged, rad/s: a million revolutions a minute.
+const DIVERGED_RAD_PER_S: f64 = 1e5;
 
 /// A run that left the range of numbers that mean anything.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -66,14 +73,6 @@ pub struct Diverged {
     pub quantity: &'static str,
     /// Its value.
     pub value: f64,
-}
-
-/// Work and losses since the window began, J.
-#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
-struct Ledger {
-    energy_at_start: f64,
-    work: f64,
-    losses: f64,
 }
 
 /// A drill string in time.
@@ -94,6 +93,7 @@ pub struct Simulation {
     hoist: Hoist,
     body: Body,
     bit: Bit,
+    viscous: Option<Viscous>,
     rigid_velocity_m_per_s: f64,
     /// Time over which the extra damping of the start fades, s.
     fading_s: f64,
@@ -102,7 +102,7 @@ pub struct Simulation {
     since_sample: SinceSample,
     record: Record,
     wear: Wear,
-    /// High side at each node, as plain numbers for the sampling loop.
+    /// High side at each node, as plain numbers for the sampling loop, padded to whole blocks.
     high: Vec<[f64; 3]>,
     ledger: Ledger,
     window_open: bool,
@@ -132,17 +132,18 @@ impl Simulation {
         operation: &Operation,
         settings: &DynamicsSettings,
     ) -> Result<Self, SetupError> {
-        let Frame {
+        let Basis {
             mesh,
             plan,
             surroundings,
             stepper,
             steps_per_sample,
-        } = Frame::new(model, operation, settings)?;
+        } = Basis::new(model, operation, settings)?;
         let (control, velocity) = setup::hoisting(operation, settings);
         let first = settings.schedule.at_time_zero(operation);
         let bit_md_m = setup::first_bit_md_m(operation, settings);
         let chain = assembly::chain(model, &mesh, &plan);
+        let mut viscous = Viscous::new(model, &mesh, &first, velocity, bit_md_m);
         let input = StepInput {
             dt: plan.dt_s,
             stiffness_damping: settings.damping.stiffness_s,
@@ -165,11 +166,16 @@ impl Simulation {
             settings,
             mesh: &mesh,
             surroundings: &surroundings,
+            viscous: viscous.as_ref(),
             stepper: &stepper,
             input: &input,
         };
         let initial = start::lay(&scene, chain, Body::new(model, &mesh), bit_md_m)?;
         let (mut chain, anchors) = (initial.chain, initial.anchors);
+        if let Some(mud) = &mut viscous {
+            mud.attach(&mut chain, &anchors, plan.dt_s);
+            mud.update(&mut chain, &anchors, &surroundings, plan.dt_s);
+        }
         let last = anchors.len() - 1;
         let top = anchors[0].md_m + chain.displacement(0).dot(chain.tangent(0));
         let bottom = anchors[last].md_m + chain.displacement(last).dot(chain.tangent(last));
@@ -195,10 +201,11 @@ impl Simulation {
             BitLaw::Rate(law) => bottom + lighter_N / law.rock_stiffness_N_per_m,
             BitLaw::Regenerative(_) => bottom,
         };
-        let record = Record::new(&chain);
         let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
         let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
-        let high = anchors.iter().map(|a| a.high_side.into()).collect();
+        let record = Record::new(model, &mesh);
+        let mut high: Vec<[f64; 3]> = anchors.iter().map(|a| a.high_side.into()).collect();
+        high.resize(high.len().next_multiple_of(LANES), [0.0; 3]);
         Ok(Self {
             model: model.clone(),
             mud: model.mud_column(),
@@ -215,6 +222,7 @@ impl Simulation {
             hoist,
             body: initial.body,
             bit: Bit::new(settings.bit, operation, bottom, settings.seed),
+            viscous,
             rigid_velocity_m_per_s: velocity,
             fading_s: settings
                 .schedule
@@ -246,6 +254,11 @@ impl Simulation {
         self.plan.dt_s
     }
 
+    /// Name of the instruction set that the time loop was compiled for.
+    pub fn instructions(&self) -> &'static str {
+        self.stepper.instructions
+    }
+
     /// Number of elements.
     pub fn elements(&self) -> usize {
         self.mesh.elements.len()
@@ -264,6 +277,14 @@ impl Simulation {
         self.hoist.set_control(control);
     }
 
+    /// Changes what the pumps deliver from now on, m³/s; the pressure drop of the bit follows. Without a rheology
+    /// the mud does nothing to the string, however it flows.
+    pub fn set_flow_rate(&mut self, flow_m3_per_s: f64) {
+        if let Some(mud) = &mut self.viscous {
+            mud.set_flow(flow_m3_per_s, self.operation.bit_loss_Pa(flow_m3_per_s));
+        }
+    }
+
     /// Gives every node an additional velocity, m/s, and an additional spin, rad/s: a blow. `blow` is
     /// asked for each node but the top, which is clamped.
     pub fn strike(&mut self, blow: impl Fn(&MeshNode) -> (Vector3<f64>, f64)) {
@@ -280,17 +301,18 @@ impl Simulation {
     /// # Errors
     /// A run that diverged; what it had sampled before stays available.
     pub fn advance(&mut self, seconds: f64) -> Result<(), Diverged> {
-        let interval = self.steps_per_sample as f64 * self.plan.dt_s;
-        let samples = (seconds / interval).round().max(1.0) as u64;
+        let samples = (seconds / self.sample_interval_s()).round().max(1.0) as u64;
         for _ in 0..samples {
+            // Until here they are what the last sample saw.
+            self.chain.clear_sums();
             for _ in 0..self.steps_per_sample {
                 self.step();
                 if self.steps.is_multiple_of(FOLLOW_STEPS) {
-                    let (chain, anchors) = (&mut self.chain, &mut self.anchors);
-                    self.surroundings.follow(chain, anchors, &mut self.high);
-                }
-                if self.steps.is_multiple_of(CHECK_STEPS) {
+                    // Nothing follows a node to where no number is.
                     self.check_numbers()?;
+                    self.follow();
+                }
+                if self.steps.is_multiple_of(SQUARE_UP_STEPS) {
                     self.chain.square_up();
                 }
             }
@@ -298,6 +320,15 @@ impl Simulation {
             self.sample();
         }
         Ok(())
+    }
+
+    /// Takes the hole and the mud along to where the nodes have slid.
+    fn follow(&mut self) {
+        let (chain, anchors) = (&mut self.chain, &mut self.anchors);
+        self.surroundings.follow(chain, anchors, &mut self.high);
+        if let Some(mud) = &mut self.viscous {
+            mud.update(chain, anchors, &self.surroundings, self.plan.dt_s);
+        }
     }
 
     fn step(&mut self) {
@@ -316,7 +347,7 @@ impl Simulation {
         let bit_spin_before = node!(self.chain, last, spin);
 
         let body = self.body.push(&mut self.chain, &input, ramp);
-        let losses = self.stepper.step(&mut self.chain, &input);
+        let mut losses = self.stepper.step(&mut self.chain, &input);
 
         let bit = self.bit.act(
             &mut self.chain,
@@ -336,8 +367,14 @@ impl Simulation {
         self.clamp_top();
         self.body.follow(&mut self.chain, dt);
         let drive = self.top_drive.act(&mut self.chain, rotation, dt);
-        self.ledger.work += bit.work_J + hoist.work_J + drive.work_J + body.work_J;
-        self.ledger.losses += losses.total() + body.loss_J;
+        let work = StepWork {
+            top_drive: drive.work_J,
+            hoist: hoist.work_J,
+            bit: bit.work_J,
+            body: body.work_J,
+        };
+        losses.damping += body.loss_J;
+        self.ledger.book(&work, &losses);
 
         let sum = &mut self.since_sample;
         sum.steps += 1;
@@ -356,6 +393,9 @@ impl Simulation {
             block_velocity_m_per_s: hoist.velocity_m_per_s(),
             weight_on_bit_N: hoist.filtered_N(),
         });
+        if let Some(flow) = self.set_points.flow_rate_m3_per_s(time) {
+            self.set_flow_rate(flow);
+        }
         let rotation = self.set_points.rotary_speed_rad_per_s(time);
         match self.set_points.hoist_at(time) {
             None => {}
@@ -413,10 +453,13 @@ impl Simulation {
 
     fn check_numbers(&self) -> Result<(), Diverged> {
         // Not a number is too fast, too.
-        let fast = |x: f64| x.is_nan() || x.abs() >= DIVERGED_M_PER_S;
+        let fast = |x: f64, limit: f64| x.is_nan() || x.abs() >= limit;
         let state = &self.chain.state;
-        let any = state.v.iter().any(|axis| axis.0.iter().any(|v| fast(*v)))
-            || state.spin.0.iter().any(|s| !s.is_finite());
+        let any = state
+            .v
+            .iter()
+            .any(|axis| axis.0.iter().any(|v| fast(*v, DIVERGED_M_PER_S)))
+            || state.spin.0.iter().any(|s| fast(*s, DIVERGED_RAD_PER_S));
         if !any {
             return Ok(());
         }
@@ -425,14 +468,16 @@ impl Simulation {
             v.dot(v).sqrt()
         };
         let worst = (0..self.chain.nodes())
-            .find(|i| !speed(*i).is_finite() || !node!(self.chain, *i, spin).is_finite())
+            .find(|i| {
+                !speed(*i).is_finite() || fast(node!(self.chain, *i, spin), DIVERGED_RAD_PER_S)
+            })
             .unwrap_or_else(|| {
                 (0..self.chain.nodes())
                     .max_by(|a, b| speed(*a).total_cmp(&speed(*b)))
                     .unwrap_or(0)
             });
         let spin = node!(self.chain, worst, spin);
-        let (quantity, value) = if spin.is_finite() {
+        let (quantity, value) = if !fast(spin, DIVERGED_RAD_PER_S) {
             ("velocity (m/s)", speed(worst))
         } else {
             ("spin (rad/s)", spin)
@@ -451,20 +496,29 @@ impl Simulation {
             self.window_open = true;
             self.record.open_window();
             self.wear.restart(self.anchors[self.anchors.len() - 1].md_m);
-            self.ledger = Ledger {
-                energy_at_start: self.energy_J(),
-                ..Ledger::default()
-            };
+            self.ledger = Ledger::open(self.energies(), self.flow_work_J());
+            if let Some(mud) = &mut self.viscous {
+                mud.open_window();
+            }
+        }
+        if let Some(mud) = &mut self.viscous {
+            mud.sample(&self.chain);
         }
         self.wear.sample(&self.chain, |i| self.anchors[i].md_m);
         let sums = std::mem::take(&mut self.since_sample);
-        let totals = self.record.sample(&mut self.chain, &self.high, sums.steps);
+        let totals = self.record.sample(&self.chain, &self.high, sums.steps);
         let n = sums.steps as f64;
         let last = self.chain.nodes() - 1;
         let elongation = self.elongation_m();
         let twist = -(0..self.chain.elements())
             .map(|i| element!(self.chain, i, twist))
             .sum::<f64>();
+        let neutral_point_m = record::neutral_point_m(&self.chain, &self.anchors, totals.tension_N);
+        let interval_s = self.sample_interval_s();
+        let path = &self.model.well.path;
+        let cutoff_depth_m =
+            self.record
+                .cutoff_depth_m(&self.mesh, path, &self.anchors, interval_s);
         let series = &mut self.record.series;
         series.time_s.push(time);
         series.bit_depth_m.push(
@@ -499,10 +553,30 @@ impl Simulation {
         series.block_velocity_set_m_per_s.push(block);
         series.weight_on_bit_set_N.push(weight);
         series.schedule_line.push(self.set_points.line());
+        series.neutral_point_m.push(neutral_point_m);
+        series.cutoff_depth_m.push(cutoff_depth_m);
+    }
+
+    /// The whole string as it is now, at the end of a sample: after [`advance`](Self::advance).
+    pub fn frame(&self) -> Frame {
+        frame::Scene {
+            chain: &self.chain,
+            anchors: &self.anchors,
+            high: &self.high,
+            strength: self.record.strength(),
+            time_s: self.time_s(),
+            summed_steps: self.steps_per_sample,
+        }
+        .frame()
+    }
+
+    /// Time between two samples, s: the setting, rounded to whole steps.
+    pub fn sample_interval_s(&self) -> f64 {
+        self.steps_per_sample as f64 * self.plan.dt_s
     }
 
     /// Elongation against the unloaded string, m: by effective tension, less what the mud's pressure
-    /// takes, `(1 − 2ν)p/E`.
+    /// takes, `(1 − 2ν)p/E`, and by what its flow adds to the pressure.
     fn elongation_m(&self) -> f64 {
         let mud = self.mud;
         let mut sum = 0.0;
@@ -513,55 +587,57 @@ impl Simulation {
             sum += e.length_m
                 * (element!(self.chain, i, tension) / section.axial_stiffness_N - squeeze);
         }
-        sum
+        sum + self.viscous.as_ref().map_or(0.0, Viscous::stretch_m)
     }
 
     /// Kinetic, elastic and potential energy of the string, J: second-order accurate in the step.
     pub fn energy_J(&self) -> f64 {
-        assembly::energy_J(&self.chain, &self.anchors, self.plan.dt_s)
-            + self.body.energy_J(&self.chain, self.plan.dt_s)
+        self.energies().total()
     }
 
     /// Kinetic energy of the string, J.
     pub fn kinetic_energy_J(&self) -> f64 {
-        assembly::kinetic_energy_J(&self.chain)
+        energy::kinetic_J(&self.chain)
     }
 
-    /// What the integration itself gained or lost since the window began, over the largest of the
-    /// work put in, the losses, the change of energy and the kinetic energy.
-    fn energy_residual(&self) -> f64 {
-        if !self.window_open {
-            return 0.0;
-        }
-        let Ledger {
-            energy_at_start,
-            work,
-            losses,
-        } = self.ledger;
-        let change = self.energy_J() - energy_at_start;
-        let largest = change
-            .abs()
-            .max(work.abs())
-            .max(losses.abs())
-            .max(self.kinetic_energy_J());
-        if largest > 0.0 {
-            (work - losses - change) / largest
-        } else {
-            0.0
-        }
+    fn energies(&self) -> Energies {
+        let viscous = self.viscous.as_ref();
+        Energies::of(
+            &self.chain,
+            &self.anchors,
+            &self.body,
+            viscous,
+            self.plan.dt_s,
+        )
+    }
+
+    fn flow_work_J(&self) -> f64 {
+        let (chain, anchors) = (&self.chain, &self.anchors);
+        let work = |mud: &Viscous| mud.pull_work_J(chain, anchors, self.plan.dt_s);
+        self.viscous.as_ref().map_or(0.0, work)
+    }
+
+    /// Where energy came from and went since the window began; none before it does, and none of a run that diverged.
+    pub fn energy_balance(&self) -> Option<EnergyBalance> {
+        self.window_open
+            .then(|| self.ledger.balance(&self.energies(), self.flow_work_J()))
+            .flatten()
     }
 
     /// The answer so far: over the window if it has begun, over everything sampled otherwise.
     pub fn outcome(&self) -> DynamicOutcome {
         summary::outcome(&summary::Sources {
             model: &self.model,
+            operation: &self.operation,
             mesh: &self.mesh,
             plan: &self.plan,
             anchors: &self.anchors,
             record: &self.record,
             wear: &self.wear,
             steps: self.steps,
-            energy_residual: self.energy_residual(),
+            energy: self.energy_balance(),
+            diverged: self.check_numbers().is_err(),
+            hydraulics: self.viscous.as_ref().map(Viscous::mean),
             instructions: self.stepper.instructions,
         })
     }

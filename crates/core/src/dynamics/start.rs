@@ -12,6 +12,7 @@ use super::{
     chain::{Chain, NO_WALL_M, element, node},
     settings::{DynamicsSettings, FrictionLaw, Start},
     step::{StepInput, Stepper},
+    viscous::Viscous,
 };
 use crate::{
     model::Model,
@@ -66,6 +67,8 @@ pub struct Scene<'a> {
     pub mesh: &'a Mesh,
     /// The hole around it.
     pub surroundings: &'a Surroundings,
+    /// The mud that drags on it, if any.
+    pub viscous: Option<&'a Viscous>,
     /// What moves it while it settles.
     pub stepper: &'a Stepper,
     /// The step, and the rigid motion that the string is to have.
@@ -173,7 +176,12 @@ struct Guide {
 
 impl Guide {
     fn new(scene: &Scene<'_>) -> Result<Self, SoftError> {
-        let Scene { settings, mesh, .. } = *scene;
+        let Scene {
+            settings,
+            mesh,
+            viscous,
+            ..
+        } = *scene;
         let (model, operation) = as_soft_string(scene);
         let profile = soft::solve(&model, &operation, &SoftSettings::default())?;
         let depth = |from_bit_m: f64| operation.bit_depth_m - from_bit_m;
@@ -211,7 +219,9 @@ impl Guide {
             if i > 0 {
                 let length = mesh.tributary_length_m(i);
                 torque += mu * climb * load * length * radius;
-                torque_N_m[i - 1] = torque;
+                let mud = viscous.map_or(0.0, |mud| mud.torque_N_m(i - 1));
+                torque_N_m[i - 1] = torque + 0.5 * mud;
+                torque += mud;
             }
         }
         Ok(Self {

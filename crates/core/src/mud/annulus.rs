@@ -23,6 +23,7 @@
 use std::{f64::consts::PI, sync::LazyLock};
 
 use nalgebra::{Matrix3, Vector3};
+use serde::{Deserialize, Serialize};
 
 use super::{Mud, Rheology, turbulence};
 
@@ -41,14 +42,14 @@ const POINTS: usize = 12;
 const ITERATIONS: usize = 60;
 
 /// A pipe in a hole that it shares the axis with.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Annulus {
     pipe_m: f64,
     hole_m: f64,
 }
 
 /// How pipe and mud move.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Motion {
     /// Velocity of the pipe along the hole, m/s, positive towards the bit.
     pub axial_m_per_s: f64,
@@ -60,7 +61,7 @@ pub struct Motion {
 
 /// What the mud in the annulus does to a metre of pipe. Along the hole it pulls with
 /// `pull − drag v`, positive towards the bit, about the axis with `−spin_drag Ω`.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct AnnulusDrag {
     /// Part of the pull along the hole that does not depend on the pipe's velocity, N/m.
     pub pull_N_per_m: f64,
@@ -95,6 +96,11 @@ impl Annulus {
         }
     }
 
+    /// Mean speed of mud that passes at a flow rate, m/s.
+    pub fn mean_m_per_s(&self, flow_m3_per_s: f64) -> f64 {
+        flow_m3_per_s / (PI * (self.hole_m * self.hole_m - self.pipe_m * self.pipe_m))
+    }
+
     /// What `mud` does to the pipe; nothing if it has no rheology.
     ///
     /// The forces are right at `motion`; how they change with the velocity along the hole is their slope
@@ -107,12 +113,12 @@ impl Annulus {
             Rheology::Newtonian { viscosity_Pa_s } => self.newtonian(viscosity_Pa_s, motion),
             _ => self.laminar(&rheology, &self.sheared(motion)),
         };
-        let mixed = self.mixing(mud, &rheology, motion, &laminar);
+        let (along, around) = self.mixing(mud, &rheology, motion, &laminar);
         AnnulusDrag {
-            pull_N_per_m: mixed * laminar.pull_N_per_m,
-            drag_Pa_s: mixed * laminar.drag_Pa_s,
-            spin_drag_N_s: mixed * laminar.spin_drag_N_s,
-            gradient_Pa_per_m: mixed * laminar.gradient_Pa_per_m,
+            pull_N_per_m: along * laminar.pull_N_per_m,
+            drag_Pa_s: along * laminar.drag_Pa_s,
+            spin_drag_N_s: around * laminar.spin_drag_N_s,
+            gradient_Pa_per_m: along * laminar.gradient_Pa_per_m,
         }
     }
 
@@ -153,7 +159,7 @@ impl Annulus {
     /// Mean speed of the mud up the hole against the mean of its two walls, m/s.
     fn through_m_per_s(&self, motion: &Motion) -> f64 {
         let (a2, r2) = (self.pipe_m * self.pipe_m, self.hole_m * self.hole_m);
-        motion.flow_m3_per_s / (PI * (r2 - a2)) + motion.axial_m_per_s * 0.5 * (r2 + a2) / (r2 - a2)
+        self.mean_m_per_s(motion.flow_m3_per_s) + motion.axial_m_per_s * 0.5 * (r2 + a2) / (r2 - a2)
     }
 
     /// Power that the motion puts into the mud per metre, W/m.
@@ -163,28 +169,30 @@ impl Annulus {
             + drag.spin_drag_N_s * motion.spin_rad_per_s.powi(2)
     }
 
-    /// By how much vortices raise all forces alike: the larger of what the flow along the hole and what
-    /// the rotation would raise them by alone, at the viscosity of a Newtonian mud that would take the same
-    /// power. For flow along the hole alone that makes Metzner and Reed's Reynolds number.
+    /// By how much vortices raise the forces along the hole and the torque. Both Reynolds numbers are taken at the
+    /// viscosity of a Newtonian mud that would take the same power: for flow along the hole alone that is
+    /// Metzner and Reed's. The turbulence of the flow raises the torque with the pressure (Reynolds'
+    /// analogy) where rotation does not raise it more; what Taylor's vortices add to the pressure is left out.
     fn mixing(
         &self,
         mud: &Mud,
         rheology: &Rheology,
         motion: &Motion,
         laminar: &AnnulusDrag,
-    ) -> f64 {
+    ) -> (f64, f64) {
         let thin = Self::power_W_per_m(&self.newtonian(1.0, motion), motion);
         let viscosity = Self::power_W_per_m(laminar, motion) / thin;
         // Nothing moves, or nothing that a number can tell.
         if !(viscosity.is_finite() && viscosity > 0.0) {
-            return 1.0;
+            return (1.0, 1.0);
         }
         let gap = self.hole_m - self.pipe_m;
         let per_speed = mud.density_kg_per_m3 * gap / viscosity;
-        let along = 2.0 * per_speed * self.through_m_per_s(motion).abs();
-        let around = per_speed * self.pipe_m * motion.spin_rad_per_s.abs();
-        turbulence::through_flow(along, rheology.flow_index(), 24.0)
-            .max(turbulence::rotation(around, self.pipe_m / self.hole_m))
+        let reynolds = 2.0 * per_speed * self.through_m_per_s(motion).abs();
+        let along = turbulence::through_flow(reynolds, rheology.flow_index(), 24.0);
+        let reynolds = per_speed * self.pipe_m * motion.spin_rad_per_s.abs();
+        let around = turbulence::rotation(reynolds, self.pipe_m / self.hole_m);
+        (along, along.max(around))
     }
 
     /// Laminar flow of any mud.

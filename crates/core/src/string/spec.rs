@@ -305,7 +305,7 @@ fn bends_inside(string: DrillString) -> Result<DrillString, AssemblyError> {
                 name: span.component.name.clone(),
                 field: "bend_at",
                 value: bend.from_lower_end_m,
-                expected: "on the component, and 0.3 m or more from the bit and from the surface",
+                expected: "0.3 m from both ends of the string",
             });
         }
     }

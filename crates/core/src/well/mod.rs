@@ -8,7 +8,7 @@ mod roughness;
 mod station;
 mod vertical;
 
-pub use hole::{Friction, Hole, HoleError, HoleKind, HoleSection};
+pub use hole::{Friction, Hole, HoleError, HoleKind, HoleSection, NARROWEST_BAND};
 pub use path::{Interpolation, Path, PathError, PathPoint, TieIn};
 pub use roughness::{Relief, ReliefPoint, Roughness};
 pub use station::Station;

@@ -151,6 +151,8 @@ pub fn operation(kind: OperationKind, bit_depth_m: f64) -> Operation {
         bit_torque_N_m: 0.0,
         rate_of_penetration_m_per_s: 0.0,
         trip_speed_m_per_s: 0.3,
+        flow_rate_m3_per_s: 0.0,
+        bit_pressure_drop_Pa: 0.0,
     }
 }
 

@@ -9,6 +9,7 @@ mod wells;
 
 mod bit;
 mod break_away;
+mod buckling;
 mod centred;
 mod checkpoint;
 mod climb;
@@ -17,6 +18,7 @@ mod energy;
 mod friction;
 mod hold;
 mod independent;
+mod mud;
 mod np13;
 mod numerics;
 mod operations;

@@ -12,7 +12,9 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
     let DynamicOutcome {
         scalars: s,
         statistics,
+        hydraulics: h,
         numerics: n,
+        indicators: _,
         nodes: p,
         series: t,
         wear: w,
@@ -36,6 +38,20 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         ("hole wear", w.wear_work_J_per_m.clone()),
         ("climb", p.climb_rad.iter().copied().flatten().collect()),
     ];
+    if let Some(h) = h {
+        all.push((
+            "hydraulics",
+            vec![
+                h.mud_drag_N,
+                h.mud_torque_N_m,
+                h.jet_thrust_N,
+                h.pump_pressure_Pa,
+            ],
+        ));
+    }
+    if let Some(e) = n.energy {
+        all.push(("energy", vec![e.work_J(), e.loss_J(), e.change_J()]));
+    }
     for (name, x) in statistics {
         all.push((name, vec![x.mean, x.std, x.min, x.max, x.p05, x.p95]));
     }

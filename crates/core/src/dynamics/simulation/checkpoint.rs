@@ -12,8 +12,9 @@ use crate::{
         hoist::Hoist,
         schedule::SetPoints,
         settings::DynamicsSettings,
-        setup::{Frame, SetupError},
+        setup::{Basis, SetupError},
         top_drive::TopDrive,
+        viscous::Viscous,
         wear::Wear,
     },
     model::Model,
@@ -42,6 +43,7 @@ pub struct Checkpoint {
     ledger: Ledger,
     wear: Wear,
     body: Body,
+    viscous: Option<Viscous>,
     window_open: bool,
     time_s: f64,
     instructions: String,
@@ -104,6 +106,7 @@ impl Simulation {
             ledger,
             wear,
             body,
+            viscous,
             window_open,
         } = self;
         Checkpoint {
@@ -122,6 +125,7 @@ impl Simulation {
             ledger: *ledger,
             wear: wear.clone(),
             body: body.clone(),
+            viscous: viscous.clone(),
             window_open: *window_open,
             time_s: self.time_s(),
             instructions: stepper.instructions.to_owned(),
@@ -139,8 +143,8 @@ impl Simulation {
         settings: &DynamicsSettings,
         checkpoint: Checkpoint,
     ) -> Result<Self, ResumeError> {
-        let frame = Frame::new(model, operation, settings)?;
-        let (found, expected) = (checkpoint.chain.nodes(), frame.mesh.nodes.len());
+        let basis = Basis::new(model, operation, settings)?;
+        let (found, expected) = (checkpoint.chain.nodes(), basis.mesh.nodes.len());
         if found != expected {
             return Err(ResumeError::AnotherString { found, expected });
         }
@@ -149,11 +153,11 @@ impl Simulation {
             mud: model.mud_column(),
             operation: *operation,
             settings: settings.clone(),
-            mesh: frame.mesh,
-            plan: frame.plan,
-            surroundings: frame.surroundings,
-            stepper: frame.stepper,
-            steps_per_sample: frame.steps_per_sample,
+            mesh: basis.mesh,
+            plan: basis.plan,
+            surroundings: basis.surroundings,
+            stepper: basis.stepper,
+            steps_per_sample: basis.steps_per_sample,
             chain: checkpoint.chain,
             anchors: checkpoint.anchors,
             set_points: checkpoint.set_points,
@@ -169,6 +173,7 @@ impl Simulation {
             ledger: checkpoint.ledger,
             wear: checkpoint.wear,
             body: checkpoint.body,
+            viscous: checkpoint.viscous,
             window_open: checkpoint.window_open,
         })
     }

@@ -83,6 +83,7 @@ pub struct Bench {
     pub input: StepInput,
     /// What turns with the rod: nothing, unless the test puts it there. Bends are all there from the start.
     pub body: Body,
+    pub model: Model,
     stepper: Stepper,
 }
 
@@ -174,7 +175,9 @@ impl Bench {
             dissipation: 0.0,
             stribeck_speed: 0.1,
         };
+        let full = model.mud.rheology.is_some();
         let mut bench = Self {
+            model,
             chain,
             mesh,
             plan,
@@ -183,7 +186,7 @@ impl Bench {
             stepper: Stepper::new(Abilities {
                 hertz: true,
                 vector: true,
-                full: false,
+                full,
             }),
         };
         bench.support(0, Support::FREE);

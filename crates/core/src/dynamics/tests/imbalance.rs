@@ -8,7 +8,7 @@ use super::{
     waves::file,
 };
 use crate::{
-    dynamics::{assembly, chain::node, imbalance::Imbalance},
+    dynamics::{chain::node, energy::Energies, imbalance::Imbalance},
     rod::vector::Vector,
 };
 
@@ -133,7 +133,7 @@ fn free(part: f64, size: f64) -> [f64; 3] {
             momentum = momentum + p;
             about = about + at.cross(p) + own;
         }
-        let energy = assembly::energy_J(&rod.chain, &[], dt) + rod.body.energy_J(&rod.chain, dt);
+        let energy = Energies::of(&rod.chain, &[], &rod.body, None, dt).total();
         (momentum, about, energy)
     };
     rod.step();

@@ -7,7 +7,7 @@ use super::{
     waves::file,
 };
 use crate::{
-    dynamics::{assembly, bent::Bend},
+    dynamics::{bent::Bend, energy::Energies},
     rod::{section::Section, vector::Vector},
 };
 
@@ -102,8 +102,7 @@ fn right_angle(parts: usize) -> Swing {
         swing.tip.push([time, rod.chain.displacement(2 * parts).2]);
         if time > 2.1 {
             let dt = rod.input.dt;
-            let energy =
-                assembly::energy_J(&rod.chain, &[], dt) + rod.body.energy_J(&rod.chain, dt);
+            let energy = Energies::of(&rod.chain, &[], &rod.body, None, dt).total();
             let given = *given.get_or_insert(energy);
             swing.drift = swing.drift.max((energy / given - 1.0f64).abs());
         }

@@ -13,5 +13,6 @@ mod rough;
 mod step_limit;
 mod stick_slip;
 mod top_drive;
+mod viscous;
 mod wall;
 mod waves;

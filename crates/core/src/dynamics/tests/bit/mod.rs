@@ -27,6 +27,8 @@ const OPERATION: Operation = Operation {
     bit_torque_N_m: 3e3,
     rate_of_penetration_m_per_s: 0.003,
     trip_speed_m_per_s: 0.3,
+    flow_rate_m3_per_s: 0.0,
+    bit_pressure_drop_Pa: 0.0,
 };
 
 /// A bit that forces push and turn.

@@ -1,6 +1,7 @@
 //! The regenerative law.
 
 use serde_json::Value;
+use wholestring_verification::{Row, Tolerance, report};
 
 use super::*;
 use crate::dynamics::bit::{BitLaw, RegenerativeLaw};
@@ -84,14 +85,24 @@ fn steady_drilling_takes_the_weight_and_torque_of_the_identities() {
     for _ in 0..8000 {
         step = rig.step(5e-4);
     }
-    // Depths of 2000 m leave 2e-13 m, the depth of cut of a blade is 4 mm.
-    assert!(close(step.weight_on_bit_N, of("WOB_N"), 1e-9), "{step:?}");
-    assert!(close(step.torque_N_m, of("TOB_Nm"), 1e-9), "{step:?}");
-    assert!(close(
-        step.depth_of_cut_m,
-        of("depth_of_cut_per_rev_m"),
-        1e-9
-    ));
+    for (quantity, expected, computed) in [
+        ("weight on bit, N", "WOB_N", step.weight_on_bit_N),
+        ("torque on bit, N·m", "TOB_Nm", step.torque_N_m),
+        (
+            "depth of cut, m",
+            "depth_of_cut_per_rev_m",
+            step.depth_of_cut_m,
+        ),
+    ] {
+        report(&Row {
+            case: "E07",
+            quantity,
+            expected: of(expected),
+            computed,
+            tolerance: Tolerance::Relative(1e-9),
+            reason: "rounding: 2e-13 m of a depth of 2000 m, over 4 mm",
+        });
+    }
 }
 
 /// A bit that is led up and down on its way cuts `U(Φ) − U(Φ − 2π/n)`, whatever the step, and half the bottom's
