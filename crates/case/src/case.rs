@@ -18,6 +18,7 @@ use crate::{
     operation::OperationTable,
     overrides::{self, Override},
     reader::Reader,
+    records::{Records, RecordsTable},
     rig::{HoistTable, RigTable},
     roughness,
     rule::{At, Choice, List, Rule, Section, Table, Text, once_each},
@@ -125,6 +126,8 @@ table! {
         mesh: MeshTable = optional(Section::<MeshTable>::RULE);
         /// Settings of the dynamic model.
         dynamics: DynamicsTable = optional(Section::<DynamicsTable>::RULE);
+        /// What a dynamic run keeps beside its tables.
+        records: RecordsTable = optional(Section::<RecordsTable>::RULE);
     }
 }
 
@@ -145,6 +148,8 @@ pub struct Case {
     pub dynamics: DynamicsSettings,
     /// Time on the clock between checkpoints of a dynamic run, s.
     pub checkpoint_interval_s: f64,
+    /// What a dynamic run keeps beside its tables.
+    pub records: Records,
     /// How the survey file was understood, in sentences; empty where the stations stand in the case.
     pub survey_notes: Vec<String>,
     /// What is probably not meant, but can be computed.
@@ -303,6 +308,11 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     if let (Some(dynamics), Some(hole)) = (case.dynamics.get(), &hole) {
         dynamics.check_stribeck(hole, reader);
     }
+    let records = match (&dynamics, case.records.get()) {
+        (Some(dynamics), Some(records)) => records.build(dynamics, reader),
+        _ => None,
+    };
+
     let drill_string = match (&spec, components, bit_depth_m) {
         (Some(spec), Some(components), Some(bit_depth_m)) => {
             assembly::assemble(spec, components, bit_depth_m, bit_place, reader)
@@ -334,7 +344,8 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         mud: mud?,
         rig: rig?,
     };
-    let (models, operations, dynamics) = (models?, operations?, dynamics?);
+    let (models, operations) = (models?, operations?);
+    let (dynamics, records) = (dynamics?, records?);
     effort::check_effort(&models, &model, &operations, &dynamics, &case, reader)?;
     let name = match case.name.optional()? {
         Some(given) => given.value.clone(),
@@ -344,7 +355,9 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         ),
     };
     let units = *case.units.get()?;
-    let settings = settings::settings(&name, units, &models, &model, &operations, &dynamics, &case);
+    let mut settings =
+        settings::settings(&name, units, &models, &model, &operations, &dynamics, &case);
+    settings["records"] = records.settings();
     let checkpoint_interval_s = *case.dynamics.get()?.checkpoint_interval.get()?;
     Some(Case {
         name,
@@ -354,6 +367,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         operations,
         dynamics,
         checkpoint_interval_s,
+        records,
         survey_notes: stations.map_or_else(Vec::new, |stations| stations.notes),
         warnings: Report::default(),
         settings,

@@ -10,14 +10,14 @@ use wholestring::{
     statics::soft::SoftProfile,
     well::Hole,
 };
-use wholestring_case::Case;
+use wholestring_case::{Case, Records};
 use wholestring_results::{
-    Friction, NODES, Numerics, OperationSummary, ResultsFolder, SCHEMA_VERSION, Statistic, Status,
-    Summary, TIME, Table, WEAR,
+    Friction, NODES, Numerics, OperationSummary, ResultsFolder, SCHEMA_VERSION, SPECTRA, Spectrum,
+    Statistic, Status, Summary, TIME, Table, WEAR,
 };
 use wholestring_units::{Dimension, UnitSet};
 
-use crate::{failure::Failure, picture};
+use crate::{failure::Failure, frames::Frames, picture};
 
 /// What a run has solved to its end, as a checkpoint keeps it.
 #[derive(Serialize, Deserialize)]
@@ -27,6 +27,7 @@ pub(crate) struct Solved {
     nodes: Table,
     time: Table,
     wear: Table,
+    spectra: Table,
 }
 
 /// Everything that a run leaves.
@@ -37,6 +38,11 @@ pub(crate) struct Record {
     /// Lines of the case's schedule.
     schedule: Vec<ScheduleStep>,
     wear: Table,
+    spectra: Table,
+    /// Frames of the whole string, while they are written.
+    pub(crate) frames: Option<Frames>,
+    records: Records,
+    settle_s: f64,
     hole: Hole,
     subtitle: String,
     units: UnitSet,
@@ -55,6 +61,10 @@ impl Record {
             time: Table::with_columns(TIME),
             schedule: case.dynamics.schedule.steps.clone(),
             wear: Table::with_columns(WEAR),
+            spectra: Table::with_columns(SPECTRA),
+            frames: None,
+            records: case.records.clone(),
+            settle_s: case.dynamics.settle_s,
             hole: case.model.well.hole.clone(),
             subtitle: subtitle(case, units),
             units,
@@ -70,6 +80,10 @@ impl Record {
             time,
             wear,
             schedule: _,
+            spectra,
+            frames: _,
+            records: _,
+            settle_s: _,
             hole: _,
             subtitle: _,
             units: _,
@@ -79,6 +93,7 @@ impl Record {
             nodes: nodes.clone(),
             time: time.clone(),
             wear: wear.clone(),
+            spectra: spectra.clone(),
         }
     }
 
@@ -89,6 +104,7 @@ impl Record {
         self.nodes = solved.nodes;
         self.time = solved.time;
         self.wear = solved.wear;
+        self.spectra = solved.spectra;
         Ok(())
     }
 
@@ -100,7 +116,10 @@ impl Record {
     }
 
     pub(crate) fn add_soft(&mut self, operation: &Operation, profile: &SoftProfile) {
-        let solved = self.solved(ModelKind::Soft, operation, profile.scalars);
+        let solved = OperationSummary {
+            hydraulics: profile.hydraulics,
+            ..self.solved(ModelKind::Soft, operation, profile.scalars)
+        };
         self.summary.operations.push(solved);
         // A soft string lies on the wall all the time, wherever anything presses it there.
         let contact: Vec<f64> = profile
@@ -143,7 +162,7 @@ impl Record {
         let DynamicOutcome {
             scalars,
             statistics,
-            hydraulics: _,
+            hydraulics,
             numerics,
             indicators,
             nodes,
@@ -165,6 +184,7 @@ impl Record {
         let wall_time_s = took.as_secs_f64();
         let solved = OperationSummary {
             status,
+            hydraulics: *hydraulics,
             statistics: Some(statistics.collect()),
             indicators: Some(*indicators),
             numerics: Some(Numerics {
@@ -174,6 +194,7 @@ impl Record {
                 added_axial_mass_fraction: numerics.added_axial_mass_fraction,
                 max_penetration_m: numerics.max_penetration_m,
                 energy_residual: numerics.energy_residual,
+                energy: numerics.energy,
                 instructions: numerics.instructions.into(),
                 wall_time_s,
                 real_time_factor: simulated_s / wall_time_s,
@@ -191,6 +212,7 @@ impl Record {
             ],
         );
         self.add_series(operation, series);
+        self.add_spectra(operation, series);
     }
 
     fn add_profile(&mut self, operation: &Operation, nodes: &NodeProfile) {
@@ -309,6 +331,35 @@ impl Record {
         );
     }
 
+    /// Adds the spectra that the case asks for; a window that was interrupted before a segment of it was full is
+    /// one segment.
+    fn add_spectra(&mut self, operation: &Operation, series: &TimeSeries) {
+        let from = series.time_s.partition_point(|time| *time < self.settle_s);
+        let [first, .., last] = series.time_s[from..] else {
+            return;
+        };
+        let interval_s = (last - first) / (series.time_s.len() - from - 1) as f64;
+        // Rounding to whole steps may leave the window a sample short.
+        let segment = (self.records.spectrum_segment_s / interval_s).round() as usize;
+        for signal in &self.records.spectra {
+            let samples = &signal.of(series)[from..];
+            let segment = segment.min(samples.len());
+            if let Some(spectrum) = Spectrum::welch(samples, interval_s, segment) {
+                self.spectra.append(
+                    &[
+                        ("operation", &[operation.kind.name()]),
+                        ("signal", &[signal.name()]),
+                        ("unit", &[signal.unit()]),
+                    ],
+                    &[
+                        ("frequency_Hz", &spectrum.frequency_Hz),
+                        ("density", &spectrum.density),
+                    ],
+                );
+            }
+        }
+    }
+
     /// The summary of an operation that was solved to its end.
     fn solved(
         &self,
@@ -323,6 +374,7 @@ impl Record {
             friction: Friction::of(&friction(&self.hole)),
             bit_depth_m: operation.bit_depth_m,
             scalars,
+            hydraulics: None,
             statistics: None,
             indicators: None,
             numerics: None,
@@ -334,6 +386,15 @@ impl Record {
         folder.write_table("nodes", &self.nodes, csv)?;
         folder.write_table("time", &self.time, csv)?;
         folder.write_table("wear", &self.wear, csv)?;
+        if self.records.spectra.is_empty() {
+            folder.remove("spectra.parquet")?;
+            folder.remove("spectra.csv")?;
+        } else {
+            folder.write_table("spectra", &self.spectra, csv)?;
+        }
+        if self.frames.is_none() {
+            folder.remove("frames.parquet")?;
+        }
         let picture = picture::draw(
             &self.summary.case,
             &self.subtitle,

@@ -19,6 +19,8 @@ use crate::{
     checkpoint::{self, Keeper, Laid, UnderWay},
     comparison,
     failure::Failure,
+    frames::Frames,
+    indicators,
     interrupt::Interrupt,
     load,
     progress::Watch,
@@ -52,23 +54,28 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         watch: Watch::Screen { quiet: args.quiet },
         interrupt: &Interrupt::listen(),
     };
+    record.frames = Frames::begin(&case, &folder)?;
     let solved = solve(&case, &way, &mut record, &folder, under_way);
+    // However it ended: an interrupted run keeps the frames that it has.
+    let frames = record.frames.take().map_or(Ok(()), Frames::finish);
     if !args.quiet && !record.summary.operations.is_empty() {
         let width = terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
         let title = format!("{}: {}", case.name, record::subtitle(&case, units));
         let table = comparison::table(&record.summary, units, width);
         let notes = comparison::notes(&record.summary);
+        let indicators = indicators::notes(&record.summary, units);
         let warnings = rig::warnings(&record.summary, &case.model.rig, units);
         let place = folder.path().display();
         say(&format!(
             "{title}
 
 {table}
-{notes}{warnings}Results in {place}
+{notes}{indicators}{warnings}Results in {place}
 "
         ))?;
     }
-    solved.map_err(|stop| stop.failure(&folder))
+    solved.map_err(|stop| stop.failure(&folder))?;
+    Ok(frames?)
 }
 
 /// What the case says about the time between checkpoints.
@@ -285,7 +292,14 @@ fn solve_dynamic(
         .watch
         .operation(operation.kind.name(), simulation.time_s(), end_s);
     // The run goes on by whole samples.
-    let enough_s = end_s - 0.5 * case.dynamics.sample_interval_s;
+    let sample_s = simulation.sample_interval_s();
+    let enough_s = end_s - 0.5 * sample_s;
+    let frame_samples = record
+        .frames
+        .as_ref()
+        .map(|frames| frames.samples(sample_s));
+    let look_samples = ((LOOK_INTERVAL_S / sample_s).round() as u64).max(1);
+    let mut samples = 0;
     let status = loop {
         let time_s = simulation.time_s();
         progress.reach(time_s);
@@ -300,8 +314,18 @@ fn solve_dynamic(
         if interrupted {
             break Status::Interrupted;
         }
-        if let Err(diverged) = simulation.advance(LOOK_INTERVAL_S.min(end_s - time_s)) {
+        let missing = ((end_s - time_s) / sample_s).round() as u64;
+        let to_frame = frame_samples.map_or(u64::MAX, |every| every - samples % every);
+        let next = look_samples.min(missing.max(1)).min(to_frame);
+        if let Err(diverged) = simulation.advance(next as f64 * sample_s) {
             break Status::Failed(diverged.to_string());
+        }
+        samples += next;
+        if next == to_frame
+            && let Some(frames) = &mut record.frames
+            && let Err(error) = frames.take(operation, &simulation)
+        {
+            break Status::Failed(error.to_string());
         }
     };
     progress.finish();

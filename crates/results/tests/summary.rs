@@ -4,7 +4,8 @@ use std::{collections::BTreeMap, fs};
 
 use serde_json::{Value, json};
 use wholestring::{
-    dynamics::{Indicators, StickSlip, TorqueUse, Whirl},
+    dynamics::{EnergyBalance, Indicators, StickSlip, TorqueUse, Whirl},
+    mud::Hydraulics,
     outcome::{ModelKind, Scalars},
 };
 use wholestring_results::{
@@ -33,6 +34,7 @@ fn soft() -> OperationSummary {
         friction: Friction::of(&[0.3, 0.3]),
         bit_depth_m: 4305.0,
         scalars: SCALARS,
+        hydraulics: None,
         statistics: None,
         indicators: None,
         numerics: None,
@@ -52,6 +54,15 @@ fn dynamic() -> OperationSummary {
         model: ModelKind::Dynamic,
         status: Status::Failed("the string flew off at 3.2 s".into()),
         friction: Friction::of(&[0.2, 0.3]),
+        hydraulics: Some(Hydraulics {
+            mud_drag_N: 1.0,
+            mud_torque_N_m: 2.0,
+            jet_thrust_N: 3.0,
+            bore_loss_Pa: 4.0,
+            bit_loss_Pa: 5.0,
+            annulus_loss_Pa: 6.0,
+            pump_pressure_Pa: 15.0,
+        }),
         statistics: Some(BTreeMap::from([("hook_load_N".into(), statistic)])),
         indicators: Some(Indicators {
             stick_slip: Some(StickSlip {
@@ -80,6 +91,12 @@ fn dynamic() -> OperationSummary {
             added_axial_mass_fraction: 0.003,
             max_penetration_m: 1e-5,
             energy_residual: 1e-4,
+            energy: Some(EnergyBalance {
+                hoist_work_J: 5.0,
+                gravity_change_J: 4.0,
+                friction_loss_J: 1.0,
+                ..EnergyBalance::default()
+            }),
             instructions: "avx2".into(),
             wall_time_s: 2.5,
             real_time_factor: 32.0,
@@ -108,7 +125,7 @@ fn written(summary: &Summary) -> Value {
 #[test]
 fn the_keys_are_the_contract() {
     let file = written(&summary(vec![soft(), dynamic()]));
-    let expected = json!({
+    let mut expected = json!({
         "schema_version": 1,
         "case": "NP13-X1042 at total depth",
         "settings": {"mesh": {"element_length": "3.2 m"}},
@@ -144,10 +161,21 @@ fn the_keys_are_the_contract() {
                 "numerics": {
                     "elements": 1350, "time_step_s": 2e-4, "steps": 400_000,
                     "added_axial_mass_fraction": 0.003, "max_penetration_m": 1e-5,
-                    "energy_residual": 1e-4, "instructions": "avx2", "wall_time_s": 2.5, "real_time_factor": 32.0
+                    "energy_residual": 1e-4,
+                    "instructions": "avx2", "wall_time_s": 2.5, "real_time_factor": 32.0
                 }
             }
         ]
+    });
+    let failed = &mut expected["operations"][1];
+    failed["hydraulics"] = json!({
+        "mud_drag_N": 1.0, "mud_torque_N_m": 2.0, "jet_thrust_N": 3.0, "bore_loss_Pa": 4.0,
+        "bit_loss_Pa": 5.0, "annulus_loss_Pa": 6.0, "pump_pressure_Pa": 15.0
+    });
+    failed["numerics"]["energy"] = json!({
+        "top_drive_work_J": 0.0, "hoist_work_J": 5.0, "bit_work_J": 0.0, "flow_work_J": 0.0,
+        "friction_loss_J": 1.0, "contact_loss_J": 0.0, "mud_loss_J": 0.0, "damping_loss_J": 0.0,
+        "kinetic_change_J": 0.0, "elastic_change_J": 0.0, "gravity_change_J": 4.0, "residual_J": 0.0
     });
     assert_eq!(file, expected);
 }

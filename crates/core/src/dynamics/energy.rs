@@ -119,8 +119,6 @@ pub struct EnergyBalance {
     pub gravity_change_J: f64,
     /// What the integration itself gained or lost: work less losses less changes.
     pub residual_J: f64,
-    /// The same over the largest of work, losses, change of energy and kinetic energy.
-    pub relative_residual: f64,
 }
 
 impl EnergyBalance {
@@ -184,8 +182,9 @@ impl Ledger {
         sum.damping_loss_J += losses.damping;
     }
 
-    /// The balance; none where a number is none, as in a run that diverged.
-    pub fn balance(&self, now: &Energies, flow_J: f64) -> Option<EnergyBalance> {
+    /// The balance and its residual over the largest of work, losses, change of energy and kinetic energy; none where a
+    /// number is none, as in a run that diverged.
+    pub fn balance(&self, now: &Energies, flow_J: f64) -> Option<(EnergyBalance, f64)> {
         let mut balance = EnergyBalance {
             flow_work_J: flow_J - self.flow_at_start_J,
             kinetic_change_J: now.kinetic - self.start.kinetic,
@@ -194,13 +193,11 @@ impl Ledger {
             ..self.booked
         };
         let (work, loss, change) = (balance.work_J(), balance.loss_J(), balance.change_J());
+        balance.residual_J = work - loss - change;
         let largest = [work, loss, change, now.kinetic]
             .iter()
-            .fold(0.0f64, |largest, part| largest.max(part.abs()));
-        balance.residual_J = work - loss - change;
-        if largest > 0.0 {
-            balance.relative_residual = balance.residual_J / largest;
-        }
-        balance.residual_J.is_finite().then_some(balance)
+            .fold(f64::MIN_POSITIVE, |largest, part| largest.max(part.abs()));
+        let relative = balance.residual_J / largest;
+        relative.is_finite().then_some((balance, relative))
     }
 }

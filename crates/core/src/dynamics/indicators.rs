@@ -21,6 +21,9 @@ const COHERENT: f64 = 0.5;
 /// does not whirl.
 const SLOWEST_WHIRL: f64 = 0.1;
 
+/// A node that keeps this near to the hole's axis, m, does not whirl, whatever it does there.
+const SMALLEST_WHIRL_M: f64 = 1e-4;
+
 /// Whirl, stick-slip and the use of the top drive over the window.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Indicators {
@@ -163,7 +166,9 @@ impl Indicators {
 fn whirl(m: &Motion<'_>, rotary_speed: f64, sign: f64) -> Option<Whirl> {
     let rates = &m.nodes.whirl_rate_rad_per_s;
     let whirls = |i: &usize| {
-        m.nodes.whirl_coherence[*i] >= COHERENT && sign * rates[*i] >= SLOWEST_WHIRL * rotary_speed
+        m.nodes.whirl_coherence[*i] >= COHERENT
+            && m.nodes.lateral_offset_m[*i] >= SMALLEST_WHIRL_M
+            && sign * rates[*i] >= SLOWEST_WHIRL * rotary_speed
     };
     let whirling: Vec<usize> = (0..rates.len()).filter(whirls).collect();
     let fastest = *whirling

@@ -16,6 +16,7 @@ mod record;
 mod schedule;
 mod settings;
 mod setup;
+mod signal;
 mod simulation;
 mod start;
 mod step;
@@ -40,4 +41,5 @@ pub use settings::{
     SpeedController, Start, TopDriveSettings,
 };
 pub use setup::{Effort, SetupError};
+pub use signal::Signal;
 pub use simulation::{Checkpoint, Diverged, ResumeError, Simulation};

@@ -617,8 +617,9 @@ impl Simulation {
         self.viscous.as_ref().map_or(0.0, work)
     }
 
-    /// Where energy came from and went since the window began; none before it does, and none of a run that diverged.
-    pub fn energy_balance(&self) -> Option<EnergyBalance> {
+    /// Where energy came from and went since the window began, and the relative residual; none before it does, and
+    /// none of a run that diverged.
+    fn energy_balance(&self) -> Option<(EnergyBalance, f64)> {
         self.window_open
             .then(|| self.ledger.balance(&self.energies(), self.flow_work_J()))
             .flatten()

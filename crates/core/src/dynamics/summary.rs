@@ -27,7 +27,7 @@ pub struct Sources<'a> {
     pub record: &'a Record,
     pub wear: &'a Wear,
     pub steps: u64,
-    pub energy: Option<EnergyBalance>,
+    pub energy: Option<(EnergyBalance, f64)>,
     pub diverged: bool,
     pub hydraulics: Option<Hydraulics>,
     pub instructions: &'static str,
@@ -87,10 +87,10 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
             added_axial_mass_fraction: s.plan.added_axial_mass_fraction,
             max_penetration_m: s.record.max_penetration_m,
             energy_residual: match s.energy {
-                Some(energy) => energy.relative_residual,
+                Some((_, residual)) => residual,
                 None => f64::from(u8::from(s.diverged)),
             },
-            energy: s.energy,
+            energy: s.energy.map(|(parts, _)| parts),
             instructions: s.instructions,
         },
         indicators,
@@ -137,10 +137,17 @@ fn profile(s: &Sources<'_>, from: usize) -> NodeProfile {
             0.5 * (above.std + below.std),
         )
     };
-    let percentiles = |i: usize, quantity: Quantity| {
-        let [above, below] = ends(i).map(|e| record.percentiles(quantity, e));
+    let of_elements = |quantity: Quantity| -> Vec<[f64; 3]> {
+        (0..n - 1)
+            .map(|e| record.percentiles(quantity, e))
+            .collect()
+    };
+    let percentiles = |of_elements: &[[f64; 3]], i: usize| {
+        let [above, below] = ends(i).map(|e| of_elements[e]);
         [0, 1, 2].map(|k| 0.5 * (above[k] + below[k]))
     };
+    let tensions = of_elements(Quantity::Tension);
+    let torques = of_elements(Quantity::Torque);
     let mut p = NodeProfile::default();
     for i in 0..n {
         let (tension, tension_std) = at_node(i, &|e| record.tension(e));
@@ -149,12 +156,11 @@ fn profile(s: &Sources<'_>, from: usize) -> NodeProfile {
         p.md_m.push(s.anchors[i].md_m - back_m);
         p.tension_N.push(tension);
         p.tension_std_N.push(tension_std);
-        p.tension_percentiles_N
-            .push(percentiles(i, Quantity::Tension));
+        p.tension_percentiles_N.push(percentiles(&tensions, i));
         p.torque_N_m.push(-torque);
         p.torque_std_N_m.push(torque_std);
         // The chain's torque has the other sign: its low percentile is the high one here.
-        let [low, middle, high] = percentiles(i, Quantity::Torque);
+        let [low, middle, high] = percentiles(&torques, i);
         p.torque_percentiles_N_m.push([-high, -middle, -low]);
         p.contact_force_N.push(normal.mean);
         p.contact_force_std_N.push(normal.std);

@@ -7,6 +7,7 @@
 mod common;
 mod wells;
 
+mod bending;
 mod bit;
 mod break_away;
 mod buckling;
