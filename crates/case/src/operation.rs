@@ -177,6 +177,12 @@ impl OperationTable {
                 reader.report(Diagnostic::warning(message).at(given.place, why));
             }
         }
+        let lines = self.schedule.optional()?.map_or(&[][..], |at| &at.value);
+        let scheduled = lines.iter().find_map(|line| line.value.flow_rate.given());
+        if let (Some(given), false) = (scheduled, why.is_empty()) {
+            let message = "`flow_rate` has no effect here";
+            reader.report(Diagnostic::warning(message).at(given.place, why));
+        }
         Some(())
     }
 

@@ -56,6 +56,12 @@ table! {
             Range::from_to(0.0, 5e6),
             "80 kN",
         ));
+        /// What the pumps deliver; the pressure drop of the bit goes with its square. It acts on a mud with a rheology.
+        flow_rate: f64 = optional(Quantity::si(
+            Dimension::FlowRate,
+            Range::from_to(0.0, 0.5),
+            "2000 L/min",
+        ));
         /// What the line is called in the table against time.
         note: String = optional(Text);
     }
@@ -127,6 +133,7 @@ fn step(line: &At<StepTable>, around: &Around<'_>, reader: &mut Reader) -> Optio
     let rpm = table.rpm.optional()?;
     let velocity = table.block_velocity.optional()?;
     let wob = table.wob.optional()?;
+    let flow = table.flow_rate.optional()?;
     let note = table.note.optional()?.map(|at| at.value.clone());
     if let (Some(velocity), Some(wob)) = (velocity, wob) {
         reader.report(
@@ -137,10 +144,12 @@ fn step(line: &At<StepTable>, around: &Around<'_>, reader: &mut Reader) -> Optio
         );
         return None;
     }
-    if rpm.is_none() && velocity.is_none() && wob.is_none() && note.is_none() {
+    if [rpm, velocity, wob, flow].iter().all(Option::is_none) && note.is_none() {
         reader.report(
-            Diagnostic::error("this line of the schedule changes nothing")
-                .at(line.place, "expected rpm, block_velocity, wob or a note"),
+            Diagnostic::error("this line of the schedule changes nothing").at(
+                line.place,
+                "expected rpm, block_velocity, wob, flow_rate or a note",
+            ),
         );
         return None;
     }
@@ -174,6 +183,7 @@ fn step(line: &At<StepTable>, around: &Around<'_>, reader: &mut Reader) -> Optio
         hoist: velocity
             .map(|at| HoistSetPoint::BlockVelocity(at.value))
             .or(wob.map(|at| HoistSetPoint::WeightOnBit(at.value))),
+        flow_rate_m3_per_s: flow.map(|at| at.value),
         note,
     })
 }
@@ -216,6 +226,7 @@ fn fault_at(index: usize, fault: ScheduleFault, lines: &[At<StepTable>]) -> Diag
 fn names(line: &StepTable, what: &str) -> bool {
     match what {
         "rpm" => line.rpm.given().is_some(),
+        "flow_rate" => line.flow_rate.given().is_some(),
         _ => line.block_velocity.given().is_some() || line.wob.given().is_some(),
     }
 }

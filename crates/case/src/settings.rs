@@ -266,6 +266,7 @@ fn schedule(schedule: &Schedule) -> Json {
             "rotary_speed_rad_per_s": step.rotary_speed_rad_per_s,
             "block_velocity_m_per_s": velocity,
             "wob_N": weight,
+            "flow_rate_m3_per_s": step.flow_rate_m3_per_s,
             "note": step.note,
         })
     };

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 use wholestring::{
-    dynamics::{ContactClass, DynamicOutcome, NodeProfile, TimeSeries},
+    dynamics::{ContactClass, DynamicOutcome, NodeProfile, ScheduleStep, TimeSeries},
     operation::Operation,
     outcome::{ModelKind, Scalars},
     statics::soft::SoftProfile,
@@ -35,6 +35,8 @@ pub(crate) struct Record {
     pub(crate) summary: Summary,
     nodes: Table,
     time: Table,
+    /// Lines of the case's schedule.
+    schedule: Vec<ScheduleStep>,
     wear: Table,
     spectra: Table,
     /// Frames of the whole string, while they are written.
@@ -57,6 +59,7 @@ impl Record {
             },
             nodes: Table::with_columns(NODES),
             time: Table::with_columns(TIME),
+            schedule: case.dynamics.schedule.steps.clone(),
             wear: Table::with_columns(WEAR),
             spectra: Table::with_columns(SPECTRA),
             frames: None,
@@ -76,6 +79,7 @@ impl Record {
             nodes,
             time,
             wear,
+            schedule: _,
             spectra,
             frames: _,
             records: _,
@@ -290,8 +294,9 @@ impl Record {
     }
 
     fn add_series(&mut self, operation: &Operation, series: &TimeSeries) {
+        let notes = notes(&self.schedule, &series.schedule_line);
         self.time.append(
-            &[("operation", &[operation.kind.name()])],
+            &[("operation", &[operation.kind.name()]), ("note", &notes)],
             &[
                 ("time_s", &series.time_s),
                 ("bit_depth_m", &series.bit_depth_m),
@@ -312,6 +317,16 @@ impl Record {
                     "bit_rotary_speed_rad_per_s",
                     &series.bit_rotary_speed_rad_per_s,
                 ),
+                ("rotary_speed_rad_per_s", &series.rotary_speed_rad_per_s),
+                (
+                    "rotary_speed_set_rad_per_s",
+                    &series.rotary_speed_set_rad_per_s,
+                ),
+                (
+                    "block_velocity_set_m_per_s",
+                    &numbers(&series.block_velocity_set_m_per_s),
+                ),
+                ("weight_on_bit_set_N", &numbers(&series.weight_on_bit_set_N)),
             ],
         );
     }
@@ -398,6 +413,16 @@ impl Record {
 fn numbers(values: &[Option<f64>]) -> Vec<f64> {
     let number = |value: &Option<f64>| value.unwrap_or(f64::NAN);
     values.iter().map(number).collect()
+}
+
+/// The note of the line of a schedule that began last, at each row.
+fn notes<'a>(schedule: &'a [ScheduleStep], lines: &[usize]) -> Vec<&'a str> {
+    let note = |line: &usize| {
+        let begun = schedule.get(..*line).unwrap_or_default();
+        let notes = begun.iter().rev().map(|step| step.note.as_deref());
+        notes.flatten().next().unwrap_or_default()
+    };
+    lines.iter().map(note).collect()
 }
 
 fn classes(contact_fraction: &[f64]) -> Vec<&'static str> {

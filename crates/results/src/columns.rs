@@ -304,6 +304,26 @@ pub const TIME: &[ColumnSpec] = &[
         "rad/s",
         "Rotary speed of the bit",
     ),
+    ColumnSpec::number("rotary_speed_rad_per_s", "rad/s", "Rotary speed at surface"),
+    ColumnSpec::number(
+        "rotary_speed_set_rad_per_s",
+        "rad/s",
+        "What the rotary speed at surface is set to",
+    ),
+    ColumnSpec::number(
+        "block_velocity_set_m_per_s",
+        "m/s",
+        "What the speed of the block is set to; positive downwards, `null` where something else is",
+    ),
+    ColumnSpec::number(
+        "weight_on_bit_set_N",
+        "N",
+        "What the autodriller is set to hold; `null` where it is not in control",
+    ),
+    ColumnSpec::text(
+        "note",
+        "Note of the line of the schedule that began last; empty without one",
+    ),
 ];
 
 /// Columns of `frames.parquet`: the whole string, a row per node of every frame. Channels that were not asked

@@ -249,10 +249,10 @@ pub struct TimeSeries {
     pub rotary_speed_rad_per_s: Vec<f64>,
     /// What it is set to, rad/s.
     pub rotary_speed_set_rad_per_s: Vec<f64>,
-    /// Block velocity that is set, m/s, positive downwards; not a number where something else is.
-    pub block_velocity_set_m_per_s: Vec<f64>,
-    /// Weight on bit that the autodriller is set to, N; not a number where it is not in control.
-    pub weight_on_bit_set_N: Vec<f64>,
+    /// Block velocity that is set, m/s, positive downwards; none where something else is.
+    pub block_velocity_set_m_per_s: Vec<Option<f64>>,
+    /// Weight on bit that the autodriller is set to, N; none where it is not in control.
+    pub weight_on_bit_set_N: Vec<Option<f64>>,
     /// Line of the schedule that began last, counted from one; zero before the first.
     pub schedule_line: Vec<usize>,
     /// Measured depth of the shallowest zero of effective tension, m, if there is one.

@@ -24,6 +24,8 @@ pub struct ScheduleStep {
     pub rotary_speed_rad_per_s: Option<f64>,
     /// What the hoist does.
     pub hoist: Option<HoistSetPoint>,
+    /// What the pumps deliver, m³/s.
+    pub flow_rate_m3_per_s: Option<f64>,
     /// What it is called in the table against time.
     pub note: Option<String>,
 }
@@ -31,6 +33,13 @@ pub struct ScheduleStep {
 impl ScheduleStep {
     fn end_s(&self) -> f64 {
         self.at_s + self.ramp_s
+    }
+
+    /// Whether it changes a set point.
+    fn moves(&self) -> bool {
+        self.rotary_speed_rad_per_s.is_some()
+            || self.hoist.is_some()
+            || self.flow_rate_m3_per_s.is_some()
     }
 }
 
@@ -74,13 +83,13 @@ impl Schedule {
 
     /// The first line that cannot be followed, and why.
     pub fn fault(&self) -> Option<(usize, ScheduleFault)> {
-        let (mut speed_s, mut hoist_s) = (None, None);
+        let (mut speed_s, mut hoist_s, mut flow_s) = (None, None, None);
         let mut above_s = 0.0;
         for (index, step) in self.steps.iter().enumerate() {
             let hoist = step.hoist.map(|set| match set {
                 HoistSetPoint::BlockVelocity(value) | HoistSetPoint::WeightOnBit(value) => value,
             });
-            let values = [step.rotary_speed_rad_per_s, hoist];
+            let values = [step.rotary_speed_rad_per_s, hoist, step.flow_rate_m3_per_s];
             let sound = |x: f64| x.is_finite();
             if !(sound(step.at_s) && sound(step.ramp_s) && step.at_s >= 0.0 && step.ramp_s >= 0.0)
                 || !values.iter().flatten().all(|x| sound(*x))
@@ -94,6 +103,7 @@ impl Schedule {
             let channels = [
                 ("rpm", values[0], &mut speed_s),
                 ("the hoist", values[1], &mut hoist_s),
+                ("flow_rate", values[2], &mut flow_s),
             ];
             for (name, value, busy) in channels {
                 if value.is_none() {
@@ -133,6 +143,10 @@ impl Schedule {
             if let Some(speed) = step.rotary_speed_rad_per_s {
                 start.rotary_speed_rad_per_s = speed;
             }
+            if let Some(flow) = step.flow_rate_m3_per_s {
+                start.bit_pressure_drop_Pa = operation.bit_loss_Pa(flow);
+                start.flow_rate_m3_per_s = flow;
+            }
         }
         match self.hoist_at_time_zero() {
             Some(HoistSetPoint::WeightOnBit(weight)) => start.weight_on_bit_N = weight,
@@ -146,13 +160,6 @@ impl Schedule {
             start.bit_torque_N_m *= start.weight_on_bit_N / operation.weight_on_bit_N;
         }
         start
-    }
-}
-
-impl ScheduleStep {
-    /// Whether it changes a set point.
-    fn moves(&self) -> bool {
-        self.rotary_speed_rad_per_s.is_some() || self.hoist.is_some()
     }
 }
 
@@ -210,6 +217,9 @@ pub struct SetPoints {
     speed: Ramp,
     /// None until a line moves the hoist; then its kind and its value.
     hoist: Option<(HoistSetPoint, Ramp)>,
+    /// None until a line sets the pumps.
+    flow: Option<Ramp>,
+    first_flow_m3_per_s: f64,
 }
 
 impl SetPoints {
@@ -220,6 +230,8 @@ impl SetPoints {
             next: 0,
             speed: Ramp::resting(operation.rotation_rad_per_s()),
             hoist: None,
+            flow: None,
+            first_flow_m3_per_s: operation.flow_now_m3_per_s(),
         }
     }
 
@@ -232,6 +244,11 @@ impl SetPoints {
             self.next += 1;
             if let Some(speed) = step.rotary_speed_rad_per_s {
                 self.speed = Ramp::begin(self.speed.at(step.at_s), speed, &step);
+            }
+            if let Some(flow) = step.flow_rate_m3_per_s {
+                let last = self.flow_rate_m3_per_s(step.at_s);
+                let from = last.unwrap_or(self.first_flow_m3_per_s);
+                self.flow = Some(Ramp::begin(from, flow, &step));
             }
             if let Some(set) = step.hoist {
                 let last = self.hoist_at(step.at_s);
@@ -258,6 +275,11 @@ impl SetPoints {
     /// Rotary speed at surface, rad/s.
     pub fn rotary_speed_rad_per_s(&self, time_s: f64) -> f64 {
         self.speed.at(time_s)
+    }
+
+    /// What the pumps deliver, m³/s; none while they do what they were told before the run.
+    pub fn flow_rate_m3_per_s(&self, time_s: f64) -> Option<f64> {
+        self.flow.map(|ramp| ramp.at(time_s))
     }
 
     /// What the hoist does; none while it does what it was told before the run.

@@ -393,6 +393,9 @@ impl Simulation {
             block_velocity_m_per_s: hoist.velocity_m_per_s(),
             weight_on_bit_N: hoist.filtered_N(),
         });
+        if let Some(flow) = self.set_points.flow_rate_m3_per_s(time) {
+            self.set_flow_rate(flow);
+        }
         let rotation = self.set_points.rotary_speed_rad_per_s(time);
         match self.set_points.hoist_at(time) {
             None => {}
@@ -537,11 +540,10 @@ impl Simulation {
         series
             .bit_rotary_speed_rad_per_s
             .push(node!(self.chain, last, spin));
-        let none = f64::NAN;
         let (block, weight) = match self.hoist.control() {
-            HoistControl::BlockVelocity(velocity) => (velocity, none),
-            HoistControl::Autodriller => (none, self.hoist.target_N()),
-            HoistControl::HookLoad(_) => (none, none),
+            HoistControl::BlockVelocity(velocity) => (Some(velocity), None),
+            HoistControl::Autodriller => (None, Some(self.hoist.target_N())),
+            HoistControl::HookLoad(_) => (None, None),
         };
         let rotation = self.set_points.rotary_speed_rad_per_s(time);
         series

@@ -24,5 +24,6 @@ mod np13;
 mod numerics;
 mod operations;
 mod rough;
+mod schedule;
 mod steadiness;
 mod surroundings;
