@@ -502,6 +502,7 @@ impl Simulation {
 
     /// The answer so far: over the window if it has begun, over everything sampled otherwise.
     pub fn outcome(&self) -> DynamicOutcome {
+        let diverged = self.check_numbers().is_err();
         summary::outcome(&summary::Sources {
             model: &self.model,
             mesh: &self.mesh,
@@ -509,8 +510,8 @@ impl Simulation {
             anchors: &self.anchors,
             record: &self.record,
             steps: self.steps,
-            energy: self.energy_balance(),
-            diverged: self.check_numbers().is_err(),
+            energy: self.energy_balance().filter(|_| !diverged),
+            diverged,
             hydraulics: self.viscous.as_ref().map(Viscous::mean),
             instructions: self.stepper.instructions,
         })
