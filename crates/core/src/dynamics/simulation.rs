@@ -627,6 +627,7 @@ impl Simulation {
 
     /// The answer so far: over the window if it has begun, over everything sampled otherwise.
     pub fn outcome(&self) -> DynamicOutcome {
+        let diverged = self.check_numbers().is_err();
         summary::outcome(&summary::Sources {
             model: &self.model,
             operation: &self.operation,
@@ -636,8 +637,8 @@ impl Simulation {
             record: &self.record,
             wear: &self.wear,
             steps: self.steps,
-            energy: self.energy_balance(),
-            diverged: self.check_numbers().is_err(),
+            energy: self.energy_balance().filter(|_| !diverged),
+            diverged,
             hydraulics: self.viscous.as_ref().map(Viscous::mean),
             instructions: self.stepper.instructions,
         })
