@@ -1,8 +1,10 @@
-//! Chores of the repository: `cargo xtask test` runs everything that CI runs.
+//! Chores of the repository: `cargo xtask test` runs everything that CI runs, `cargo xtask verify` the
+//! tests that take minutes too.
 
 mod command;
 mod count;
 mod python;
+mod verification;
 
 use std::{
     env,
@@ -14,7 +16,9 @@ use std::{
 use command::{Failure, cargo, run, run_counted, succeeds};
 use count::Count;
 
-const USAGE: &str = "usage: cargo xtask test    run everything that CI runs";
+const USAGE: &str = "\
+usage: cargo xtask test      run everything that CI runs
+       cargo xtask verify    run all tests, those that take minutes too, and write the book's table of them";
 
 /// What a step found out.
 enum Finding {
@@ -26,20 +30,27 @@ enum Finding {
 type Step = (&'static str, fn() -> Result<Finding, Failure>);
 
 /// Cheap steps first, so that a slip is told early.
-const STEPS: &[Step] = &[
+const TEST: &[Step] = &[
     ("Formatting", formatting),
     ("Lints", lints),
     ("Tests", tests),
+    ("Table of verification", verification::check_table),
     ("Documentation examples", doc_tests),
     ("Documentation", documentation),
     ("Core for the browser", wasm),
     ("Python example", python::example),
 ];
 
+const VERIFY: &[Step] = &[
+    ("All tests", verification::all_tests),
+    ("Table of verification", verification::write_table),
+];
+
 fn main() -> ExitCode {
     let arguments: Vec<_> = env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        ["test"] => test(),
+        ["test"] => take(TEST),
+        ["verify"] => take(VERIFY),
         ["--help" | "-h"] => {
             println!("{USAGE}");
             ExitCode::SUCCESS
@@ -51,11 +62,11 @@ fn main() -> ExitCode {
     }
 }
 
-fn test() -> ExitCode {
+fn take(steps: &[Step]) -> ExitCode {
     let start = Instant::now();
     let mut total = Count::default();
-    for (number, (title, step)) in STEPS.iter().enumerate() {
-        println!("[{}/{}] {title}", number + 1, STEPS.len());
+    for (number, (title, step)) in steps.iter().enumerate() {
+        println!("[{}/{}] {title}", number + 1, steps.len());
         let begin = Instant::now();
         let outcome = step();
         let seconds = begin.elapsed().as_secs_f64();
@@ -111,6 +122,8 @@ fn tests() -> Result<Finding, Failure> {
         runner.args(["test", "--workspace", "--no-fail-fast"]);
         runner.args(["--lib", "--bins", "--tests", "--examples"]);
     }
+    verification::forget()?;
+    runner.env(wholestring_verification::FILE, verification::reported());
     run_counted(&mut runner).map(Finding::Tested)
 }
 

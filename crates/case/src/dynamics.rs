@@ -1,13 +1,15 @@
 //! `[mesh]` and `[dynamics]`.
 
 use wholestring::{
-    dynamics::{ContactLaw, DynamicsSettings, FrictionLaw, RodDamping, Start},
+    dynamics::{
+        Autodriller, BitSettings, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl,
+        RodDamping, Schedule, Start, TopDriveSettings,
+    },
     well::{Hole, HoleSection},
 };
 use wholestring_units::Dimension;
 
 use crate::{
-    bit::BitTable,
     diagnostic::Diagnostic,
     quantity::Quantity,
     range::{Number, Range, Whole, number_text},
@@ -17,6 +19,9 @@ use crate::{
     source::Place,
     table::{default, optional, table},
 };
+
+/// Time on the clock between checkpoints where the case does not say, s: what one can bear to lose.
+const CHECKPOINT_INTERVAL_S: f64 = 30.0;
 
 /// Rows that a run keeps in its tables; more fill memory and disk, not insight.
 const MOST_SAMPLES: f64 = 2e6;
@@ -131,7 +136,15 @@ table! {
             Quantity::si(Dimension::Time, Range::from_to(1e-4, 10.0), "10 ms"),
             DynamicsSettings::default().sample_interval_s,
         );
-        /// Seed of the microscopic lateral disturbance that breaks the symmetry of the start.
+        /// Time on the clock between checkpoints, from which `--resume` goes on with a run that was
+        /// stopped or killed. Lowering it loses less then; each costs some hundredths of a second. It
+        /// leaves the answer as it is.
+        checkpoint_interval: f64 = default(
+            Quantity::si(Dimension::Time, Range::from_to(0.01, 86_400.0), "30 s"),
+            CHECKPOINT_INTERVAL_S,
+        );
+        /// Seed of the microscopic lateral disturbance that breaks the symmetry of the start, and of the
+        /// bit's excitation.
         seed: u64 = default(Whole, DynamicsSettings::default().seed);
     }
 }
@@ -145,16 +158,36 @@ fn hertz_dissipation_default() -> f64 {
     }
 }
 
+/// What other tables tell of a dynamic run; what is missing has been reported.
+pub(crate) struct Told<'a> {
+    pub(crate) hoist: &'a HoistTable,
+    pub(crate) bit: Option<BitSettings>,
+    pub(crate) top_drive: Option<TopDriveSettings>,
+    pub(crate) schedule: Option<Schedule>,
+}
+
 impl DynamicsTable {
+    /// Where the run ends, s.
+    pub(crate) fn end_s(&self) -> Option<f64> {
+        Some(*self.settle.get()? + *self.duration.get()?)
+    }
+
     pub(crate) fn build(
         &self,
         mesh: &MeshTable,
-        hoist: &HoistTable,
-        bit: &BitTable,
+        told: Told<'_>,
         reader: &mut Reader,
     ) -> Option<DynamicsSettings> {
+        let Told {
+            hoist,
+            bit,
+            top_drive,
+            schedule,
+        } = told;
         let contact_law = self.contact(reader);
-        let hoist_control = hoist.control(reader);
+        let plan = schedule.clone().unwrap_or_default();
+        let hoist_control = hoist.control(&plan, reader);
+        let autodriller = hoist.autodriller(reader);
         self.check_samples(reader)?;
         let damping = self.damping.get()?;
         Some(DynamicsSettings {
@@ -170,8 +203,18 @@ impl DynamicsTable {
                 stiffness_s: *damping.stiffness.get()?,
             },
             hoist_control: hoist_control?,
+            // An operation that takes the autodriller by itself takes it as it is by default.
+            autodriller: if hoist_control? == Some(HoistControl::Autodriller)
+                || plan.holds_a_weight()
+            {
+                autodriller?
+            } else {
+                autodriller.map(|_| Autodriller::default())?
+            },
+            top_drive: top_drive?,
+            schedule: schedule?,
             hoist_line: hoist.line()?,
-            bit: bit.build()?,
+            bit: bit?,
             sample_interval_s: *self.sample_interval.get()?,
             seed: *self.seed.get()?,
         })

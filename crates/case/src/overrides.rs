@@ -1,5 +1,7 @@
 //! Values set from the command line in place of the file's.
 
+use std::ops::Range;
+
 use crate::{
     diagnostic::Diagnostic,
     names::{nearest, short},
@@ -29,6 +31,44 @@ pub struct Override {
     pub key: String,
     /// Value as written.
     pub value: String,
+    /// The argument that it was written in, where that is none of its own.
+    quote: Option<Quote>,
+}
+
+/// How diagnostics quote an override, and which parts of the quotation are its key and value.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Quote {
+    pub(crate) text: String,
+    pub(crate) key: Range<usize>,
+    pub(crate) value: Range<usize>,
+    /// Whether the value stands there as it is.
+    pub(crate) verbatim: bool,
+}
+
+impl Override {
+    /// An override that another argument than its own `--set` asks for.
+    pub(crate) fn quoted(key: &str, value: &str, quote: Quote) -> Self {
+        Self {
+            key: key.to_owned(),
+            value: value.to_owned(),
+            quote: Some(quote),
+        }
+    }
+
+    /// How a diagnostic quotes it.
+    fn quote(&self) -> Quote {
+        self.quote.clone().unwrap_or_else(|| {
+            let prefix = "--set ";
+            let key = prefix.len()..prefix.len() + self.key.len();
+            let value = key.end + 1..key.end + 1 + self.value.len();
+            Quote {
+                text: format!("{prefix}{}={}", self.key, self.value),
+                key,
+                value,
+                verbatim: true,
+            }
+        })
+    }
 }
 
 /// A text that is no `KEY=VALUE`.
@@ -44,6 +84,7 @@ impl std::str::FromStr for Override {
             Some((key, value)) if !key.trim().is_empty() && !value.trim().is_empty() => Ok(Self {
                 key: key.trim().to_owned(),
                 value: value.trim().to_owned(),
+                quote: None,
             }),
             _ => Err(OverrideError(text.to_owned())),
         }
@@ -59,23 +100,28 @@ const SHORT: &[(&str, &str)] = &[
 ];
 
 /// What a diagnostic about an argument quotes.
-const COMMAND_LINE: &str = "command line";
+pub(crate) const COMMAND_LINE: &str = "command line";
 
 /// Puts an override into the tree of the case.
 pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) {
-    let prefix = "--set ";
-    let quoted = format!("{prefix}{}={}", change.key, change.value);
-    let source = reader.add_source(COMMAND_LINE, &quoted);
-    let key_place = Place {
+    let quote = change.quote();
+    let source = reader.add_source(COMMAND_LINE, &quote.text);
+    let place = |of: Range<usize>| Place {
         source,
-        start: prefix.len(),
-        end: prefix.len() + change.key.len(),
+        start: of.start,
+        end: of.end,
     };
-    let offset = key_place.end + 1;
-    let node = match value_node(&change.value, source, offset) {
+    let key_place = place(quote.key);
+    let mut node = match value_node(&change.value, source, quote.value.start) {
         Ok(node) => node,
         Err(diagnostic) => return reader.report(diagnostic),
     };
+    if !quote.verbatim {
+        node.place = place(quote.value);
+        if let Value::Text { verbatim_from, .. } = &mut node.value {
+            *verbatim_from = None;
+        }
+    }
     let long = SHORT.iter().find(|(short, _)| *short == change.key);
     let path: Vec<&str> = long
         .map_or(change.key.as_str(), |(_, long)| long)

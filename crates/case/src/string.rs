@@ -1,11 +1,12 @@
 //! `[[string]]` and `[steel]`.
 
 use wholestring::string::{
-    Blades, ComponentLength, ComponentSpec, Material, ToolJoints, catalogue,
+    Blades, Cavity, ComponentLength, ComponentSpec, Material, ToolJoints, catalogue,
 };
 use wholestring_units::Dimension;
 
 use crate::{
+    body,
     diagnostic::Diagnostic,
     names::{nearest, short},
     node::{Node, Value},
@@ -182,6 +183,32 @@ table! {
             Range::from_to(1e7, 1e10),
             "931 MPa",
         ));
+        /// Bend fixed in its body, which turns with it: of a motor's bent housing, of a bent sub. The angle between the
+        /// axes above and below, deg unless a unit is given. Dynamic model only. Default: none. Raising it presses bit and housing against
+        /// opposite sides of the hole.
+        bend: f64 = optional(body::bend_angle());
+        /// Distance of the bend from the component's lower end; a node stands there. Default: its middle.
+        bend_at: f64 = optional(Quantity::si(
+            Dimension::Length,
+            Range::from_to(0.0, 20_000.0),
+            "1.9 m",
+        ));
+        /// Direction at the start to which the part below the bend is bent: the angle from the high side, clockwise as
+        /// one looks down the hole, deg unless a unit is given. Default: 0, the high side.
+        bend_toolface: f64 = optional(body::direction("90 deg"));
+        /// Distance of its steel's centre of mass from the axis, at most a tenth of od: an imbalance that
+        /// throws it outwards with the square of the rotary speed. Dynamic model only. Default: none.
+        eccentricity: f64 = optional(Quantity::si(
+            Dimension::Diameter,
+            Range::from_to(0.0, 0.2),
+            "2 mm",
+        ));
+        /// Direction of that centre of mass at the start: the angle from the high side, clockwise as one looks down the
+        /// hole, deg unless a unit is given. Default: 0, the high side.
+        eccentricity_phase: f64 = optional(body::direction("90 deg"));
+        /// What is in the place of the steel that it lacks on the other side: "mud" (a bore off the axis, a slot, a worn
+        /// side), which makes up for part of it, or "sealed" (an empty pocket). Default: "mud".
+        eccentricity_cavity: Cavity = optional(body::cavity());
     }
 }
 
@@ -204,6 +231,7 @@ impl ComponentTable {
         };
         self.joints(&mut component, reader)?;
         self.blades(&mut component, reader)?;
+        self.body(&mut component, reader)?;
         if let Some(given) = self.mass_per_length.optional()? {
             component.mass_per_length_kg_per_m = given.value;
             check_mass(&component, given.place, reader)?;

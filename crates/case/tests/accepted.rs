@@ -336,13 +336,9 @@ fn the_command_line_sets_what_the_file_does_not() {
             < 1e-12
     );
     assert_eq!(case.models, [ModelKind::Soft]);
-    assert_eq!(
-        case.dynamics.hoist_control,
-        Some(HoistControl::Autodriller {
-            gain_m_per_s_per_N: 2e-7,
-            filter_s: 1.0
-        })
-    );
+    assert_eq!(case.dynamics.hoist_control, Some(HoistControl::Autodriller));
+    assert_eq!(case.dynamics.autodriller.gain_m_per_s_per_N, 2e-7);
+    assert_eq!(case.dynamics.autodriller.filter_s, 1.0);
     assert_eq!(case.name, "two at once");
     assert!((case.model.string.components()[1].od_m - 0.127).abs() < 1e-9);
 }
@@ -352,4 +348,28 @@ fn the_command_line_sets_what_the_file_does_not() {
 fn the_last_setting_counts() {
     let case = read_with(EXAMPLE, &["friction=0.1", "friction=0.2"]).expect("a case");
     assert_eq!(case.model.well.hole.sections()[0].friction.kinetic, 0.2);
+}
+
+/// Rheology and flow rate in field units.
+#[test]
+fn mud_that_flows() {
+    let text = changed(
+        "density = \"1.2 sg\"",
+        "density = \"10 ppg\"\nrheology = \"bingham\"\nplastic_viscosity = \"25 cP\"\nyield_point = \"15 lbf/100ft2\"",
+    )
+    .replace("rpm = 70", "flow_rate = \"600 gpm\"\nbit_pressure_drop = \"1000 psi\"\nrpm = 70");
+    let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
+    let Some(wholestring::mud::Rheology::Bingham {
+        plastic_viscosity_Pa_s,
+        yield_point_Pa,
+    }) = case.model.mud.rheology
+    else {
+        panic!("{:?}", case.model.mud);
+    };
+    assert!((plastic_viscosity_Pa_s / 0.025 - 1.0).abs() < 1e-12);
+    assert!((yield_point_Pa / (15.0 * 0.478_802_59) - 1.0).abs() < 1e-7);
+    let operation = &case.operations[0];
+    assert!((operation.flow_rate_m3_per_s / 0.037_854_12 - 1.0).abs() < 1e-6);
+    assert!((operation.bit_pressure_drop_Pa / 6.894_757e6 - 1.0).abs() < 1e-6);
+    assert_eq!(case.settings["mud"]["rheology"]["law"], "bingham");
 }

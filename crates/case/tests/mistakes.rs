@@ -204,6 +204,16 @@ fn of_magnitude() {
         ("elements_too_short", "\"3.2 m\"", "\"3.2 mm\""),
         ("rows_without_end", "\"60 s\"", "\"86400 s\""),
         ("window_without_samples", "\"60 s\"", "\"1 ms\""),
+        (
+            "checkpoints_all_the_time",
+            "duration = \"60 s\"",
+            "duration = \"60 s\"\ncheckpoint_interval = 0",
+        ),
+        (
+            "checkpoints_by_depth",
+            "duration = \"60 s\"",
+            "duration = \"60 s\"\ncheckpoint_interval = \"5 m\"",
+        ),
     ];
     for (name, from, to) in cases {
         refused(name, read(&changed(from, to)));
@@ -250,6 +260,38 @@ fn of_relation() {
         (
             "collar_wider_than_hole",
             explicit("od = \"8-1/2 in\"\nid = \"3 in\""),
+        ),
+        (
+            "bend_without_place",
+            explicit(&format!("{pipe}\nbend = \"1.5 deg\"")),
+        ),
+        (
+            "bend_of_a_turn",
+            explicit(&format!("{pipe}\nbend = \"90 deg\"\nbend_at = \"2 m\"")),
+        ),
+        (
+            "bend_off_its_component",
+            changed(
+                "length = \"0.34 m\"",
+                "length = \"0.34 m\"\nbend = \"1 deg\"\nbend_at = \"1.9 m\"",
+            ),
+        ),
+        (
+            "bend_at_the_bit",
+            changed(
+                "length = \"0.34 m\"",
+                "length = \"0.34 m\"\nbend = \"1 deg\"\nbend_at = \"0.1 m\"",
+            ),
+        ),
+        (
+            "eccentricity_of_a_crank",
+            explicit(&format!("{pipe}\neccentricity = \"30 mm\"")),
+        ),
+        (
+            "eccentricity_cavity_unknown",
+            explicit(&format!(
+                "{pipe}\neccentricity = \"2 mm\"\neccentricity_cavity = \"air\""
+            )),
         ),
         (
             "pipe_heavier_than_solid",
@@ -490,6 +532,76 @@ fn of_an_override() {
 }
 
 #[test]
+fn of_the_bit() {
+    let cases = [
+        ("bit_law_unknown", "law = \"regenerating\""),
+        ("bit_law_not_text", "law = 2"),
+        ("blades_none", "law = \"regenerative\"\nblades = 0"),
+        ("blades_halved", "law = \"regenerative\"\nblades = 4.5"),
+        (
+            "specific_energy_zero",
+            "law = \"regenerative\"\nintrinsic_specific_energy = 0",
+        ),
+        (
+            "specific_energy_in_pascals",
+            "law = \"regenerative\"\nintrinsic_specific_energy = 60",
+        ),
+        (
+            "cutter_inclination_zero",
+            "law = \"regenerative\"\ncutter_inclination = 0",
+        ),
+        (
+            "wear_flat_negative",
+            "law = \"regenerative\"\nwear_flat = -1e-3",
+        ),
+        (
+            "contact_strength_not_a_number",
+            "law = \"regenerative\"\ncontact_strength = nan",
+        ),
+        (
+            "bit_geometry_in_quotes",
+            "law = \"regenerative\"\nbit_geometry = \"flat\"",
+        ),
+        (
+            "bit_friction_above_two",
+            "law = \"regenerative\"\nfriction = 6",
+        ),
+        ("motor_speed_negative", "motor_speed = -120"),
+        ("excitation_as_value", "excitation = true"),
+        (
+            "excitation_key_misspelt",
+            "[bit.excitation]\nroughnes = \"1 mm\"",
+        ),
+        (
+            "excitation_lobes_zero",
+            "[bit.excitation]\nlobes = 0\namplitude = \"1 mm\"",
+        ),
+        (
+            "excitation_amplitude_in_mm_meant",
+            "[bit.excitation]\namplitude = 1",
+        ),
+        (
+            "excitation_torque_in_percent",
+            "[bit.excitation]\ntorque_fluctuation = 20",
+        ),
+        (
+            "excitation_waves_zero",
+            "[bit.excitation]\nroughness = \"1 mm\"\nwaves = 0",
+        ),
+        (
+            "excitation_by_time_and_angle",
+            "[bit.excitation]\nroughness = \"1 mm\"\nwaves = 8\nfrequency = \"20 Hz\"",
+        ),
+    ];
+    for (name, keys) in cases {
+        refused(name, read(&changed("torque = \"3.1 kN.m\"", keys)));
+    }
+    let sliding = changed("kind = \"drill\"", "kind = \"slide\"");
+    let regenerative = sliding.replace("torque = \"3.1 kN.m\"", "law = \"regenerative\"");
+    refused("slide_without_motor_speed", read(&regenerative));
+}
+
+#[test]
 fn of_the_wall_and_what_touches_it() {
     let friction = "friction = 0.3\n[[";
     let stabiliser = "# ...\n";
@@ -563,6 +675,31 @@ fn of_the_wall_and_what_touches_it() {
 }
 
 #[test]
+fn of_the_mud() {
+    let cases = [
+        ("rheology_unknown", "\nrheology = \"binghan\""),
+        ("rheology_without_numbers", "\nrheology = \"bingham\""),
+        (
+            "flow_index_above_one",
+            "\nrheology = \"power-law\"\nconsistency_index = \"0.6 Pa.s^n\"\nflow_behaviour_index = 1.4",
+        ),
+        (
+            "viscosity_in_pascals",
+            "\nrheology = \"newtonian\"\nviscosity = \"20 Pa\"",
+        ),
+    ];
+    let flow = changed("rpm = 70", "flow_rate = \"2000 L\"\nrpm = 70");
+    refused("flow_rate_in_litres", read(&flow));
+    for (name, more) in cases {
+        let text = changed(
+            "density = \"1.2 sg\"",
+            &format!("density = \"1.2 sg\"{more}"),
+        );
+        refused(name, read(&text));
+    }
+}
+
+#[test]
 fn worth_a_warning() {
     let cases = [
         (
@@ -596,6 +733,41 @@ fn worth_a_warning() {
             "contact_law = \"hertz\" ",
             "contact_law = \"linear\"\nhertz_dissipation = 0.1 ",
         ),
+        (
+            "warn_regenerative_key",
+            "torque = \"3.1 kN.m\"",
+            "torque = \"3.1 kN.m\"\nblades = 6\nwear_flat = \"2 mm\"",
+        ),
+        (
+            "warn_rate_key",
+            "torque = \"3.1 kN.m\"",
+            "torque = \"3.1 kN.m\"\nlaw = \"regenerative\"\n[bit.excitation]\namplitude = \"1 mm\"",
+        ),
+        (
+            "warn_bit_does_not_cut",
+            "torque = \"3.1 kN.m\"",
+            "law = \"regenerative\"\nwear_flat = \"20 mm\"",
+        ),
+        (
+            "warn_excitation_key",
+            "torque = \"3.1 kN.m\"",
+            "torque = \"3.1 kN.m\"\n[bit.excitation]\nlobes = 4\nfrequency = \"20 Hz\"",
+        ),
+        (
+            "warn_mud_key_of_another_rheology",
+            "density = \"1.2 sg\"",
+            "density = \"1.2 sg\"\nrheology = \"newtonian\"\nviscosity = \"20 cP\"\nyield_point = \"15 lbf/100ft2\"",
+        ),
+        (
+            "warn_mud_key_without_rheology",
+            "density = \"1.2 sg\"",
+            "density = \"1.2 sg\"\nplastic_viscosity = \"25 cP\"",
+        ),
+        (
+            "warn_flow_without_rheology",
+            "rpm = 70",
+            "flow_rate = \"2000 L/min\"\nbit_pressure_drop = \"80 bar\"\nrpm = 70",
+        ),
         ("warn_hoist_key", "[mesh]", "[hoist]\ngain = 1e-7\n[mesh]"),
         ("warn_weight_on_bit", "wob = \"6 tf\"", "wob = \"200 tf\""),
         (
@@ -604,6 +776,16 @@ fn worth_a_warning() {
             "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\nmass_per_length = \"20 kg/m\" ",
         ),
         ("warn_moduli", "\"76.923 GPa\"", "\"27 GPa\""),
+        (
+            "warn_bend_keys",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\nbend_at = 2\nbend_toolface = \"90 deg\" ",
+        ),
+        (
+            "warn_eccentricity_keys",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\neccentricity_phase = 1\neccentricity_cavity = \"mud\" ",
+        ),
         (
             "warn_joint_mass",
             "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
@@ -620,4 +802,179 @@ fn worth_a_warning() {
                 .replace("to = \"4305 m\"", "to = \"4500 m\""),
         ),
     );
+}
+
+/// The example with lines of a schedule, and one more change.
+fn scheduled(lines: &str) -> String {
+    changed("[mesh]", &format!("{lines}\n[mesh]"))
+}
+
+const LINE: &str = "[[operation.schedule]]\n";
+
+#[test]
+fn of_the_schedule() {
+    let cases = [
+        (
+            "schedule_backwards",
+            "at = \"30 s\"\nrpm = 60\n",
+            "at = \"20 s\"\nrpm = 70",
+        ),
+        (
+            "schedule_over_a_ramp",
+            "at = \"30 s\"\nramp = \"10 s\"\nrpm = 60\n",
+            "at = \"35 s\"\nrpm = 70",
+        ),
+        (
+            "schedule_two_at_once",
+            "at = \"30 s\"\nwob = \"50 kN\"\n",
+            "at = \"30 s\"\nblock_velocity = 0",
+        ),
+        (
+            "schedule_weight_and_speed",
+            "at = 0\nrpm = 0\n",
+            "at = \"30 s\"\nwob = \"50 kN\"\nblock_velocity = \"0.3 m/s\"",
+        ),
+        (
+            "schedule_of_nothing",
+            "at = 0\nrpm = 0\n",
+            "at = \"30 s\"\nramp = \"10 s\"",
+        ),
+        ("schedule_without_time", "at = 0\nrpm = 0\n", "rpm = 60"),
+        (
+            "schedule_key_misspelt",
+            "at = 0\nrpm = 0\n",
+            "at = \"30 s\"\nrmp = 60",
+        ),
+        (
+            "schedule_before_time_zero",
+            "at = \"-5 s\"\nrpm = 0\n",
+            "at = \"30 s\"\nrpm = 60",
+        ),
+    ];
+    for (name, first, second) in cases {
+        refused(
+            name,
+            read(&scheduled(&format!("{LINE}{first}{LINE}{second}"))),
+        );
+    }
+    let plan = format!("{LINE}at = \"30 s\"\nrpm = 60");
+    refused(
+        "schedule_single_brackets",
+        read(&scheduled("[operation.schedule]\nat = 0\nrpm = 0")),
+    );
+    let several = "kind = [\"drill\", \"ream\"]";
+    refused(
+        "schedule_of_two_operations",
+        read(&scheduled(&plan).replace("kind = \"drill\" ", several)),
+    );
+    refused(
+        "schedule_turns_what_does_not",
+        read(&scheduled(&plan).replace("kind = \"drill\" ", "kind = \"trip_in\"")),
+    );
+    let held = format!("{LINE}at = \"30 s\"\nwob = \"50 kN\"");
+    refused(
+        "schedule_weight_off_bottom",
+        read(&scheduled(&held).replace("kind = \"drill\" ", "kind = \"ream\"")),
+    );
+    let late = format!("{LINE}at = \"80 s\"\nrpm = 60");
+    warned("warn_schedule_too_late", read(&scheduled(&late)));
+    let soft = scheduled(&plan).replace("model = \"dynamic\" ", "model = \"soft\"");
+    warned("warn_schedule_soft", read(&soft));
+    let both = scheduled(&plan).replace("model = \"dynamic\" ", "model = [\"soft\", \"dynamic\"]");
+    warned("warn_schedule_soft_too", read(&both));
+    let pumps = format!("{LINE}at = \"30 s\"\nflow_rate = 0");
+    warned(
+        "warn_schedule_flow_without_rheology",
+        read(&scheduled(&pumps)),
+    );
+    // Where a schedule holds a weight, the autodriller's keys have their effect.
+    let tuned = format!("{held}\n[hoist]\ngain = 1e-7\nintegral_time = \"60 s\"");
+    let case = read(&scheduled(&tuned)).expect("a sound case");
+    assert!(case.warnings.is_empty());
+    assert_eq!(case.dynamics.autodriller.integral_time_s, 60.0);
+}
+
+#[test]
+fn of_the_top_side() {
+    let drive = |keys: &str| changed("[mesh]", &format!("[top_drive]\n{keys}\n[mesh]"));
+    let cases = [
+        ("top_drive_control_misspelt", "control = \"soft_torque\""),
+        ("top_drive_without_inertia", "control = \"pi\"\ninertia = 0"),
+        (
+            "top_drive_inertia_in_kg",
+            "control = \"pi\"\ninertia = \"2900 kg\"",
+        ),
+        (
+            "top_drive_gain_negative",
+            "control = \"pi\"\nproportional = -1",
+        ),
+        (
+            "top_drive_frequency_zero",
+            "control = \"soft-torque\"\nfrequency = 0",
+        ),
+    ];
+    for (name, keys) in cases {
+        refused(name, read(&drive(keys)));
+    }
+    let hoist = |keys: &str| changed("[mesh]", &format!("[hoist]\n{keys}\n[mesh]"));
+    refused(
+        "hoist_speeds_reversed",
+        read(&hoist(
+            "control = \"autodriller\"\nmin_speed = \"60 m/h\"\nmax_speed = \"10 m/h\"",
+        )),
+    );
+    refused("hoist_mass_negative", read(&hoist("mass = \"-20 t\"")));
+    warned(
+        "warn_top_drive_constant",
+        read(&drive("inertia = \"2900 kg.m2\"")),
+    );
+    warned(
+        "warn_top_drive_tuned",
+        read(&drive(
+            "control = \"soft-torque\"\nproportional = \"38 kN.m.s\"",
+        )),
+    );
+}
+
+/// `[records]` with these keys.
+fn records(keys: &str) -> String {
+    changed("[mesh]", &format!("[records]\n{keys}\n\n[mesh]"))
+}
+
+#[test]
+fn of_records() {
+    for (name, keys) in [
+        ("frames_as_a_time", "frames = \"0.1 s\""),
+        ("frames_never", "frames = 0"),
+        ("frames_faster_than_samples", "frames = \"1 kHz\""),
+        (
+            "channel_unknown",
+            "frames = \"10 Hz\"\nchannels = [\"position\", \"velocities\"]",
+        ),
+        (
+            "channel_twice",
+            "frames = \"10 Hz\"\nchannels = [\"force\", \"force\"]",
+        ),
+        ("channels_empty", "frames = \"10 Hz\"\nchannels = []"),
+        ("signal_with_its_unit", "spectra = \"surface_torque_N_m\""),
+        (
+            "spectrum_segment_longer_than_the_window",
+            "spectra = \"twist\"\nspectrum_segment = \"10 min\"",
+        ),
+        (
+            "spectrum_segment_of_few_samples",
+            "spectra = \"twist\"\nspectrum_segment = \"0.1 s\"",
+        ),
+    ] {
+        refused(name, read(&records(keys)));
+    }
+    for (name, keys) in [
+        ("channels_without_frames", "channels = \"force\""),
+        (
+            "spectrum_segment_without_spectra",
+            "spectrum_segment = \"5 s\"",
+        ),
+    ] {
+        warned(name, read(&records(keys)));
+    }
 }

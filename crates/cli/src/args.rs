@@ -1,6 +1,6 @@
 //! The command line as the user writes it.
 
-use std::path::PathBuf;
+use std::{num::NonZeroUsize, path::PathBuf, str::FromStr, time::Duration};
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use wholestring::well::Interpolation;
@@ -24,6 +24,8 @@ pub(crate) enum Command {
     Check(CheckArgs),
     /// Solve a case and write its results
     Run(RunArgs),
+    /// Solve a case for all combinations of some values
+    Sweep(SweepArgs),
     /// Position and dogleg severity along a survey
     Survey(SurveyArgs),
     /// Print the JSON schema of the case file
@@ -62,6 +64,14 @@ pub(crate) struct RunArgs {
     )]
     pub(crate) output: Option<PathBuf>,
 
+    /// Go on with the run in this folder from its checkpoint
+    #[arg(long, value_name = "DIR", conflicts_with = "output")]
+    pub(crate) resume: Option<PathBuf>,
+
+    /// Time on the clock between checkpoints, such as 5min [default: the case's, 30 s]
+    #[arg(long, value_name = "TIME", value_parser = interval)]
+    pub(crate) checkpoint: Option<Duration>,
+
     /// Units on the screen [default: the case's]
     #[arg(long, value_name = "si|metric|field")]
     pub(crate) units: Option<UnitSet>,
@@ -73,6 +83,79 @@ pub(crate) struct RunArgs {
     /// Print nothing but errors
     #[arg(short, long)]
     pub(crate) quiet: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SweepArgs {
+    #[command(flatten)]
+    pub(crate) case: CaseArgs,
+
+    /// Values of a key, such as `friction=0.1,0.2,0.3` or `bit_depth=300m..4305m/300m` (a range always
+    /// includes its end). Repeatable: every combination is a case, the last key varying fastest
+    #[arg(long, value_name = "KEY=VALUES", required = true)]
+    pub(crate) vary: Vec<String>,
+
+    /// Cases that are solved side by side [default: one per core]
+    #[arg(short, long, value_name = "N")]
+    pub(crate) jobs: Option<NonZeroUsize>,
+
+    /// Solve the I-th of N equal shares of the cases only
+    #[arg(long, value_name = "I/N")]
+    pub(crate) shard: Option<Shard>,
+
+    /// Leave out what is finished in the folder, and go on with what is not from its checkpoints
+    #[arg(long)]
+    pub(crate) resume: bool,
+
+    // Not a doc comment, which would read `<case name>` as HTML.
+    #[arg(
+        short,
+        long,
+        value_name = "DIR",
+        help = "Folder for the results [default: out/<case name> sweep]"
+    )]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Time on the clock between checkpoints, such as 5min [default: the case's, 30 s]
+    #[arg(long, value_name = "TIME", value_parser = interval)]
+    pub(crate) checkpoint: Option<Duration>,
+
+    /// Write the tables as CSV too
+    #[arg(long)]
+    pub(crate) csv: bool,
+
+    /// Print nothing but errors
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+/// One share of the cases of a sweep: every `of`-th, beginning with the `index`-th, counted from one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Shard {
+    index: usize,
+    of: usize,
+}
+
+impl Shard {
+    pub(crate) const ALL: Self = Self { index: 1, of: 1 };
+
+    /// Whether it has the case of that number, counted from zero.
+    pub(crate) fn has(self, case: usize) -> bool {
+        case % self.of == self.index - 1
+    }
+}
+
+impl FromStr for Shard {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let parts = text.split_once('/');
+        let parts = parts.and_then(|(index, of)| Some((index.parse().ok()?, of.parse().ok()?)));
+        match parts {
+            Some((index, of)) if (1..=of).contains(&index) => Ok(Self { index, of }),
+            _ => Err("expected such as 1/4, from 1/4 to 4/4".to_owned()),
+        }
+    }
 }
 
 #[derive(Debug, Args)]
@@ -114,6 +197,17 @@ impl From<PathKind> for Interpolation {
 
 /// Shortest step between rows: a well of 10 km is ten million rows of a millimetre.
 const SHORTEST_STEP_M: f64 = 0.01;
+
+fn interval(text: &str) -> Result<Duration, String> {
+    let seconds = Dimension::Time
+        .parse(text)
+        .map_err(|error| error.to_string())?;
+    if (0.01..=86_400.0).contains(&seconds) {
+        Ok(Duration::from_secs_f64(seconds))
+    } else {
+        Err("expected 0.01 s to 86400 s".to_owned())
+    }
+}
 
 fn length(text: &str) -> Result<f64, String> {
     let length = Dimension::Length

@@ -2,8 +2,11 @@
 
 mod args;
 mod check;
+mod checkpoint;
 mod comparison;
 mod failure;
+mod frames;
+mod indicators;
 mod interrupt;
 mod picture;
 mod progress;
@@ -11,6 +14,8 @@ mod record;
 mod rig;
 mod run;
 mod survey;
+mod sweep;
+mod sweep_table;
 
 use std::{
     env,
@@ -27,6 +32,7 @@ fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Check(args) => check::check(&args),
         Command::Run(args) => run::run(&args),
+        Command::Sweep(args) => sweep::sweep(&args),
         Command::Survey(args) => survey::survey(&args),
         Command::Schema => schema(),
     };

@@ -1,53 +1,115 @@
-//! The progress of a dynamic run on the terminal.
+//! The progress of dynamic runs on the terminal.
 
-use std::time::Instant;
+use std::{cell::Cell, time::Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// A bar with the simulated time and the speed against real time; nothing where nobody watches.
-pub(crate) struct Progress {
-    bar: ProgressBar,
-    start: Instant,
-    end_s: f64,
+/// Who watches a run.
+#[derive(Debug, Clone)]
+pub(crate) enum Watch {
+    /// The user: a bar for each operation, unless nothing is to be shown.
+    Screen {
+        /// Show nothing.
+        quiet: bool,
+    },
+    /// The bar of a sweep, of which this run is a part.
+    Sweep(ProgressBar),
 }
 
-/// The bar counts whole milliseconds of simulated time.
-fn milliseconds(seconds: f64) -> u64 {
+impl Watch {
+    /// The progress of one operation that goes on at `from_s` of simulated time and ends at `end_s`.
+    pub(crate) fn operation(&self, name: &str, from_s: f64, end_s: f64) -> Progress {
+        match self {
+            Self::Screen { quiet } => Progress::Own(OwnBar::new(name, from_s, end_s, *quiet)),
+            Self::Sweep(bar) => Progress::Part {
+                bar: bar.clone(),
+                reached: Cell::new(0),
+            },
+        }
+    }
+
+    /// Says something on standard error, beside the bar.
+    pub(crate) fn tell(&self, text: &str) {
+        match self {
+            Self::Screen { .. } => crate::tell(text),
+            Self::Sweep(bar) => bar.suspend(|| crate::tell(text)),
+        }
+    }
+}
+
+/// Bars count whole milliseconds of simulated time.
+pub(crate) fn milliseconds(seconds: f64) -> u64 {
     (seconds * 1e3).round() as u64
 }
 
+/// The progress of one operation.
+pub(crate) enum Progress {
+    Own(OwnBar),
+    Part {
+        bar: ProgressBar,
+        reached: Cell<u64>,
+    },
+}
+
 impl Progress {
-    /// A bar for one operation that ends at `end_s` of simulated time.
-    pub(crate) fn new(operation: &str, end_s: f64, quiet: bool) -> Self {
-        // Hidden by itself where standard error is no terminal.
-        let target = if quiet {
-            ProgressDrawTarget::hidden()
-        } else {
-            ProgressDrawTarget::stderr()
-        };
-        let bar = ProgressBar::with_draw_target(Some(milliseconds(end_s)), target);
-        let style = ProgressStyle::with_template("{prefix} {bar:32} {msg}");
-        bar.set_style(style.expect("the template is sound").progress_chars("━╸─"));
+    /// Shows the simulated time reached.
+    pub(crate) fn reach(&self, time_s: f64) {
+        match self {
+            Self::Own(own) => own.reach(time_s),
+            Self::Part { bar, reached } => {
+                let now = milliseconds(time_s);
+                bar.inc(now.saturating_sub(reached.replace(now)));
+            }
+        }
+    }
+
+    /// Takes the operation's own bar from the screen.
+    pub(crate) fn finish(self) {
+        if let Self::Own(own) = self {
+            own.bar.finish_and_clear();
+        }
+    }
+}
+
+/// A bar on standard error, hidden where that is no terminal or nothing is to be shown.
+pub(crate) fn bar(length: u64, quiet: bool) -> ProgressBar {
+    let target = if quiet {
+        ProgressDrawTarget::hidden()
+    } else {
+        ProgressDrawTarget::stderr()
+    };
+    let bar = ProgressBar::with_draw_target(Some(length), target);
+    let style = ProgressStyle::with_template("{prefix} {bar:32} {msg}");
+    bar.set_style(style.expect("the template is sound").progress_chars("━╸─"));
+    bar
+}
+
+/// A bar with the simulated time and the speed against real time.
+pub(crate) struct OwnBar {
+    bar: ProgressBar,
+    start: Instant,
+    from_s: f64,
+    end_s: f64,
+}
+
+impl OwnBar {
+    fn new(operation: &str, from_s: f64, end_s: f64, quiet: bool) -> Self {
+        let bar = bar(milliseconds(end_s), quiet);
         bar.set_prefix(operation.replace('_', " "));
         Self {
             bar,
             start: Instant::now(),
+            from_s,
             end_s,
         }
     }
 
-    /// Shows the simulated time reached.
-    pub(crate) fn reach(&self, time_s: f64) {
-        let speed = time_s / self.start.elapsed().as_secs_f64();
+    fn reach(&self, time_s: f64) {
+        let speed = (time_s - self.from_s) / self.start.elapsed().as_secs_f64();
         self.bar.set_position(milliseconds(time_s));
         self.bar.set_message(format!(
             "{time_s:.1} of {:.0} s, {speed:.0} × real time",
             self.end_s
         ));
-    }
-
-    /// Takes the bar from the screen.
-    pub(crate) fn finish(self) {
-        self.bar.finish_and_clear();
     }
 }

@@ -2,7 +2,7 @@
 
 use std::{
     path::{Path, PathBuf},
-    time::Instant,
+    time::{Duration, Instant},
 };
 
 use wholestring::{
@@ -12,15 +12,18 @@ use wholestring::{
     statics::soft::{self, SoftSettings},
 };
 use wholestring_case::Case;
-use wholestring_results::{ResultsFolder, Status};
+use wholestring_results::{ResultsFolder, Status, Summary};
 
 use crate::{
     args::RunArgs,
+    checkpoint::{self, Keeper, Laid, UnderWay},
     comparison,
     failure::Failure,
+    frames::Frames,
+    indicators,
     interrupt::Interrupt,
     load,
-    progress::Progress,
+    progress::Watch,
     record::{self, Record},
     rig, say,
 };
@@ -28,66 +31,208 @@ use crate::{
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let case = load(&args.case, args.quiet)?;
     let units = args.units.unwrap_or(case.units);
-    let output = args
-        .output
-        .clone()
-        .unwrap_or_else(|| default_output(&case.name));
-    // Before anything is solved, so that a long run does not end on a folder it may not write to.
-    let folder = ResultsFolder::create(output)?;
-    let interrupt = Interrupt::listen();
     let mut record = Record::new(&case, units);
-    let solved = solve(&case, args, &interrupt, &mut record, &folder);
+    let (folder, under_way) = match &args.resume {
+        Some(path) => {
+            let folder = existing(path)?;
+            let laid = laid_aside(&folder, &case)?;
+            record.restore(laid.solved).map_err(bad)?;
+            (folder, laid.under_way)
+        }
+        None => {
+            let output = args.output.clone();
+            let output = output.unwrap_or_else(|| default_output(&case.name));
+            // Before anything is solved, so that a long run does not end on a folder it may not write to.
+            let folder = ResultsFolder::create(output)?;
+            folder.remove_checkpoint()?;
+            (folder, None)
+        }
+    };
+    let way = Way {
+        csv: args.csv,
+        checkpoint_every: args.checkpoint.unwrap_or_else(|| checkpoint_every(&case)),
+        watch: Watch::Screen { quiet: args.quiet },
+        interrupt: &Interrupt::listen(),
+    };
+    record.frames = Frames::begin(&case, &folder)?;
+    let solved = solve(&case, &way, &mut record, &folder, under_way);
+    // However it ended: an interrupted run keeps the frames that it has.
+    let frames = record.frames.take().map_or(Ok(()), Frames::finish);
     if !args.quiet && !record.summary.operations.is_empty() {
         let width = terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
         let title = format!("{}: {}", case.name, record::subtitle(&case, units));
         let table = comparison::table(&record.summary, units, width);
         let notes = comparison::notes(&record.summary);
+        let indicators = indicators::notes(&record.summary, units);
         let warnings = rig::warnings(&record.summary, &case.model.rig, units);
         let place = folder.path().display();
         say(&format!(
             "{title}
 
 {table}
-{notes}{warnings}Results in {place}
+{notes}{indicators}{warnings}Results in {place}
 "
         ))?;
     }
-    solved
+    solved.map_err(|stop| stop.failure(&folder))?;
+    Ok(frames?)
+}
+
+/// What the case says about the time between checkpoints.
+pub(crate) fn checkpoint_every(case: &Case) -> Duration {
+    Duration::from_secs_f64(case.checkpoint_interval_s)
+}
+
+fn bad(reason: impl std::fmt::Display) -> Failure {
+    Failure::BadInput(format!("error: {reason}"))
+}
+
+/// The folder of a run that is to be resumed.
+fn existing(path: &Path) -> Result<ResultsFolder, Failure> {
+    if !path.is_dir() {
+        return Err(bad(format!("there is no folder {}", path.display())));
+    }
+    Ok(ResultsFolder::create(path)?)
+}
+
+/// The run that was laid aside in the folder, or why there is none.
+fn laid_aside(folder: &ResultsFolder, case: &Case) -> Result<Laid, Failure> {
+    let place = folder.path().display();
+    let anew = "run the case without --resume to begin anew";
+    match Laid::read(folder, case) {
+        Ok(Some(laid)) => return Ok(laid),
+        Ok(None) => {}
+        Err(reason) => return Err(bad(format!("{reason}\n{anew}"))),
+    }
+    let summary = Summary::read(&folder.path().join("summary.json")).ok();
+    let statuses = summary.iter().flat_map(|summary| &summary.operations);
+    let last = statuses.map(|solved| &solved.status).next_back();
+    Err(bad(match last {
+        Some(Status::Complete) => format!("the run in {place} is finished: nothing is left to do"),
+        Some(Status::Failed(reason)) => {
+            format!("the run in {place} failed and would fail again: {reason}")
+        }
+        _ => format!("there is no checkpoint in {place}\n{anew}"),
+    }))
+}
+
+/// How a case is solved, beside what it says itself.
+pub(crate) struct Way<'a> {
+    /// Whether to write the tables as CSV too.
+    pub(crate) csv: bool,
+    /// Time on the clock between checkpoints.
+    pub(crate) checkpoint_every: Duration,
+    /// Who watches its progress.
+    pub(crate) watch: Watch,
+    pub(crate) interrupt: &'a Interrupt,
+}
+
+/// Why a case was not solved to its end.
+#[derive(Debug)]
+pub(crate) enum Stop {
+    /// The user asked.
+    Interrupted,
+    /// An operation has no answer or diverged: which, and why.
+    Unsolved(String),
+    /// The results could not be written.
+    Unwritten(Failure),
+}
+
+impl Stop {
+    /// Why the case failed; nothing where the user stopped it.
+    pub(crate) fn reason(&self) -> Option<String> {
+        match self {
+            Self::Interrupted => None,
+            Self::Unsolved(reason) => Some(reason.clone()),
+            Self::Unwritten(failure) => Some(failure.to_string()),
+        }
+    }
+
+    fn failure(self, folder: &ResultsFolder) -> Failure {
+        let place = folder.path().display();
+        match self {
+            Self::Interrupted => {
+                let how = if folder.has_checkpoint() {
+                    format!("\nto go on, run the case with --resume {place}")
+                } else {
+                    String::new()
+                };
+                Failure::Interrupted(format!("interrupted: what was computed is in {place}{how}"))
+            }
+            Self::Unsolved(reason) => Failure::Failed(format!(
+                "error: {reason}\nwhat was computed until then is in {place}"
+            )),
+            Self::Unwritten(failure) => failure,
+        }
+    }
+}
+
+impl<E: Into<Failure>> From<E> for Stop {
+    fn from(error: E) -> Self {
+        Self::Unwritten(error.into())
+    }
 }
 
 /// Solves operation after operation, each with every model, and writes after each, so that whatever
-/// comes between keeps what was solved.
-fn solve(
+/// comes between keeps what was solved. What the record has is solved already, but for one operation that
+/// may be under way.
+pub(crate) fn solve(
     case: &Case,
-    args: &RunArgs,
-    interrupt: &Interrupt,
+    way: &Way<'_>,
     record: &mut Record,
     folder: &ResultsFolder,
-) -> Result<(), Failure> {
+    mut under_way: Option<UnderWay>,
+) -> Result<(), Stop> {
+    let mut keeper = Keeper::new(folder, way.checkpoint_every);
+    let mut written = false;
     for operation in &case.operations {
         for model in &case.models {
-            if interrupt.asked() {
-                return Err(interrupted(folder.path()));
+            if record.has(*model, operation) {
+                continue;
+            }
+            if way.interrupt.asked() {
+                lay_aside(&mut keeper, record, under_way, &way.watch);
+                return Err(Stop::Interrupted);
             }
             let stopped = match model {
                 ModelKind::Soft => solve_soft(case, operation, record),
-                ModelKind::Dynamic => solve_dynamic(case, operation, args.quiet, interrupt, record),
+                ModelKind::Dynamic => {
+                    let begun = under_way.take_if(|begun| begun.is(operation));
+                    solve_dynamic(case, operation, way, record, &mut keeper, begun)
+                }
             };
-            record.write(folder, args.csv)?;
+            record.write(folder, way.csv)?;
+            written = true;
             match stopped {
                 Status::Complete => {}
-                Status::Interrupted => return Err(interrupted(folder.path())),
+                Status::Interrupted => return Err(Stop::Interrupted),
                 Status::Failed(reason) => {
-                    return Err(Failure::Failed(format!(
-                        "error: {}: {reason}\nwhat was computed until then is in {}",
-                        operation.kind.name(),
-                        folder.path().display()
+                    keeper.finish()?;
+                    return Err(Stop::Unsolved(format!(
+                        "{}: {reason}",
+                        operation.kind.name()
                     )));
                 }
             }
+            if keeper.is_due() {
+                lay_aside(&mut keeper, record, None, &way.watch);
+            }
         }
     }
+    if !written {
+        // All was solved when the run was laid aside; the folder may not show it.
+        record.write(folder, way.csv)?;
+    }
+    keeper.finish()?;
     Ok(())
+}
+
+/// Writes a checkpoint. A run does not end because one cannot be written: the next may, and so may the
+/// results.
+fn lay_aside(keeper: &mut Keeper<'_>, record: &Record, under_way: Option<UnderWay>, watch: &Watch) {
+    if let Err(error) = keeper.write(record, under_way) {
+        watch.tell(&format!("warning: no checkpoint: {error}\n"));
+    }
 }
 
 fn solve_soft(case: &Case, operation: &Operation, record: &mut Record) -> Status {
@@ -107,43 +252,84 @@ const LOOK_INTERVAL_S: f64 = 0.2;
 fn solve_dynamic(
     case: &Case,
     operation: &Operation,
-    quiet: bool,
-    interrupt: &Interrupt,
+    way: &Way<'_>,
     record: &mut Record,
+    keeper: &mut Keeper<'_>,
+    begun: Option<UnderWay>,
 ) -> Status {
     let start = Instant::now();
-    let mut simulation = match Simulation::new(&case.model, operation, &case.dynamics) {
-        Ok(simulation) => simulation,
-        Err(error) => return unsolvable("dynamic model", &error),
+    let mut before = Duration::ZERO;
+    let mut simulation = match begun {
+        None => match Simulation::new(&case.model, operation, &case.dynamics) {
+            Ok(simulation) => simulation,
+            Err(error) => return unsolvable("dynamic model", &error),
+        },
+        Some(begun) => {
+            before = Duration::from_secs_f64(begun.wall_time_s);
+            let then = begun.simulation.instructions().to_owned();
+            let resumed =
+                Simulation::resume(&case.model, operation, &case.dynamics, begun.simulation);
+            match resumed {
+                Ok(simulation) => {
+                    let now = simulation.instructions();
+                    if let Some(warning) = checkpoint::other_processor(&then, now) {
+                        way.watch.tell(&warning);
+                    }
+                    simulation
+                }
+                Err(error) => return unsolvable("dynamic model", &error),
+            }
+        }
     };
+    let took = || before + start.elapsed();
     // Laying the string takes seconds. Whoever has asked by now has nothing of this operation to keep.
-    if interrupt.asked() {
+    if way.interrupt.asked() && simulation.time_s() == 0.0 {
+        lay_aside(keeper, record, None, &way.watch);
         return Status::Interrupted;
     }
     let end_s = simulation.end_time_s();
-    let progress = Progress::new(operation.kind.name(), end_s, quiet);
+    let progress = way
+        .watch
+        .operation(operation.kind.name(), simulation.time_s(), end_s);
     // The run goes on by whole samples.
-    let enough_s = end_s - 0.5 * case.dynamics.sample_interval_s;
+    let sample_s = simulation.sample_interval_s();
+    let enough_s = end_s - 0.5 * sample_s;
+    let frame_samples = record
+        .frames
+        .as_ref()
+        .map(|frames| frames.samples(sample_s));
+    let look_samples = ((LOOK_INTERVAL_S / sample_s).round() as u64).max(1);
+    let mut samples = 0;
     let status = loop {
         let time_s = simulation.time_s();
         progress.reach(time_s);
         if time_s >= enough_s {
             break Status::Complete;
         }
-        if interrupt.asked() {
+        let interrupted = way.interrupt.asked();
+        if interrupted || keeper.is_due() {
+            let under_way = UnderWay::new(operation, took(), simulation.checkpoint());
+            lay_aside(keeper, record, Some(under_way), &way.watch);
+        }
+        if interrupted {
             break Status::Interrupted;
         }
-        if let Err(diverged) = simulation.advance(LOOK_INTERVAL_S.min(end_s - time_s)) {
+        let missing = ((end_s - time_s) / sample_s).round() as u64;
+        let to_frame = frame_samples.map_or(u64::MAX, |every| every - samples % every);
+        let next = look_samples.min(missing.max(1)).min(to_frame);
+        if let Err(diverged) = simulation.advance(next as f64 * sample_s) {
             break Status::Failed(diverged.to_string());
+        }
+        samples += next;
+        if next == to_frame
+            && let Some(frames) = &mut record.frames
+            && let Err(error) = frames.take(operation, &simulation)
+        {
+            break Status::Failed(error.to_string());
         }
     };
     progress.finish();
-    record.add_dynamic(
-        operation,
-        &simulation.outcome(),
-        status.clone(),
-        start.elapsed(),
-    );
+    record.add_dynamic(operation, &simulation.outcome(), status.clone(), took());
     status
 }
 
@@ -151,15 +337,13 @@ fn unsolvable(model: &str, error: &dyn std::error::Error) -> Status {
     Status::Failed(format!("the {model} has no answer: {error}"))
 }
 
-fn interrupted(folder: &Path) -> Failure {
-    Failure::Interrupted(format!(
-        "interrupted: what was computed is in {}",
-        folder.display()
-    ))
+/// `out/<case name>`.
+pub(crate) fn default_output(name: &str) -> PathBuf {
+    Path::new("out").join(file_name(name))
 }
 
-/// `out/<case name>`, without what some system does not take in a file's name.
-fn default_output(name: &str) -> PathBuf {
+/// The name without what some system does not take in a file's name.
+pub(crate) fn file_name(name: &str) -> String {
     const LONGEST: usize = 100;
     let sound: String = name
         .chars()
@@ -175,7 +359,7 @@ fn default_output(name: &str) -> PathBuf {
     if folder.is_empty() || is_device(&folder) {
         folder.insert(0, '_');
     }
-    Path::new("out").join(folder)
+    folder
 }
 
 /// Whether Windows takes the name for a device, whatever follows its first dot.
@@ -209,12 +393,16 @@ mod tests {
     fn who_interrupts_the_laying_does_not_wait_for_the_run() {
         let case = slant();
         let mut record = Record::new(&case, UnitSet::Si);
+        let place = tempfile::tempdir().expect("a folder");
+        let folder = ResultsFolder::create(place.path()).expect("a folder");
+        let asked = Interrupt::already_asked();
         let status = solve_dynamic(
             &case,
             &case.operations[0],
-            true,
-            &Interrupt::already_asked(),
+            &way(&asked),
             &mut record,
+            &mut Keeper::new(&folder, Duration::MAX),
+            None,
         );
         assert_eq!(status, Status::Interrupted);
         assert!(record.summary.operations.is_empty());
@@ -227,8 +415,8 @@ mod tests {
         let mut case = slant();
         // Deeper than the string is long, which no case file gets past its checks.
         case.operations[1].bit_depth_m += 100.0;
-        let place = std::env::temp_dir().join(format!("wholestring-{}", std::process::id()));
-        let folder = ResultsFolder::create(&place).expect("a folder");
+        let place = tempfile::tempdir().expect("a folder");
+        let folder = ResultsFolder::create(place.path()).expect("a folder");
         for (model, kept) in [(ModelKind::Soft, 1), (ModelKind::Dynamic, 0)] {
             case.models = vec![model];
             // What an earlier run left does not pass for this one's.
@@ -237,29 +425,28 @@ mod tests {
             }
             let mut record = Record::new(&case, UnitSet::Si);
             let asked = Interrupt::never();
-            let failure = solve(&case, &arguments(), &asked, &mut record, &folder).unwrap_err();
+            let stop = solve(&case, &way(&asked), &mut record, &folder, None).unwrap_err();
+            let failure = stop.failure(&folder);
             assert_eq!(failure.status(), 3);
             let message = failure.to_string();
             assert!(message.contains("has no answer: "), "{message}");
-            let end = format!("what was computed until then is in {}", place.display());
+            let end = format!(
+                "what was computed until then is in {}",
+                place.path().display()
+            );
             assert!(message.ends_with(&end), "{message}");
-            let summary = place.join("summary.json");
+            let summary = place.path().join("summary.json");
             let summary = wholestring_results::Summary::read(&summary).expect("a summary");
             assert_eq!(summary.operations.len(), kept);
         }
-        std::fs::remove_dir_all(&place).expect("our own folder");
     }
 
-    fn arguments() -> RunArgs {
-        RunArgs {
-            case: crate::args::CaseArgs {
-                case: "slant.toml".into(),
-                overrides: Vec::new(),
-            },
-            output: None,
-            units: None,
+    fn way(interrupt: &Interrupt) -> Way<'_> {
+        Way {
             csv: false,
-            quiet: true,
+            checkpoint_every: Duration::MAX,
+            watch: Watch::Screen { quiet: true },
+            interrupt,
         }
     }
 

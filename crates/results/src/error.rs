@@ -40,6 +40,14 @@ pub enum ResultsError {
         /// What is wrong with it.
         reason: String,
     },
+    /// A checkpoint that no run can go on from.
+    #[error("{} is no checkpoint that can be resumed: {reason}", path.display())]
+    Checkpoint {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
 }
 
 impl ResultsError {

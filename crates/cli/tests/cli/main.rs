@@ -4,6 +4,8 @@ mod check;
 mod contract;
 mod desk;
 mod documentation;
+mod resume;
 mod run;
 mod shipped;
 mod survey;
+mod sweep;

@@ -1,6 +1,7 @@
 //! From model and mesh to the chain that the time loop moves.
 
 use nalgebra::Vector3;
+use serde::{Deserialize, Serialize};
 
 use super::{
     chain::{Chain, NO_WALL_M, node},
@@ -8,17 +9,24 @@ use super::{
 };
 use crate::{
     model::Model,
-    rod::{element::Stiffness, mesh::Mesh, stability::StepPlan},
+    rod::{
+        element::{Pose, Stiffness},
+        mesh::Mesh,
+        stability::StepPlan,
+        vector::Vector,
+    },
     wall::{Bore, BorePoint, contact},
     well::Path,
 };
 
-/// Most mud that is carried along outside, as a multiple of the mud that the pipe displaces. The
-/// formula of the concentric annulus grows without bound where a tool fills its hole.
+/// Most mud that is carried along outside, as a multiple of the mud that the pipe displaces: reached where
+/// a pipe fills 82 % of its hole. The formula of the concentric annulus grows without bound where a tool
+/// fills its hole, for it has the mud go round it in a plane; round a stabiliser or a bit, no longer than its hole is
+/// wide, most of it goes round the ends.
 const MOST_ADDED_MUD: f64 = 5.0;
 
 /// Where a node's anchor stands on the hole's axis.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct Anchor {
     /// Measured depth, m.
     pub md_m: f64,
@@ -114,6 +122,11 @@ impl Surroundings {
             steel,
             touches,
         }
+    }
+
+    /// Diameter of the hole at a measured depth, m.
+    pub fn hole_diameter_m(&self, md_m: f64) -> f64 {
+        self.bore.section(md_m).diameter_m
     }
 
     /// Puts a node's anchor at `md_m`, the node itself staying where it is.
@@ -299,62 +312,20 @@ pub fn hold(chain: &mut Chain) {
     }
 }
 
-/// Elastic, kinetic and potential energy of the chain at the middle of the last step, J.
-///
-/// Velocities live there already; positions and twist are brought back by half a step, so that the sum
-/// is second-order accurate in the step.
-pub fn energy_J(chain: &Chain, anchors: &[Anchor], dt: f64) -> f64 {
-    kinetic_energy_J(chain) + potential_energy_J(chain, anchors, dt)
-}
-
-/// Kinetic energy at the middle of the last step, J.
-pub fn kinetic_energy_J(chain: &Chain) -> f64 {
-    let mut sum = 0.0;
-    for i in 0..chain.nodes() {
-        let v = chain.velocity(i);
-        let along = v.dot(chain.tangent(i));
-        let (ml, ma) = (node!(chain, i, mass_lateral), node!(chain, i, mass_axial));
-        let spin = node!(chain, i, spin);
-        let w = chain.turning(i);
-        let inverse = node!(chain, i, inv_rotary);
-        let rotary = if inverse > 0.0 {
-            w.dot(w) / inverse
-        } else {
-            0.0
-        };
-        sum += ml * v.dot(v)
-            + (ma - ml) * along * along
-            + node!(chain, i, polar) * spin * spin
-            + rotary;
-    }
-    0.5 * sum
-}
-
-/// Elastic and gravitational energy at the middle of the last step, J.
-fn potential_energy_J(chain: &Chain, anchors: &[Anchor], dt: f64) -> f64 {
+/// How an element stood half a step before, where the velocities are.
+pub(super) fn half_a_step_before(mut pose: Pose<f64>, dt: f64) -> Pose<f64> {
     let half = 0.5 * dt;
-    let mut sum = 0.0;
-    for i in 0..chain.elements() {
-        let mut pose = chain.pose(i);
-        pose.displacement = pose.displacement.minus(pose.velocity, half);
-        let back = |d: crate::rod::vector::Vector<f64>, w| {
-            let turned = d.minus(crate::rod::vector::Vector::cross(w, d), half);
-            turned.scaled(1.0 / turned.dot(turned).sqrt())
-        };
-        pose.d1 = back(pose.d1, pose.w1);
-        pose.d2 = back(pose.d2, pose.w2);
-        // The stored twist is that of the step's beginning.
-        let share = 1.0 / (1.0 + pose.d1.dot(pose.d2));
-        pose.twist += half * (pose.spin + share * (pose.w2.dot(pose.d1) - pose.w1.dot(pose.d2)));
-        sum += crate::rod::element::energy(&chain.stiffness(i), &pose);
-    }
-    for (i, anchor) in anchors.iter().enumerate() {
-        let weight = Vector3::from(chain.weight(i));
-        let at = anchor.position_m + Vector3::from(chain.displacement(i))
-            - half * Vector3::from(chain.velocity(i));
-        sum -= weight.dot(&at);
-    }
-    sum
+    pose.displacement = pose.displacement.minus(pose.velocity, half);
+    let back = |d: Vector<f64>, w: Vector<f64>| {
+        let turned = d.minus(w.cross(d), half);
+        turned.scaled(1.0 / turned.dot(turned).sqrt())
+    };
+    pose.d1 = back(pose.d1, pose.w1);
+    pose.d2 = back(pose.d2, pose.w2);
+    // The stored twist is that of the step's beginning.
+    let share = 1.0 / (1.0 + pose.d1.dot(pose.d2));
+    pose.twist += half * (pose.spin + share * (pose.w2.dot(pose.d1) - pose.w1.dot(pose.d2)));
+    pose
 }
 
 /// Weight of the node at the top of the chain along the hole, N: part of the hook load.

@@ -3,6 +3,8 @@
 //! Neighbours stand side by side, so that one instruction works on eight of them; a whole string of thousands of metres fits in the second-level cache. Positions are displacements
 //! from each node's own anchor on the hole's axis.
 
+use serde::{Deserialize, Serialize};
+
 use crate::rod::{
     element::{Pose, Stiffness},
     lanes::LANES,
@@ -10,7 +12,7 @@ use crate::rod::{
 };
 
 /// One number for each of eight neighbours.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[repr(C, align(64))]
 pub struct Row(pub [f64; LANES]);
 
@@ -25,7 +27,7 @@ pub const NO_WALL_M: f64 = 1e3;
 
 /// One number for each node, in one piece: an element reads its two ends from neighbouring places.
 /// Padded so that nine numbers can be read at every eighth place.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Field(pub Vec<f64>);
 
 impl Field {
@@ -51,7 +53,7 @@ impl Field {
 }
 
 /// What moves.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct State {
     /// Displacement from the anchor, m.
     pub u: [Field; 3],
@@ -79,7 +81,7 @@ impl State {
 }
 
 /// Eight nodes: what they are, then what is summed up between samples.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[repr(C, align(64))]
 pub struct NodeBlock {
     /// Tangent of the hole's axis at the anchor.
@@ -139,7 +141,7 @@ pub struct NodeBlock {
 }
 
 /// Eight elements; element `i` lies between nodes `i` and `i + 1`.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[repr(C, align(64))]
 pub struct ElementBlock {
     /// Twist, rad.
@@ -228,7 +230,7 @@ impl ElementBlock {
 }
 
 /// The whole chain.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Chain {
     nodes: usize,
     /// What moves.

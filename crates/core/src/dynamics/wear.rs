@@ -1,13 +1,12 @@
 //! Where friction works: along the string and along the hole.
 
-use super::chain::{Chain, node};
+use super::{
+    carry::LONGEST_REACH_M,
+    chain::{Chain, node},
+};
 
 /// Length of hole that one number of the profile stands for, m.
 pub const HOLE_STEP_M: f64 = 5.0;
-
-/// Longest stretch of hole that one contact is taken to work on, on either side of it, m: that of the
-/// side force per metre.
-pub const LONGEST_REACH_M: f64 = 10.0;
 
 /// Work of friction since the window began: force times sliding distance, J.
 ///

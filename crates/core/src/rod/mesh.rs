@@ -1,7 +1,7 @@
 //! Where the nodes stand.
 
 use super::section::Section;
-use crate::string::{Blades, Component, DrillString};
+use crate::string::{Blades, Component, DrillString, NEAREST_BEND_M};
 
 /// A node of the string.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,7 +35,7 @@ pub struct Mesh {
 struct Mark {
     from_bit_m: f64,
     contact_radius_m: f64,
-    /// The ends and the stabilisers never give way; joints do, where they crowd.
+    /// The ends, the stabilisers and the bends never give way; joints do, where they crowd.
     fixed: bool,
 }
 
@@ -69,7 +69,7 @@ const BLADE_HEIGHT_M: f64 = 1e-3;
 
 impl Mesh {
     /// Cuts `string` into elements of about `element_length_m`, with a node at the bit, at the top, on
-    /// every stabiliser and on every tool joint that is not crowded by another.
+    /// every stabiliser, at every bend of a body and on every tool joint that is not crowded by another.
     ///
     /// Blades touch at both edges where they are longer than half a metre and half an element, so that a
     /// stabiliser resists tilting in its hole; shorter ones touch at their middle.
@@ -106,6 +106,17 @@ impl Mesh {
             })
             .collect();
         Self { nodes, elements }
+    }
+
+    /// The node nearest to a place between the ends, the ends left out.
+    ///
+    /// # Panics
+    /// Where the mesh has no node but the ends.
+    pub fn nearest_inner_node(&self, from_bit_m: f64) -> usize {
+        let off = |i: &usize| (self.nodes[*i].from_bit_m - from_bit_m).abs();
+        (1..self.nodes.len() - 1)
+            .min_by(|a, b| off(a).total_cmp(&off(b)))
+            .expect("a bend has a node between the ends")
     }
 
     /// Length of the unloaded string, m.
@@ -200,6 +211,21 @@ fn marks(string: &DrillString, element_length_m: f64) -> Vec<Mark> {
             });
         }
         bottom = top;
+    }
+    // A bend takes the node of a bit or a blade that is next to it.
+    for span in string.spans() {
+        let Some(bend) = span.component.bend else {
+            continue;
+        };
+        let from_bit_m = span.from_bit_m + bend.from_lower_end_m;
+        let taken = |m: &Mark| m.fixed && (m.from_bit_m - from_bit_m).abs() < NEAREST_BEND_M;
+        if !marks.iter().any(taken) {
+            marks.push(Mark {
+                from_bit_m,
+                contact_radius_m: body_radius_m(string, from_bit_m),
+                fixed: true,
+            });
+        }
     }
     marks.sort_by(|a, b| a.from_bit_m.total_cmp(&b.from_bit_m));
     thin(marks, element_length_m)

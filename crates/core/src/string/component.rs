@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use super::{BodyBend, Eccentricity};
 use crate::GRAVITY_M_PER_S2;
 
 /// Elastic and inertial properties of a component's metal.
@@ -65,6 +66,10 @@ pub struct Component {
     pub material: Material,
     /// Minimum yield strength, Pa, where known.
     pub yield_strength_Pa: Option<f64>,
+    /// A bend of its body.
+    pub bend: Option<BodyBend>,
+    /// Steel off the axis.
+    pub eccentricity: Option<Eccentricity>,
 }
 
 /// Area of a ring, m².
@@ -91,6 +96,8 @@ impl Component {
             blades: None,
             material,
             yield_strength_Pa: None,
+            bend: None,
+            eccentricity: None,
         }
     }
 

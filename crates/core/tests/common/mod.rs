@@ -1,6 +1,6 @@
 //! What the integration tests share: steel, simple strings and wells, verification files.
 // Every test file uses its own part of this module.
-#![allow(dead_code, unreachable_pub)]
+#![allow(dead_code, unreachable_pub, unused_imports)]
 
 use serde_json::Value;
 use wholestring::{
@@ -12,6 +12,7 @@ use wholestring::{
     string::{ComponentLength, ComponentSpec, Material, StringSpec},
     well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Station, TieIn, Well},
 };
+pub use wholestring_verification::{Row, Tolerance, report, report_worst};
 
 /// A file of `verification/`, parsed.
 pub fn verification(name: &str) -> Value {
@@ -96,6 +97,7 @@ pub fn mud(density_kg_per_m3: f64) -> Mud {
         density_kg_per_m3,
         linear_drag_Pa_s: 0.0,
         drag_coefficient: 0.0,
+        rheology: None,
     }
 }
 
@@ -149,6 +151,8 @@ pub fn operation(kind: OperationKind, bit_depth_m: f64) -> Operation {
         bit_torque_N_m: 0.0,
         rate_of_penetration_m_per_s: 0.0,
         trip_speed_m_per_s: 0.3,
+        flow_rate_m3_per_s: 0.0,
+        bit_pressure_drop_Pa: 0.0,
     }
 }
 

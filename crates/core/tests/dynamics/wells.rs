@@ -121,6 +121,7 @@ pub fn mud() -> Mud {
         density_kg_per_m3: 1200.0,
         linear_drag_Pa_s: 5.0,
         drag_coefficient: 1.0,
+        rheology: None,
     }
 }
 

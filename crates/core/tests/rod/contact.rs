@@ -3,7 +3,7 @@
 use serde_json::Value;
 use wholestring::wall::contact::{contact_modulus_Pa, hertz, hertz_stiffness, linear};
 
-use crate::common::{assert_close, verification};
+use crate::common::{Row, Tolerance, assert_close, report, verification};
 
 fn number(value: &Value) -> f64 {
     value.as_f64().expect("a number")
@@ -24,9 +24,20 @@ fn hertz_constants_of_pipe_and_hole() {
             rock
         };
         let modulus = contact_modulus_Pa(steel.0, steel.1, wall.0, wall.1);
-        assert_close(name, modulus, number(&row["Estar_Pa"]), 1e-6);
         let k = hertz_stiffness(modulus, number(&row["R1"]), number(&row["R2"]));
-        assert_close(name, k, number(&row["K_hertz_N_m1p5"]), 1e-6);
+        for (what, computed, key) in [
+            ("effective modulus, Pa", modulus, "Estar_Pa"),
+            ("stiffness, N/m^1.5", k, "K_hertz_N_m1p5"),
+        ] {
+            report(&Row {
+                case: "F01",
+                quantity: &format!("{}: {what}", name.replace(',', "")),
+                expected: number(&row[key]),
+                computed,
+                tolerance: Tolerance::Relative(1e-6),
+                reason: "digits of the source",
+            });
+        }
         for point in row["table"].as_array().expect("a table") {
             let force = number(&point["N"]);
             let alpha = number(&point["alpha_m"]);
@@ -130,9 +141,20 @@ fn a_resolved_blow_is_hertzs() {
             ["m", "v", "alpha_max_m", "contact_time_s", "F_max_N"].map(|key| number(&row[key]));
         let dt = time / 2000.0;
         let found = blow(m, v, k, 0.0, dt, 0.6);
-        assert_close("depth", found.deepest_m, depth, 0.01);
-        assert_close("time", found.contact_s, time, 0.01);
-        assert_close("force", found.strongest_N, force, 0.01);
+        for (what, unit, computed, expected) in [
+            ("depth", "m", found.deepest_m, depth),
+            ("time of contact", "s", found.contact_s, time),
+            ("force", "N", found.strongest_N, force),
+        ] {
+            report(&Row {
+                case: "E06",
+                quantity: &format!("{what} of {m} kg at {v} m/s, {unit}"),
+                expected,
+                computed,
+                tolerance: Tolerance::Relative(0.01),
+                reason: "the source's, met by two thousand steps in the contact; first order in the step",
+            });
+        }
         // First order in the step: halving it halves what is lost.
         let lost = |dt: f64| 1.0 - blow(m, v, k, 0.0, dt, 0.6).restitution;
         let ratio = lost(dt) / lost(dt / 2.0);

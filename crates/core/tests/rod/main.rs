@@ -5,6 +5,7 @@
 mod common;
 
 mod article;
+mod bent;
 mod bore;
 mod contact;
 mod element;
@@ -12,5 +13,7 @@ mod friction;
 mod mesh;
 mod plane;
 mod random;
+mod shear;
+mod space;
 mod stability;
 mod statics;

@@ -1,7 +1,10 @@
 //! Every instruction set moves the string alike.
 
+mod body;
+
 use super::*;
 use crate::{
+    dynamics::{settings::FrictionLaw, step::Abilities},
     mud::Mud,
     operation::OperationKind,
     rig::Rig,
@@ -52,6 +55,7 @@ fn model(at_rest: f64) -> Model {
             density_kg_per_m3: 1200.0,
             linear_drag_Pa_s: 5.0,
             drag_coefficient: 1.0,
+            rheology: None,
         },
         rig: Rig::default(),
     }
@@ -78,6 +82,8 @@ fn every_instruction_set_moves_the_string_alike() {
             bit_torque_N_m: 0.0,
             rate_of_penetration_m_per_s: 0.0,
             trip_speed_m_per_s: 0.2,
+            flow_rate_m3_per_s: 0.0,
+            bit_pressure_drop_Pa: 0.0,
         };
         let mut settings = DynamicsSettings {
             settle_s: 3.0,
@@ -135,13 +141,15 @@ fn wear_is_the_loss_to_friction() {
             bit_torque_N_m: 0.0,
             rate_of_penetration_m_per_s: 0.0,
             trip_speed_m_per_s: 0.2,
+            flow_rate_m3_per_s: 0.0,
+            bit_pressure_drop_Pa: 0.0,
         };
         let settings = DynamicsSettings {
             friction_law,
             ..Default::default()
         };
         let mut run = Simulation::new(&model(0.3), &operation, &settings).unwrap();
-        let input = run.step_input(0.0);
+        let input = run.step_input(0.0, operation.rotary_speed_rad_per_s);
         let mut lost = 0.0;
         run.chain.clear_sums();
         for _ in 0..2000 {

@@ -66,6 +66,7 @@ fn model() -> Model {
             density_kg_per_m3: 1200.0,
             linear_drag_Pa_s: 0.0,
             drag_coefficient: 1.0,
+            rheology: None,
         },
         rig: Rig::default(),
     }

@@ -151,6 +151,8 @@ impl CatalogueEntry {
                 spacing_m: joint.spacing_m,
             }),
             material,
+            bend: None,
+            eccentricity: None,
             yield_strength_Pa: Some(self.yield_strength_Pa),
         }
     }

@@ -1,0 +1,81 @@
+//! A case file that is read once and makes many cases.
+
+use std::{
+    collections::BTreeMap,
+    io,
+    path::Path,
+    sync::{Mutex, PoisonError},
+};
+
+use crate::{
+    case::{Case, parse},
+    diagnostic::{Diagnostic, Report},
+    names::short,
+    overrides::Override,
+    source::{Disk, Files, read_bounded},
+};
+
+/// A case file and the files that it names, read once: what becomes of them on the disk while a sweep
+/// goes on does not change its later cases.
+#[derive(Debug)]
+pub struct Template {
+    name: String,
+    text: Vec<u8>,
+    files: Remembered,
+}
+
+impl Template {
+    /// Reads the case file at `path`.
+    ///
+    /// # Errors
+    /// A report that says why it cannot be read.
+    pub fn read(path: &Path) -> Result<Self, Report> {
+        let name = path.display().to_string();
+        match read_bounded(path) {
+            Ok(text) => Ok(Self {
+                name,
+                text,
+                files: Remembered {
+                    disk: Disk::beside(path),
+                    read: Mutex::default(),
+                },
+            }),
+            Err(error) => {
+                let why = match error.kind() {
+                    io::ErrorKind::NotFound => "there is no such file".to_owned(),
+                    _ => short(&error.to_string()),
+                };
+                let diagnostic = Diagnostic::error(format!("the case cannot be read: {why}"));
+                Err(Report::about_file(&name, diagnostic))
+            }
+        }
+    }
+
+    /// The case with these changes.
+    ///
+    /// # Errors
+    /// A report of every mistake that was found, if there is one.
+    pub fn case(&self, changes: &[Override]) -> Result<Case, Report> {
+        parse(&self.name, &self.text, &self.files, changes)
+    }
+}
+
+/// Files that are read from the disk when they are first asked for.
+#[derive(Debug)]
+struct Remembered {
+    disk: Disk,
+    read: Mutex<BTreeMap<String, Vec<u8>>>,
+}
+
+impl Files for Remembered {
+    fn read(&self, path: &str) -> io::Result<Vec<u8>> {
+        // A thread that panicked with it left whole files all the same.
+        let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(bytes) = read.get(path) {
+            return Ok(bytes.clone());
+        }
+        let bytes = self.disk.read(path)?;
+        read.insert(path.to_owned(), bytes.clone());
+        Ok(bytes)
+    }
+}

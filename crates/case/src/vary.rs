@@ -1,0 +1,353 @@
+//! Values that a sweep gives to a key, one after the other.
+
+use crate::{
+    diagnostic::{Diagnostic, Report},
+    names::short,
+    overrides::{COMMAND_LINE, Override, Quote},
+    reader::Reader,
+    source::Place,
+};
+
+/// One `--vary KEY=VALUES`: a key, and the values that it takes.
+///
+/// The key is one that `--set` takes. The values are parted by commas; each is a value as `--set` takes
+/// it, or a range `FROM..TO/STEP` of numbers with the same unit, which always includes TO.
+///
+/// ```
+/// use wholestring_case::Variation;
+///
+/// let depths = Variation::read_all(&["bit_depth=300m..1000m/300m,2km".into()])?.remove(0);
+/// let values: Vec<_> = depths.values.iter().map(|value| value.value.as_str()).collect();
+/// assert_eq!(values, ["300m", "600m", "900m", "1000m", "2km"]);
+///
+/// let no_step = Variation::read_all(&["rpm=60..120".into()]).unwrap_err();
+/// assert!(no_step.render(false).contains("a range needs a step"));
+/// # Ok::<(), wholestring_case::Report>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Variation {
+    /// Dotted or short key.
+    pub key: String,
+    /// The values in their order, each as an override of the key.
+    pub values: Vec<Override>,
+}
+
+/// More values than this make no sense in one range.
+const MOST_VALUES: f64 = 10_000.0;
+
+/// How a range is written.
+const RANGE: &str = "such as 300m..4305m/300m";
+
+impl Variation {
+    /// Reads the arguments of all `--vary`.
+    ///
+    /// # Errors
+    /// A report of every mistake that needs no case to be seen, with its place underlined.
+    pub fn read_all(arguments: &[String]) -> Result<Vec<Self>, Report> {
+        let mut reader = Reader::default();
+        let mut variations: Vec<Self> = Vec::new();
+        for argument in arguments {
+            let text = Text::new(argument, &mut reader);
+            let Some(variation) = text.read(&mut reader) else {
+                continue;
+            };
+            if variations.iter().any(|other| other.key == variation.key) {
+                let message = format!("`{}` is varied twice", short(&variation.key));
+                let place = text.place(text.start, text.start + variation.key.len());
+                reader.report(
+                    Diagnostic::error(message)
+                        .at(place, "it stands above already")
+                        .help("give all values in one --vary, parted by commas"),
+                );
+            }
+            variations.push(variation);
+        }
+        if reader.has_errors() {
+            Err(reader.into_report())
+        } else {
+            Ok(variations)
+        }
+    }
+}
+
+/// One argument as diagnostics quote it.
+struct Text {
+    source: usize,
+    quoted: String,
+    /// Where the argument begins in it.
+    start: usize,
+}
+
+impl Text {
+    fn new(argument: &str, reader: &mut Reader) -> Self {
+        let prefix = "--vary ";
+        let quoted = format!("{prefix}{argument}");
+        Self {
+            source: reader.add_source(COMMAND_LINE, &quoted),
+            quoted,
+            start: prefix.len(),
+        }
+    }
+
+    fn place(&self, start: usize, end: usize) -> Place {
+        Place {
+            source: self.source,
+            start,
+            end,
+        }
+    }
+
+    fn read(&self, reader: &mut Reader) -> Option<Variation> {
+        let argument = &self.quoted[self.start..];
+        let (key, values) = match argument.split_once('=') {
+            Some((key, values)) if !key.trim().is_empty() && !values.trim().is_empty() => {
+                (key, values)
+            }
+            _ => {
+                let message = format!("`{}` is not KEY=VALUES", short(argument));
+                let place = self.place(self.start, self.quoted.len());
+                reader.report(
+                    Diagnostic::error(message)
+                        .at(place, "expected such as friction=0.2,0.3")
+                        .help(format!("a range is FROM..TO/STEP, {RANGE}")),
+                );
+                return None;
+            }
+        };
+        let key_start = self.start + key.len() - key.trim_start().len();
+        let key = key.trim();
+        let mut variation = Variation {
+            key: key.to_owned(),
+            values: Vec::new(),
+        };
+        let values_start = self.quoted.len() - values.len();
+        let mut sound = true;
+        for (offset, element) in elements(values) {
+            let start = values_start + offset + element.len() - element.trim_start().len();
+            let element = element.trim();
+            let place = self.place(start, start + element.len());
+            let quote = |verbatim: bool| Quote {
+                text: self.quoted.clone(),
+                key: key_start..key_start + key.len(),
+                value: place.start..place.end,
+                verbatim,
+            };
+            let values = match expand(element) {
+                Ok(None) => vec![Override::quoted(key, element, quote(true))],
+                Ok(Some(values)) => values
+                    .iter()
+                    .map(|value| Override::quoted(key, value, quote(false)))
+                    .collect(),
+                Err((message, label)) => {
+                    sound = false;
+                    reader.report(Diagnostic::error(message).at(place, label));
+                    continue;
+                }
+            };
+            for value in values {
+                if variation
+                    .values
+                    .iter()
+                    .any(|other| other.value == value.value)
+                {
+                    sound = false;
+                    let message = format!("`{}` is given twice", short(&value.value));
+                    reader.report(Diagnostic::error(message).at(place, "it stands before already"));
+                    break;
+                }
+                variation.values.push(value);
+            }
+        }
+        sound.then_some(variation)
+    }
+}
+
+/// The parts of a text between its commas, with where they begin; commas within brackets and quotes do
+/// not part.
+fn elements(text: &str) -> Vec<(usize, &str)> {
+    let mut parts = Vec::new();
+    let (mut start, mut depth, mut quote) = (0, 0_usize, None);
+    for (at, letter) in text.char_indices() {
+        match (quote, letter) {
+            (Some(open), _) if open == letter => quote = None,
+            (Some(_), _) => {}
+            (None, '"' | '\'') => quote = Some(letter),
+            (None, '[' | '{') => depth += 1,
+            (None, ']' | '}') => depth = depth.saturating_sub(1),
+            (None, ',') if depth == 0 => {
+                parts.push((start, &text[start..at]));
+                start = at + 1;
+            }
+            _ => {}
+        }
+    }
+    parts.push((start, &text[start..]));
+    parts
+}
+
+/// A message and a label.
+type Mistake = (String, String);
+
+/// The values of a range; none if the element is no range.
+fn expand(element: &str) -> Result<Option<Vec<String>>, Mistake> {
+    if element.is_empty() {
+        return Err((
+            "a value is missing between two commas".into(),
+            "expected a value".into(),
+        ));
+    }
+    let Some((from, rest)) = element.split_once("..") else {
+        return Ok(None);
+    };
+    // What does not begin like a number, `../survey.csv`, is no range.
+    let Some(from) = Quantity::read(from) else {
+        return Ok(None);
+    };
+    let parted: Vec<[Option<Quantity<'_>>; 2]> = rest
+        .match_indices('/')
+        .map(|(at, _)| [&rest[..at], &rest[at + 1..]].map(Quantity::read))
+        .collect();
+    // A unit may hold a slash too: `10 m/h..30 m/h/5 m/h`.
+    let alike = parted.iter().find_map(|pair| match pair {
+        [Some(to), Some(step)] if to.unit == from.unit && step.unit == from.unit => {
+            Some((to.number, step.number))
+        }
+        _ => None,
+    });
+    let Some((to, step)) = alike else {
+        let expected = format!("expected FROM..TO/STEP, {RANGE}");
+        let any = |pair: &[Option<Quantity<'_>>; 2]| matches!(pair, [Some(_), Some(_)]);
+        return Err(if parted.iter().any(any) {
+            (
+                "the parts of a range have one unit".into(),
+                format!("expected the same unit three times, {RANGE}"),
+            )
+        } else if rest.trim().is_empty() || Quantity::read(rest).is_none() {
+            ("a range needs an end".into(), expected)
+        } else {
+            ("a range needs a step".into(), expected)
+        });
+    };
+    if step <= 0.0 {
+        return Err((
+            "the step of a range is more than zero".into(),
+            "it would never end".into(),
+        ));
+    }
+    // As many whole steps as fit, but for the rounding of decimal fractions.
+    let steps = ((to - from.number).abs() / step + 1e-9).floor();
+    if steps >= MOST_VALUES {
+        return Err((
+            format!("this range has {} values", steps + 1.0),
+            format!("expected at most {MOST_VALUES}"),
+        ));
+    }
+    let toward = step.copysign(to - from.number);
+    let mut numbers: Vec<f64> = (0..=steps as u64)
+        .map(|i| rounded(toward.mul_add(i as f64, from.number)))
+        .collect();
+    let last = numbers[numbers.len() - 1];
+    if (last - to).abs() <= 1e-9 * step {
+        numbers.pop();
+    }
+    numbers.push(to);
+    let unit = from.unit;
+    let blank = if from.apart { " " } else { "" };
+    Ok(Some(
+        numbers
+            .iter()
+            .map(|number| format!("{number}{blank}{unit}"))
+            .collect(),
+    ))
+}
+
+/// Twelve digits: what is left of 0.1 + 2 × 0.1 is 0.3.
+fn rounded(number: f64) -> f64 {
+    format!("{number:.11e}").parse().unwrap_or(number)
+}
+
+/// A number and its unit as written.
+struct Quantity<'a> {
+    number: f64,
+    unit: &'a str,
+    /// Whether a blank stands between them.
+    apart: bool,
+}
+
+impl<'a> Quantity<'a> {
+    fn read(text: &'a str) -> Option<Self> {
+        let text = text.trim();
+        let end = text
+            .char_indices()
+            .map(|(at, letter)| at + letter.len_utf8())
+            // The longest: `5e` of `5e3` is no number, but the way to one.
+            .rfind(|end| text[..*end].parse::<f64>().is_ok_and(f64::is_finite))?;
+        let rest = &text[end..];
+        Some(Self {
+            number: text[..end].parse().ok()?,
+            unit: rest.trim(),
+            apart: rest.starts_with(' '),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn values(argument: &str) -> Vec<String> {
+        let variations = Variation::read_all(&[argument.to_owned()]).expect(argument);
+        let values = variations[0].values.iter();
+        values.map(|value| value.value.clone()).collect()
+    }
+
+    #[test]
+    fn lists_and_ranges() {
+        for (argument, expected) in [
+            ("a=1", &["1"][..]),
+            (" a = 1 , 2m ", &["1", "2m"]),
+            ("a=0.1..0.4/0.1", &["0.1", "0.2", "0.3", "0.4"]),
+            ("a=0.4..0.1/0.1", &["0.4", "0.3", "0.2", "0.1"]),
+            ("a=300m..1000m/300m", &["300m", "600m", "900m", "1000m"]),
+            ("a=-1..1/1", &["-1", "0", "1"]),
+            ("a=5..5/1", &["5"]),
+            ("a=1..1.5/1", &["1", "1.5"]),
+            ("a=1e3..3e3/1e3", &["1000", "2000", "3000"]),
+            ("a=10 m/h..20 m/h/5 m/h", &["10 m/h", "15 m/h", "20 m/h"]),
+            (
+                "a=1deg/30m..2deg/30m/0.5deg/30m",
+                &["1deg/30m", "1.5deg/30m", "2deg/30m"],
+            ),
+            ("a=1,5..6/1,9", &["1", "5", "6", "9"]),
+            ("a=[1, 2],\"x,y\"", &["[1, 2]", "\"x,y\""]),
+            ("a=../one.csv,../two.csv", &["../one.csv", "../two.csv"]),
+            ("a=drill,slide", &["drill", "slide"]),
+        ] {
+            assert_eq!(values(argument), expected, "{argument}");
+        }
+    }
+
+    /// However the step divides the range: it begins at FROM, ends at TO and goes one way.
+    #[test]
+    fn a_range_has_both_its_ends() {
+        for tenths in 1..40 {
+            for step in 1..30 {
+                let argument = format!("a=0.1..{}/{}", tenths as f64 / 10.0, step as f64 / 100.0);
+                let numbers: Vec<f64> = values(&argument)
+                    .iter()
+                    .map(|value| value.parse().unwrap())
+                    .collect();
+                assert_eq!(numbers[0], 0.1, "{argument}");
+                assert_eq!(
+                    numbers[numbers.len() - 1],
+                    tenths as f64 / 10.0,
+                    "{argument}"
+                );
+                assert!(
+                    numbers.is_sorted_by(|a, b| a < b),
+                    "{argument}: {numbers:?}"
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,197 @@
+//! Laying a run aside and taking it up again.
+//!
+//! A checkpoint holds all that a run knows: what it has solved, and the operation under way as it
+//! stands. The results in the folder are not read, so that it does not matter what was being written
+//! when the run was killed. A file that grows while the run goes on is cut back to the checkpoint's
+//! [`Checkpoint::time_s`] when the run is taken up.
+
+use std::time::{Duration, Instant};
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use wholestring::{dynamics::Checkpoint, operation::Operation};
+use wholestring_case::Case;
+use wholestring_results::{ResultsError, ResultsFolder};
+
+use crate::{
+    failure::Failure,
+    record::{Record, Solved},
+};
+
+/// An operation that the dynamics were solving.
+#[derive(Serialize, Deserialize)]
+pub(crate) struct UnderWay {
+    /// Name of the operation.
+    operation: String,
+    /// What it had taken until then, s.
+    pub(crate) wall_time_s: f64,
+    pub(crate) simulation: Checkpoint,
+}
+
+impl UnderWay {
+    pub(crate) fn new(operation: &Operation, took: Duration, simulation: Checkpoint) -> Self {
+        Self {
+            operation: operation.kind.name().to_owned(),
+            wall_time_s: took.as_secs_f64(),
+            simulation,
+        }
+    }
+
+    pub(crate) fn is(&self, operation: &Operation) -> bool {
+        self.operation == operation.kind.name()
+    }
+}
+
+/// A run that was laid aside.
+#[derive(Serialize, Deserialize)]
+pub(crate) struct Laid {
+    /// The case's settings, as JSON.
+    settings: String,
+    pub(crate) solved: Solved,
+    pub(crate) under_way: Option<UnderWay>,
+}
+
+impl Laid {
+    /// The checkpoint in the folder, if there is one.
+    ///
+    /// # Errors
+    /// Why the case cannot go on from it.
+    pub(crate) fn read(folder: &ResultsFolder, case: &Case) -> Result<Option<Self>, String> {
+        let laid: Option<Self> = folder.read_checkpoint().map_err(|e| e.to_string())?;
+        let Some(laid) = laid else { return Ok(None) };
+        let settings: Value = serde_json::from_str(&laid.settings).map_err(|e| e.to_string())?;
+        match difference(&settings, &case.settings) {
+            None => Ok(Some(laid)),
+            Some(difference) => Err(format!(
+                "the checkpoint in {} is of another case: {difference}",
+                folder.path().display()
+            )),
+        }
+    }
+}
+
+/// Writes checkpoints of a run as time goes by.
+pub(crate) struct Keeper<'a> {
+    folder: &'a ResultsFolder,
+    every: Duration,
+    last: Instant,
+}
+
+impl<'a> Keeper<'a> {
+    /// A keeper that writes to the folder after each such while.
+    pub(crate) fn new(folder: &'a ResultsFolder, every: Duration) -> Self {
+        Self {
+            folder,
+            every,
+            last: Instant::now(),
+        }
+    }
+
+    /// Whether the time for a checkpoint has come.
+    pub(crate) fn is_due(&self) -> bool {
+        self.last.elapsed() >= self.every
+    }
+
+    /// Writes what the run knows.
+    pub(crate) fn write(
+        &mut self,
+        record: &Record,
+        under_way: Option<UnderWay>,
+    ) -> Result<(), ResultsError> {
+        let written = self.folder.write_checkpoint(&Laid {
+            settings: record.summary.settings.to_string(),
+            solved: record.solved_so_far(),
+            under_way,
+        });
+        self.last = Instant::now();
+        written
+    }
+
+    /// The run has come to its end: there is nothing to go on with.
+    pub(crate) fn finish(self) -> Result<(), Failure> {
+        Ok(self.folder.remove_checkpoint()?)
+    }
+}
+
+/// Settings that leave the answer as it is.
+const WITHOUT_EFFECT: &[&str] = &["dynamics.checkpoint_interval_s"];
+
+/// The first difference between the settings of the run in a folder and those of the case.
+pub(crate) fn difference(there: &Value, here: &Value) -> Option<String> {
+    let (path, there, here) = first_difference(String::new(), Some(there), Some(here))?;
+    let tell = |value: Option<&Value>| value.map_or("not given".to_owned(), Value::to_string);
+    Some(format!(
+        "`{path}` is {} there and {} here",
+        tell(there),
+        tell(here)
+    ))
+}
+
+type Difference<'a> = (String, Option<&'a Value>, Option<&'a Value>);
+
+fn first_difference<'a>(
+    path: String,
+    there: Option<&'a Value>,
+    here: Option<&'a Value>,
+) -> Option<Difference<'a>> {
+    let below = |key: &str| match path.as_str() {
+        "" => key.to_owned(),
+        path => format!("{path}.{key}"),
+    };
+    match (there, here) {
+        (Some(Value::Object(a)), Some(Value::Object(b))) => a
+            .keys()
+            .chain(b.keys().filter(|key| !a.contains_key(*key)))
+            .find_map(|key| first_difference(below(key), a.get(key), b.get(key))),
+        (Some(Value::Array(a)), Some(Value::Array(b))) => (0..a.len().max(b.len()))
+            .find_map(|i| first_difference(below(&i.to_string()), a.get(i), b.get(i))),
+        (a, b) => (a != b && !WITHOUT_EFFECT.contains(&path.as_str())).then_some((path, a, b)),
+    }
+}
+
+/// What to tell whoever goes on with a run on a processor of another kind.
+pub(crate) fn other_processor(then: &str, now: &str) -> Option<String> {
+    (then != now).then(|| {
+        format!(
+            "warning: the run was computed with {then} until now and goes on with {now}: as good, but not the same to the last bit\n"
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn the_first_difference_is_named() {
+        let there = json!({"a": {"b": [1, 2.5]}, "dynamics": {"checkpoint_interval_s": 30.0}});
+        assert_eq!(difference(&there, &there), None);
+        let here = json!({"a": {"b": [1, 2.5]}, "dynamics": {"checkpoint_interval_s": 1.0}});
+        assert_eq!(difference(&there, &here), None);
+        let tell = |here: Value| difference(&there, &here).unwrap();
+        assert_eq!(
+            tell(json!({"a": {"b": [1, 3]}})),
+            "`a.b.1` is 2.5 there and 3 here"
+        );
+        assert_eq!(
+            tell(json!({"a": {"b": [1, 2.5, "x"]}})),
+            "`a.b.2` is not given there and \"x\" here"
+        );
+        assert_eq!(
+            tell(json!({"a": {}})),
+            "`a.b` is [1,2.5] there and not given here"
+        );
+    }
+
+    #[test]
+    fn another_processor_is_told() {
+        assert_eq!(other_processor("AVX2", "AVX2"), None);
+        let told = other_processor("AVX-512", "baseline").unwrap();
+        assert!(
+            told.contains("AVX-512") && told.contains("baseline"),
+            "{told}"
+        );
+    }
+}

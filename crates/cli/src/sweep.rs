@@ -1,0 +1,432 @@
+//! `wholestring sweep`: solves a case for all combinations of some values.
+
+use std::{
+    collections::BTreeSet,
+    num::NonZeroUsize,
+    path::Path,
+    sync::{
+        Mutex, PoisonError,
+        atomic::{AtomicUsize, Ordering},
+    },
+    thread,
+    time::{Duration, Instant},
+};
+
+use indicatif::ProgressBar;
+use wholestring::{dynamics::Effort, outcome::ModelKind};
+use wholestring_case::{Case, Override, Report, Template, Variation};
+use wholestring_results::{OperationSummary, ResultsFolder, Status, Summary};
+
+use crate::{
+    args::{Shard, SweepArgs},
+    checkpoint::{Laid, difference},
+    color,
+    failure::Failure,
+    interrupt::Interrupt,
+    progress::{self, Watch, milliseconds},
+    record::Record,
+    run::{Stop, Way, checkpoint_every, default_output, file_name, solve},
+    say,
+    sweep_table::SweepTable,
+    tell,
+};
+
+/// More cases than this make no sense in one sweep.
+const MOST_CASES: usize = 100_000;
+
+/// Time between two writings of `sweep.csv` while the sweep goes on.
+const WRITE_INTERVAL: Duration = Duration::from_secs(5);
+
+pub(crate) fn sweep(args: &SweepArgs) -> Result<(), Failure> {
+    let refused = |report: Report| Failure::BadInput(report.render(color()));
+    let variations = Variation::read_all(&args.vary).map_err(refused)?;
+    let template = Template::read(&args.case.case).map_err(refused)?;
+    let jobs = args.jobs.or_else(|| thread::available_parallelism().ok());
+    let jobs = jobs.map_or(1, NonZeroUsize::get);
+    let points = points(&args.case.overrides, &variations)?;
+    let checked = check(&template, &points, jobs, args.quiet)?;
+    let output = args.output.clone().unwrap_or_else(|| {
+        let name = format!("{} sweep", checked[0].name);
+        default_output(&name)
+    });
+    let folder = ResultsFolder::create(output)?;
+    let interrupt = Interrupt::listen();
+    let shard = args.shard.unwrap_or(Shard::ALL);
+    let mine: Vec<usize> = (0..points.len()).filter(|case| shard.has(*case)).collect();
+    let sweep = Sweep {
+        args,
+        template: &template,
+        points: &points,
+        folder: &folder,
+        interrupt: &interrupt,
+        bar: sweep_bar(mine.iter().map(|case| &checked[*case]), args.quiet),
+        cases: mine.len(),
+        keys: variations.iter().map(|of| of.key.clone()).collect(),
+        dynamic: checked.iter().any(|case| case.simulated_s > 0.0),
+        progress: Mutex::new(Reached {
+            endings: points.iter().map(|_| None).collect(),
+            count: 0,
+            written: Instant::now(),
+        }),
+        start: Instant::now(),
+    };
+    // The longest first: what is left at the end is short, and no thread waits long for the others.
+    let mut order = mine;
+    order.sort_by(|a, b| checked[*b].cost.total_cmp(&checked[*a].cost));
+    in_parallel(jobs, &order, |case| sweep.solve(case));
+    sweep.bar.finish_and_clear();
+    sweep.conclude()
+}
+
+/// One combination of values.
+struct Point {
+    /// The changes of the case: those of all, then its own.
+    changes: Vec<Override>,
+    /// Its own values, as written.
+    values: Vec<String>,
+    /// Name of its folder.
+    name: String,
+}
+
+/// All combinations, the last key varying fastest.
+fn points(common: &[Override], variations: &[Variation]) -> Result<Vec<Point>, Failure> {
+    let counts = variations.iter().map(|of| of.values.len());
+    let count = counts.clone().try_fold(1_usize, usize::checked_mul);
+    let Some(count) = count.filter(|count| *count <= MOST_CASES) else {
+        let counts: Vec<String> = counts.map(|count| count.to_string()).collect();
+        return Err(Failure::BadInput(format!(
+            "error: a sweep of {} cases, expected at most {MOST_CASES}",
+            counts.join(" × ")
+        )));
+    };
+    let mut points: Vec<Point> = (0..count)
+        .map(|case| {
+            let mut stride = count;
+            let own = variations.iter().map(|of| {
+                stride /= of.values.len();
+                of.values[case / stride % of.values.len()].clone()
+            });
+            let own: Vec<Override> = own.collect();
+            let bare = |value: &str| value.trim_matches(['"', '\'']).to_owned();
+            let values: Vec<String> = own.iter().map(|of| bare(&of.value)).collect();
+            let parts = own.iter().zip(&values);
+            let parts: Vec<_> = parts
+                .map(|(of, value)| format!("{}={value}", of.key))
+                .collect();
+            Point {
+                changes: [common, &own].concat(),
+                values,
+                name: parts.join(","),
+            }
+        })
+        .collect();
+    name_folders(&mut points);
+    Ok(points)
+}
+
+/// Folders bear the values; where those are too long for a name, or some system does not tell them apart,
+/// the number of the case.
+fn name_folders(points: &mut [Point]) {
+    let names: Vec<String> = points.iter().map(|point| file_name(&point.name)).collect();
+    let unique: BTreeSet<String> = names.iter().map(|name| name.to_lowercase()).collect();
+    let whole = points
+        .iter()
+        .zip(&names)
+        .all(|(point, name)| name.chars().count() >= point.name.chars().count());
+    let digits = points.len().to_string().len();
+    let speaking = whole && unique.len() == names.len();
+    for (i, (point, name)) in points.iter_mut().zip(names).enumerate() {
+        point.name = if speaking {
+            name
+        } else {
+            format!("case-{:0digits$}", i + 1)
+        };
+    }
+}
+
+/// What is known of a case before it is solved.
+struct Checked {
+    name: String,
+    /// Element-steps of its dynamic runs.
+    cost: f64,
+    /// Simulated time of its dynamic runs, s.
+    simulated_s: f64,
+    warnings: String,
+}
+
+impl Checked {
+    fn of(case: &Case) -> Self {
+        let dynamic = case.models.contains(&ModelKind::Dynamic);
+        let operations = if dynamic { &case.operations[..] } else { &[] };
+        let cost = operations.iter().filter_map(|operation| {
+            let effort = Effort::of(&case.model, operation, &case.dynamics).ok()?;
+            Some(effort.elements as f64 * effort.steps)
+        });
+        let each_s = case.dynamics.settle_s + case.dynamics.duration_s;
+        Self {
+            name: case.name.clone(),
+            cost: cost.sum(),
+            simulated_s: operations.len() as f64 * each_s,
+            warnings: case.warnings.render(color()),
+        }
+    }
+}
+
+/// Reads and checks every case, so that no sweep ends on a mistake in its last.
+fn check(
+    template: &Template,
+    points: &[Point],
+    jobs: usize,
+    quiet: bool,
+) -> Result<Vec<Checked>, Failure> {
+    /// Mistakes that are told; the same is told once.
+    const SHOWN: usize = 5;
+    let all: Vec<usize> = (0..points.len()).collect();
+    let answers: Vec<Mutex<Option<Result<Checked, Report>>>> =
+        points.iter().map(|_| Mutex::default()).collect();
+    in_parallel(jobs, &all, |i| {
+        let answer = template.case(&points[i].changes);
+        *lock(&answers[i]) = Some(answer.map(|case| Checked::of(&case)));
+    });
+    let mut checked = Vec::new();
+    let mut unsound: Vec<(&Point, String)> = Vec::new();
+    for (point, answer) in points.iter().zip(answers) {
+        let answer = answer.into_inner().unwrap_or_else(PoisonError::into_inner);
+        match answer.expect("every case is checked") {
+            Ok(case) => checked.push(case),
+            Err(report) => unsound.push((point, report.render(color()))),
+        }
+    }
+    if let Some((first, _)) = unsound.first() {
+        let mut told: Vec<&str> = Vec::new();
+        for (_, report) in &unsound {
+            if told.len() < SHOWN && !told.contains(&report.as_str()) {
+                told.push(report);
+            }
+        }
+        let end = match (unsound.len(), points.len()) {
+            (_, 1) => String::new(),
+            (1, all) => format!(
+                "\n1 of {all} cases is not sound, {}: nothing was run",
+                first.name
+            ),
+            (some, all) => format!(
+                "\n{some} of {all} cases are not sound, the first is {}: nothing was run",
+                first.name
+            ),
+        };
+        return Err(Failure::BadInput(format!("{}{end}", told.join("\n"))));
+    }
+    if !quiet {
+        let warnings: BTreeSet<&str> = checked.iter().map(|case| &*case.warnings).collect();
+        warnings.into_iter().take(SHOWN).for_each(tell);
+    }
+    Ok(checked)
+}
+
+/// Does `work` on every item of `order`, on so many threads; each takes the next item that is left.
+fn in_parallel(jobs: usize, order: &[usize], work: impl Fn(usize) + Sync) {
+    let next = AtomicUsize::new(0);
+    let busy = || {
+        while let Some(item) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
+            work(*item);
+        }
+    };
+    thread::scope(|scope| {
+        for _ in 1..jobs.min(order.len()) {
+            scope.spawn(busy);
+        }
+        busy();
+    });
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Besides its simulated time, a case counts as one millisecond on the bar, so that soft strings move
+/// it too.
+fn sweep_bar<'a>(cases: impl Iterator<Item = &'a Checked>, quiet: bool) -> ProgressBar {
+    let length = cases.map(|case| 1 + milliseconds(case.simulated_s)).sum();
+    let bar = progress::bar(length, quiet);
+    bar.set_prefix("sweep");
+    bar
+}
+
+/// How a case ended.
+struct Ending {
+    solved: Vec<OperationSummary>,
+    /// Nothing where it is finished.
+    why: Option<Stop>,
+}
+
+/// How far a sweep has come.
+struct Reached {
+    /// How each case of all shards ended, none where it has not.
+    endings: Vec<Option<Ending>>,
+    count: usize,
+    /// When `sweep.csv` was written last.
+    written: Instant,
+}
+
+struct Sweep<'a> {
+    args: &'a SweepArgs,
+    template: &'a Template,
+    points: &'a [Point],
+    folder: &'a ResultsFolder,
+    interrupt: &'a Interrupt,
+    bar: ProgressBar,
+    /// Number of cases of this shard.
+    cases: usize,
+    keys: Vec<String>,
+    dynamic: bool,
+    progress: Mutex<Reached>,
+    start: Instant,
+}
+
+impl Sweep<'_> {
+    /// Solves one case, unless the user asked to stop.
+    fn solve(&self, case: usize) {
+        if self.interrupt.asked() {
+            return;
+        }
+        let ending = self
+            .ending(&self.points[case])
+            .unwrap_or_else(|why| Ending {
+                solved: Vec::new(),
+                why: Some(why),
+            });
+        let mut reached = lock(&self.progress);
+        reached.endings[case] = Some(ending);
+        reached.count += 1;
+        self.bar.inc(1);
+        let simulated_s = self.bar.position() as f64 * 1e-3;
+        let speed = simulated_s / self.start.elapsed().as_secs_f64();
+        self.bar.set_message(format!(
+            "{} of {} cases, {speed:.0} × real time",
+            reached.count, self.cases
+        ));
+        if reached.written.elapsed() >= WRITE_INTERVAL {
+            // What cannot be written now is told at the end.
+            let _ = self.write(&reached.endings);
+            reached.written = Instant::now();
+        }
+    }
+
+    fn ending(&self, point: &Point) -> Result<Ending, Stop> {
+        let case = self
+            .template
+            .case(&point.changes)
+            .map_err(|report| Stop::Unsolved(report.render(false)))?;
+        let folder = ResultsFolder::create(self.folder.path().join(&point.name))?;
+        let mut record = Record::new(&case, case.units);
+        let mut under_way = None;
+        if self.args.resume {
+            if let Some(solved) = finished(folder.path(), &case) {
+                // Killed between its last result and its end, a run may leave one.
+                folder.remove_checkpoint()?;
+                let simulated_s = Checked::of(&case).simulated_s;
+                self.bar.inc(milliseconds(simulated_s));
+                return Ok(Ending { solved, why: None });
+            }
+            match Laid::read(&folder, &case) {
+                Ok(Some(laid)) => {
+                    record.restore(laid.solved).map_err(Stop::Unsolved)?;
+                    under_way = laid.under_way;
+                }
+                Ok(None) => {}
+                Err(reason) => Watch::Sweep(self.bar.clone()).tell(&format!(
+                    "warning: {}: {reason}; it begins anew\n",
+                    point.name
+                )),
+            }
+        } else {
+            folder.remove_checkpoint()?;
+        }
+        let way = Way {
+            csv: self.args.csv,
+            checkpoint_every: self
+                .args
+                .checkpoint
+                .unwrap_or_else(|| checkpoint_every(&case)),
+            watch: Watch::Sweep(self.bar.clone()),
+            interrupt: self.interrupt,
+        };
+        let why = solve(&case, &way, &mut record, &folder, under_way).err();
+        Ok(Ending {
+            solved: record.summary.operations,
+            why,
+        })
+    }
+
+    /// Writes `sweep.csv`: the cases in their order, as far as they have ended.
+    fn write(&self, endings: &[Option<Ending>]) -> Result<(), Failure> {
+        let mut table = SweepTable::new(self.keys.clone(), self.dynamic);
+        for (point, ending) in self.points.iter().zip(endings) {
+            if let Some(Ending { solved, why }) = ending {
+                let failure = why.as_ref().and_then(Stop::reason);
+                table.add(&point.values, &point.name, solved, failure.as_deref());
+            }
+        }
+        let path = self.folder.path().join("sweep.csv");
+        Ok(table.table().write_csv(&path)?)
+    }
+
+    /// Writes the table of all, and says how it went.
+    fn conclude(self) -> Result<(), Failure> {
+        let endings = std::mem::take(&mut lock(&self.progress).endings);
+        self.write(&endings)?;
+        let place = self.folder.path().display();
+        let mut finished = 0;
+        let mut failed = Vec::new();
+        for (point, ending) in self.points.iter().zip(&endings) {
+            match ending {
+                Some(Ending { why: None, .. }) => finished += 1,
+                Some(Ending { why: Some(why), .. }) => failed.extend(
+                    why.reason()
+                        .map(|reason| format!("  {}: {reason}", point.name)),
+                ),
+                None => {}
+            }
+        }
+        if !self.args.quiet {
+            let took_s = self.start.elapsed().as_secs_f64();
+            say(&format!(
+                "{finished} of {} cases finished in {took_s:.1} s\nResults in {place}\n",
+                self.cases
+            ))?;
+        }
+        let failures = failed.join("\n");
+        if self.interrupt.asked() && finished + failed.len() < self.cases {
+            let failures = if failed.is_empty() {
+                failures
+            } else {
+                failures + "\n"
+            };
+            return Err(Failure::Interrupted(format!(
+                "{failures}interrupted: what was computed is in {place}\nto go on, run the sweep again with --resume"
+            )));
+        }
+        if failed.is_empty() {
+            return Ok(());
+        }
+        Err(Failure::Failed(format!(
+            "error: {} of {} cases failed\n{failures}\nwhat was computed is in {place}",
+            failed.len(),
+            self.cases
+        )))
+    }
+}
+
+/// What a finished run of the case left in the folder; nothing if it is not finished, or of another case.
+fn finished(folder: &Path, case: &Case) -> Option<Vec<OperationSummary>> {
+    let summary = Summary::read(&folder.join("summary.json")).ok()?;
+    let all = case.operations.len() * case.models.len();
+    let complete = summary.operations.len() == all
+        && summary
+            .operations
+            .iter()
+            .all(|of| of.status == Status::Complete);
+    (complete && difference(&summary.settings, &case.settings).is_none())
+        .then_some(summary.operations)
+}

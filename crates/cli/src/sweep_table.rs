@@ -1,0 +1,131 @@
+//! `sweep.csv`: a row for each model and operation of each case of a sweep.
+
+use serde_json::{Map, Value};
+use wholestring::dynamics::DynamicOutcome;
+use wholestring_results::{Column, Data, OperationSummary, Table};
+
+/// The scalars of an operation, as `summary.json` names them, in the order of the columns.
+const SCALARS: [&str; 12] = [
+    "bit_depth_m",
+    "weight_on_bit_N",
+    "bit_torque_N_m",
+    "hook_load_N",
+    "surface_torque_N_m",
+    "friction_torque_N_m",
+    "axial_friction_N",
+    "side_force_total_N",
+    "twist_rad",
+    "stretch_m",
+    "neutral_point_m",
+    "cutoff_depth_m",
+];
+
+const STATISTICS: [&str; 6] = ["mean", "std", "min", "max", "p05", "p95"];
+
+/// The rows of a sweep. Which columns they have is settled by what is swept and solved, so that the
+/// tables of its shards can be put one below the other.
+pub(crate) struct SweepTable {
+    keys: Vec<String>,
+    /// Quantity and statistic of each column.
+    statistics: Vec<[&'static str; 2]>,
+    rows: Vec<Row>,
+}
+
+struct Row {
+    values: Vec<String>,
+    /// The operation as in `summary.json`; empty where a case failed before it had an answer.
+    solved: Map<String, Value>,
+    folder: String,
+}
+
+impl SweepTable {
+    /// A table for a sweep of these keys, in which some case is dynamic or none is.
+    pub(crate) fn new(keys: Vec<String>, dynamic: bool) -> Self {
+        let statistics = DynamicOutcome::quantities()
+            .filter(|_| dynamic)
+            .flat_map(|quantity| STATISTICS.map(|statistic| [quantity, statistic]))
+            // The mean of a scalar is the scalar.
+            .filter(|[quantity, statistic]| *statistic != "mean" || !SCALARS.contains(quantity))
+            .collect();
+        Self {
+            keys,
+            statistics,
+            rows: Vec::new(),
+        }
+    }
+
+    /// Adds what was solved of a case, and why it failed if that says more.
+    pub(crate) fn add(
+        &mut self,
+        values: &[String],
+        folder: &str,
+        solved: &[OperationSummary],
+        failure: Option<&str>,
+    ) {
+        let mut row = |solved: Map<String, Value>| {
+            self.rows.push(Row {
+                values: values.to_vec(),
+                solved,
+                folder: folder.to_owned(),
+            });
+        };
+        let mut told = false;
+        for operation in solved {
+            if let Ok(Value::Object(operation)) = serde_json::to_value(operation) {
+                told |= operation
+                    .get("status")
+                    .is_some_and(|status| status == "failed");
+                row(operation);
+            }
+        }
+        if let (Some(failure), false) = (failure, told) {
+            row([("status", "failed"), ("message", failure)]
+                .map(|(key, word)| (key.to_owned(), word.into()))
+                .into_iter()
+                .collect());
+        }
+    }
+
+    /// The table: varied keys, model and operation, scalars, statistics, how it ended, and where the
+    /// rest of it lies.
+    pub(crate) fn table(&self) -> Table {
+        let text = |name: &str, of: &dyn Fn(&Row) -> String| Column {
+            name: name.to_owned(),
+            unit: String::new(),
+            meaning: String::new(),
+            data: Data::Text(self.rows.iter().map(of).collect()),
+        };
+        let word = |name: &str| {
+            text(name, &|row| {
+                let word = row.solved.get(name).and_then(Value::as_str);
+                word.unwrap_or_default().to_owned()
+            })
+        };
+        let number = |name: String, of: &dyn Fn(&Row) -> Option<f64>| Column {
+            name,
+            unit: String::new(),
+            meaning: String::new(),
+            data: Data::Number(self.rows.iter().map(of).collect()),
+        };
+        let mut columns = Vec::new();
+        for (i, key) in self.keys.iter().enumerate() {
+            columns.push(text(key, &|row| row.values[i].clone()));
+        }
+        columns.extend(["model", "operation"].map(word));
+        for name in SCALARS {
+            columns.push(number(name.to_owned(), &|row| {
+                row.solved.get(name)?.as_f64()
+            }));
+        }
+        for [quantity, statistic] in &self.statistics {
+            let name = format!("{quantity}_{statistic}");
+            columns.push(number(name, &|row| {
+                let statistics = row.solved.get("statistics")?;
+                statistics.get(quantity)?.get(statistic)?.as_f64()
+            }));
+        }
+        columns.extend(["status", "message"].map(word));
+        columns.push(text("folder", &|row| row.folder.clone()));
+        Table::new(columns)
+    }
+}

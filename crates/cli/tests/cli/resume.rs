@@ -1,0 +1,218 @@
+//! `run --resume`: a run that was stopped or killed ends as if nothing had happened.
+
+use std::{
+    collections::BTreeSet,
+    fs,
+    process::{Child, Stdio},
+    thread::sleep,
+    time::{Duration, Instant, SystemTime},
+};
+
+use insta::assert_snapshot;
+use serde_json::Value;
+
+use crate::desk::{Desk, transcript};
+
+const TABLES: [&str; 5] = [
+    "nodes.csv",
+    "nodes.parquet",
+    "profile.svg",
+    "time.csv",
+    "time.parquet",
+];
+
+/// All that a run leaves but for the time that it took: the tables and the picture to the byte.
+pub(crate) fn leavings(desk: &Desk, folder: &str) -> (Value, Vec<Vec<u8>>) {
+    let read = |name: &str| fs::read(desk.path(folder).join(name)).unwrap();
+    let mut summary: Value = serde_json::from_slice(&read("summary.json")).unwrap();
+    for operation in summary["operations"].as_array_mut().unwrap() {
+        if let Some(numerics) = operation["numerics"].as_object_mut() {
+            assert!(numerics.remove("wall_time_s").is_some());
+            assert!(numerics.remove("real_time_factor").is_some());
+        }
+    }
+    (summary, TABLES.map(read).into())
+}
+
+/// Two operations with both models.
+fn arguments<'a>(duration: &'a str, more: &[&'a str]) -> Vec<&'a str> {
+    [&["run", "slant.toml", "--csv", "--set", duration], more].concat()
+}
+
+fn begin(desk: &Desk, arguments: &[&str]) -> Child {
+    desk.command(arguments)
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap()
+}
+
+/// Waits until there is a checkpoint that is newer than `since`; false where the run ended before.
+fn checkpointed(desk: &Desk, child: &mut Child, since: SystemTime) -> bool {
+    let begin = Instant::now();
+    while child.try_wait().unwrap().is_none() {
+        assert!(begin.elapsed() < Duration::from_secs(120), "no checkpoint");
+        let written = fs::metadata(desk.path("killed/checkpoint.bin"));
+        if written.is_ok_and(|file| file.modified().unwrap() > since) {
+            return true;
+        }
+        sleep(Duration::from_millis(1));
+    }
+    false
+}
+
+/// A run is killed at up to `times` moments, each up to 80 ms after the first checkpoint since the last,
+/// and resumed after each. It must end with the same bits as one that was not.
+fn killed(times: u32, duration: &str) {
+    let desk = Desk::new();
+    let whole = desk.run(&arguments(duration, &["-o", "whole"]));
+    assert!(whole.status.success());
+
+    let mut random = 1_u64;
+    let mut kills = 0;
+    let often = ["--checkpoint", "0.01 s"];
+    let begun = |folder: [&'static str; 2]| {
+        begin(&desk, &arguments(duration, &[&folder[..], &often].concat()))
+    };
+    let mut since = SystemTime::UNIX_EPOCH;
+    let mut child = begun(["-o", "killed"]);
+    while kills < times && checkpointed(&desk, &mut child, since) {
+        random = random
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        sleep(Duration::from_micros((random >> 33) % 80_000));
+        if child.try_wait().unwrap().is_some() {
+            break;
+        }
+        child.kill().unwrap();
+        child.wait().unwrap();
+        kills += 1;
+        let written = fs::metadata(desk.path("killed/checkpoint.bin"));
+        since = written.unwrap().modified().unwrap();
+        child = begun(["--resume", "killed"]);
+    }
+    let output = child.wait_with_output().unwrap();
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "after {kills} kills: {message}");
+    assert!(kills >= times / 2, "killed {kills} times only");
+    let files = |folder: &str| -> BTreeSet<_> {
+        let files = fs::read_dir(desk.path(folder)).unwrap();
+        files.map(|entry| entry.unwrap().file_name()).collect()
+    };
+    assert_eq!(files("killed"), files("whole"));
+    // Their numbers fill pages.
+    assert!(leavings(&desk, "killed") == leavings(&desk, "whole"));
+}
+
+#[test]
+fn a_killed_run_ends_as_if_nothing_had_happened() {
+    killed(4, "dynamics.duration=80 s");
+}
+
+#[test]
+#[ignore = "minutes: run by cargo xtask verify"]
+fn a_run_killed_at_twenty_moments_ends_as_if_nothing_had_happened() {
+    killed(20, "dynamics.duration=200 s");
+}
+
+/// Ctrl-C leaves a checkpoint however long the interval is, and tells how to go on.
+#[cfg(unix)]
+#[test]
+fn ctrl_c_lays_a_run_aside() {
+    let desk = Desk::new();
+    let duration = ["--set", "dynamics.duration=100 s", "--csv"];
+    let whole = desk.run(&[&["run", "slant.toml", "-o", "whole"], &duration[..]].concat());
+    assert!(whole.status.success());
+    let mut child = begin(
+        &desk,
+        &[&["run", "slant.toml", "-o", "stopped"], &duration[..]].concat(),
+    );
+    // The soft string is on the disk when the dynamics begin.
+    let start = Instant::now();
+    while !desk.path("stopped/summary.json").exists() {
+        assert!(start.elapsed() < Duration::from_secs(60), "no beginning");
+        sleep(Duration::from_millis(1));
+    }
+    sleep(Duration::from_millis(50));
+    let id = child.id().to_string();
+    let sent = std::process::Command::new("kill")
+        .args(["-INT", &id])
+        .status();
+    assert!(sent.unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(130));
+    assert_eq!(
+        String::from_utf8(output.stderr).unwrap(),
+        "interrupted: what was computed is in stopped\n\
+         to go on, run the case with --resume stopped\n"
+    );
+    let resumed =
+        desk.run(&[&["run", "slant.toml", "--resume", "stopped"], &duration[..]].concat());
+    assert!(resumed.status.success());
+    assert!(leavings(&desk, "stopped") == leavings(&desk, "whole"));
+    child = begin(&desk, &["run", "slant.toml", "--resume", "stopped"]);
+    assert_eq!(child.wait().unwrap().code(), Some(2));
+}
+
+/// A run that goes on with another case would answer neither.
+#[test]
+fn what_cannot_be_resumed_is_refused() {
+    let desk = Desk::new();
+    let resume = |more: &[&str]| {
+        let output = desk.run(&[&["run", "slant.toml", "--resume", "results"], more].concat());
+        assert_eq!(output.status.code(), Some(2));
+        transcript(&output)
+    };
+    assert_snapshot!("resume_without_folder", resume(&[]));
+    fs::create_dir(desk.path("results")).unwrap();
+    assert_snapshot!("resume_without_checkpoint", resume(&[]));
+
+    let soft = ["--set", "model=soft"];
+    let output = desk.run(&[&["run", "slant.toml", "-o", "results"], &soft[..]].concat());
+    assert!(output.status.success());
+    assert_snapshot!("resume_a_finished_run", resume(&soft));
+
+    let mut child = begin(
+        &desk,
+        &[
+            "run",
+            "slant.toml",
+            "-o",
+            "killed",
+            "--checkpoint",
+            "0.01 s",
+        ],
+    );
+    assert!(checkpointed(&desk, &mut child, SystemTime::UNIX_EPOCH));
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let checkpoint = fs::read(desk.path("killed/checkpoint.bin")).unwrap();
+    let put = |bytes: &[u8]| fs::write(desk.path("results/checkpoint.bin"), bytes).unwrap();
+    put(&checkpoint);
+    let other = ["--set", "well.hole.1.friction=0.3"];
+    assert_snapshot!("resume_another_case", resume(&other));
+    let mut damaged = checkpoint.clone();
+    damaged[checkpoint.len() / 2] ^= 4;
+    put(&damaged);
+    assert_snapshot!("resume_from_a_damaged_file", resume(&[]));
+    put(&checkpoint[..checkpoint.len() / 2]);
+    assert!(resume(&[]).contains("it is damaged"));
+    put(b"");
+    assert!(resume(&[]).contains("it does not begin like one"));
+    assert_snapshot!("resume_into_another_folder", resume(&["-o", "elsewhere"]));
+
+    // A fresh run does not take the remains for its own.
+    put(&checkpoint);
+    let output = desk.run(&[&["run", "slant.toml", "-o", "results"], &soft[..]].concat());
+    assert!(output.status.success());
+    assert!(!desk.path("results/checkpoint.bin").exists());
+}
+
+#[test]
+fn an_interval_that_is_none_is_refused() {
+    let desk = Desk::new();
+    for interval in ["0 s", "soon", "3 m", "2 d"] {
+        let output = desk.run(&["run", "slant.toml", "--checkpoint", interval]);
+        assert_eq!(output.status.code(), Some(2), "{interval}");
+    }
+}

@@ -1,0 +1,385 @@
+//! `sweep`: a case for all combinations of some values.
+
+use std::{
+    collections::BTreeSet,
+    fs,
+    process::Stdio,
+    thread::sleep,
+    time::{Duration, Instant},
+};
+
+use insta::assert_snapshot;
+use wholestring_results::Status;
+
+use crate::{
+    desk::{Desk, masked, transcript},
+    resume::leavings,
+};
+
+/// Two frictions and three depths, the second of them a range that its step does not divide.
+const VARIED: [&str; 4] = [
+    "--vary",
+    "friction=0.2,0.3",
+    "--vary",
+    "bit_depth=300m..600m/200m",
+];
+
+const CASES: [&str; 6] = [
+    "friction=0.2,bit_depth=300m",
+    "friction=0.2,bit_depth=500m",
+    "friction=0.2,bit_depth=600m",
+    "friction=0.3,bit_depth=300m",
+    "friction=0.3,bit_depth=500m",
+    "friction=0.3,bit_depth=600m",
+];
+
+fn sweep<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    [&["sweep", "slant.toml"][..], &VARIED, more].concat()
+}
+
+/// `sweep.csv` as rows of cells, the header first.
+fn rows(desk: &Desk, folder: &str) -> Vec<Vec<String>> {
+    let text = fs::read_to_string(desk.path(folder).join("sweep.csv")).unwrap();
+    let cells = |line: &str| split(line);
+    text.lines().map(cells).collect()
+}
+
+/// The cells of a line; commas within quotes do not part.
+fn split(line: &str) -> Vec<String> {
+    let mut cells = vec![String::new()];
+    let mut quoted = false;
+    for letter in line.chars() {
+        match letter {
+            '"' => quoted = !quoted,
+            ',' if !quoted => cells.push(String::new()),
+            letter => cells.last_mut().unwrap().push(letter),
+        }
+    }
+    cells
+}
+
+fn folders(desk: &Desk, folder: &str) -> BTreeSet<String> {
+    fs::read_dir(desk.path(folder))
+        .unwrap()
+        .map(|entry| entry.unwrap())
+        .filter(|entry| entry.path().is_dir())
+        .map(|entry| entry.file_name().into_string().unwrap())
+        .collect()
+}
+
+/// The table holds what the cases' summaries hold, a row per case, operation and model.
+#[test]
+fn every_combination_is_a_row() {
+    let desk = Desk::new();
+    let output = desk.run(&sweep(&["-o", "results"]));
+    assert_snapshot!(masked(&transcript(&output)));
+    assert_eq!(folders(&desk, "results"), CASES.map(String::from).into());
+    let table = rows(&desk, "results");
+    let header = &table[0];
+    let first = ["friction", "bit_depth", "model", "operation", "bit_depth_m"];
+    assert_eq!(header[..5], first);
+    assert_eq!(header[header.len() - 3..], ["status", "message", "folder"]);
+    assert_eq!(table.len(), 1 + 6 * 4);
+    let place = |name: &str| header.iter().position(|cell| cell == name).expect(name);
+    for (row, cells) in table[1..].iter().enumerate() {
+        assert_eq!(cells.len(), header.len());
+        let name = CASES[row / 4];
+        assert_eq!(cells[place("folder")], name);
+        assert_eq!(
+            format!("friction={},bit_depth={}", cells[0], cells[1]),
+            name
+        );
+        let solved = &desk.summary(&format!("results/{name}")).operations[row % 4];
+        assert_eq!(cells[place("operation")], solved.operation);
+        assert_eq!(cells[place("model")], solved.model.name());
+        assert_eq!(cells[place("status")], "complete");
+        let number = |name: &str| cells[place(name)].parse::<f64>().unwrap();
+        assert_eq!(number("bit_depth_m"), solved.bit_depth_m);
+        assert_eq!(number("hook_load_N"), solved.scalars.hook_load_N);
+        assert_eq!(
+            number("surface_torque_N_m"),
+            solved.scalars.surface_torque_N_m
+        );
+        match &solved.statistics {
+            Some(statistics) => {
+                assert_eq!(number("hook_load_N_std"), statistics["hook_load_N"].std);
+                assert_eq!(number("twist_rad_p95"), statistics["twist_rad"].p95);
+            }
+            None => assert_eq!(cells[place("hook_load_N_std")], ""),
+        }
+    }
+}
+
+/// The same bits on one thread and on two, in a sweep and alone; and nothing but results on the disk.
+#[test]
+fn threads_leave_the_numbers_alone() {
+    let desk = Desk::new();
+    for jobs in ["1", "2"] {
+        let output = desk.run(&sweep(&["-j", jobs, "-o", jobs, "--csv", "--quiet"]));
+        assert!(output.status.success());
+        assert!(output.stdout.is_empty() && output.stderr.is_empty());
+    }
+    let table = |folder: &str| fs::read(desk.path(folder).join("sweep.csv")).unwrap();
+    assert!(table("1") == table("2"));
+    for case in CASES {
+        assert!(leavings(&desk, &format!("1/{case}")) == leavings(&desk, &format!("2/{case}")));
+    }
+    let own = ["--set", "friction=0.3", "--set", "bit_depth=500m"];
+    let alone = [&["run", "slant.toml", "--csv", "-o", "alone"], &own[..]].concat();
+    assert!(desk.run(&alone).status.success());
+    assert!(leavings(&desk, "alone") == leavings(&desk, &format!("1/{}", CASES[4])));
+}
+
+/// A lift of ten thousand tonnes throws the string out of the hole; the others are solved.
+#[test]
+fn one_case_that_fails() {
+    let desk = Desk::new();
+    let output = desk.run(&[
+        "sweep",
+        "slant.toml",
+        "-o",
+        "results",
+        "--set",
+        "model=dynamic",
+        "--set",
+        "operation.kind=trip_out",
+        "--set",
+        "hoist.control=hook-load",
+        "--vary",
+        "hoist.hook_load=120 kN,1e8 N,130 kN",
+    ]);
+    assert_eq!(output.status.code(), Some(3));
+    assert_snapshot!(masked(&transcript(&output)));
+    let table = rows(&desk, "results");
+    let status = table[0].len() - 3;
+    let statuses: Vec<_> = table[1..].iter().map(|row| row[status].as_str()).collect();
+    assert_eq!(statuses, ["complete", "failed", "complete"]);
+    assert!(table[2][status + 1].contains("diverged"), "{:?}", table[2]);
+}
+
+/// What is finished is left alone, what was begun goes on, the rest is solved: as if nothing had
+/// happened.
+#[test]
+fn a_killed_sweep_goes_on() {
+    let desk = Desk::new();
+    let long = ["--csv", "--set", "dynamics.duration=15 s"];
+    let whole = [&long[..], &["-o", "whole"]].concat();
+    assert!(desk.run(&sweep(&whole)).status.success());
+    let killed = [&long[..], &["-o", "killed", "--checkpoint", "0.01 s"]].concat();
+    let mut child = desk
+        .command(&sweep(&killed))
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    // One case is finished, another is under way.
+    let any = |name: &str| {
+        CASES.iter().any(|case| {
+            let folder = desk.path("killed").join(case);
+            folder.join(name).exists()
+        })
+    };
+    let finished = || {
+        CASES.iter().find(|case| {
+            let folder = desk.path("killed").join(case);
+            let summary = wholestring_results::Summary::read(&folder.join("summary.json"));
+            summary.is_ok_and(|summary| {
+                let complete =
+                    |of: &wholestring_results::OperationSummary| of.status == Status::Complete;
+                summary.operations.len() == 4 && summary.operations.iter().all(complete)
+            })
+        })
+    };
+    let start = Instant::now();
+    while finished().is_none() || !any("checkpoint.bin") {
+        assert!(start.elapsed() < Duration::from_secs(120), "nothing done");
+        assert!(child.try_wait().unwrap().is_none(), "done too soon");
+        sleep(Duration::from_millis(2));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let written = |case: &str| {
+        let summary = desk.path("killed").join(case).join("summary.json");
+        fs::metadata(summary).unwrap().modified().unwrap()
+    };
+    let done = *finished().unwrap();
+    let before = written(done);
+    let output = desk.run(&sweep(&[&killed[..], &["--resume"]].concat()));
+    assert!(output.status.success(), "{}", transcript(&output));
+    assert_eq!(written(done), before);
+    assert!(!any("checkpoint.bin"));
+    for case in CASES {
+        let [killed, whole] =
+            ["killed", "whole"].map(|of| leavings(&desk, &format!("{of}/{case}")));
+        assert!(killed == whole, "{case}");
+    }
+    let table = |folder: &str| fs::read(desk.path(folder).join("sweep.csv")).unwrap();
+    assert!(table("killed") == table("whole"));
+    // Other settings make other cases: nothing of this counts as finished for them.
+    let other = ["-o", "killed", "--resume", "--set", "model=soft"];
+    assert!(desk.run(&sweep(&other)).status.success());
+    assert_eq!(rows(&desk, "killed").len(), 1 + 6 * 2);
+}
+
+/// Every case is in one share; their tables make up that of all, and a last call over the same folder
+/// makes it without solving anything.
+#[test]
+fn shards_make_up_the_whole() {
+    let desk = Desk::new();
+    let soft = ["--set", "model=soft"];
+    let with = |more: &[&'static str]| sweep(&[&soft[..], more].concat());
+    assert!(desk.run(&with(&["-o", "whole"])).status.success());
+    let whole = rows(&desk, "whole");
+    let mut parts = Vec::new();
+    for shard in ["1/4", "2/4", "3/4", "4/4"] {
+        let output = desk.run(&with(&["-o", "parts", "--shard", shard]));
+        assert!(output.status.success());
+        let mut part = rows(&desk, "parts");
+        assert_eq!(part.remove(0), whole[0]);
+        parts.extend(part);
+    }
+    parts.sort();
+    let mut sorted = whole[1..].to_vec();
+    sorted.sort();
+    assert_eq!(parts, sorted);
+    assert_eq!(folders(&desk, "parts"), CASES.map(String::from).into());
+    assert!(
+        desk.run(&with(&["-o", "parts", "--resume"]))
+            .status
+            .success()
+    );
+    assert_eq!(rows(&desk, "parts"), whole);
+}
+
+/// Names that a folder cannot bear, or that some system takes for the same, give way to numbers.
+#[test]
+fn folders_that_cannot_bear_their_values() {
+    let desk = Desk::new();
+    let soft = ["--set", "model=soft", "--set", "operation.kind=trip_out"];
+    let name = |letter: &str| format!("name={},{}", letter.repeat(110), letter.repeat(120));
+    let output = desk.run(
+        &[
+            &["sweep", "slant.toml", "-o", "long", "--vary", &name("x")],
+            &soft[..],
+        ]
+        .concat(),
+    );
+    assert!(output.status.success());
+    assert_eq!(
+        folders(&desk, "long"),
+        ["case-1", "case-2"].map(String::from).into()
+    );
+    let output = desk.run(
+        &[
+            &[
+                "sweep",
+                "slant.toml",
+                "-o",
+                "case",
+                "--vary",
+                "name=well,Well",
+            ],
+            &soft[..],
+        ]
+        .concat(),
+    );
+    assert!(output.status.success());
+    assert_eq!(
+        folders(&desk, "case"),
+        ["case-1", "case-2"].map(String::from).into()
+    );
+    // Where nothing is said, the folder bears the name of the case.
+    let output = desk.run(&[&["sweep", "slant.toml", "--vary", "rpm=60,70"], &soft[..]].concat());
+    assert!(output.status.success());
+    assert!(
+        desk.path("out/Straight slant sweep/rpm=60/summary.json")
+            .exists()
+    );
+}
+
+/// Mistakes are answered before anything is solved, each with its place underlined.
+#[test]
+fn mistakes_are_underlined() {
+    let desk = Desk::new();
+    let several = [
+        "friction",
+        "rpm=60..120",
+        "bit_depth=300m..600/100m",
+        "wob=1 tf,,2 tf",
+        "operation.rop=10 m/h..30 m/h/0 m/h",
+        "mesh.element_length=1m..30m/1mm",
+        "dynamics.seed=1,2,1",
+        "well.hole.0.friction=0.1..",
+        "rpm=60,70",
+    ];
+    let arguments: Vec<&str> = several.iter().flat_map(|text| ["--vary", text]).collect();
+    let answer = |arguments: &[&str]| {
+        let output = desk.run(&[&["sweep", "slant.toml", "-o", "results"], arguments].concat());
+        assert_eq!(output.status.code(), Some(2));
+        assert!(!desk.path("results").exists());
+        transcript(&output)
+    };
+    assert_snapshot!("sweep_mistakes_of_form", answer(&arguments));
+    for (name, text) in [
+        ("sweep_unknown_key", "frction=0.1,0.2"),
+        ("sweep_value_out_of_range", "bit_depth=500m,600m,700m"),
+        ("sweep_range_out_of_range", "bit_depth=500m..900m/200m"),
+        ("sweep_wrong_unit", "bit_depth=500m,60 bar"),
+        ("sweep_one_value", "friction=much"),
+    ] {
+        assert_snapshot!(name, answer(&["--vary", text]));
+    }
+    let twice = answer(&["--vary", "rpm=60,70", "--vary", "rpm=80"]);
+    assert_snapshot!("sweep_varied_twice", twice);
+    assert_snapshot!("sweep_nothing_varied", answer(&[]));
+    for shard in ["0/4", "5/4", "1", "a/b", "1/0"] {
+        answer(&["--vary", "rpm=60,70", "--shard", shard]);
+    }
+    answer(&["--vary", "rpm=60,70", "-j", "0"]);
+    let many = ["rpm=1..9000/1", "dynamics.seed=1..9000/1"];
+    let many: Vec<&str> = many.iter().flat_map(|text| ["--vary", text]).collect();
+    assert_snapshot!("sweep_too_many_cases", answer(&many));
+}
+
+/// Ctrl-C keeps all.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_sweep_goes_on() {
+    let desk = Desk::new();
+    let long = ["--csv", "--set", "dynamics.duration=15 s"];
+    assert!(
+        desk.run(&sweep(&[&long[..], &["-o", "whole"]].concat()))
+            .status
+            .success()
+    );
+    let stopped = sweep(&[&long[..], &["-o", "stopped", "-j", "1"]].concat());
+    let child = desk
+        .command(&stopped)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let start = Instant::now();
+    let count = || fs::read_dir(desk.path("stopped")).map_or(0, |all| all.count());
+    while count() < 3 {
+        assert!(start.elapsed() < Duration::from_secs(120), "nothing done");
+        sleep(Duration::from_millis(2));
+    }
+    let sent = std::process::Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(sent.unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(130));
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(
+        message,
+        "interrupted: what was computed is in stopped\n\
+         to go on, run the sweep again with --resume\n"
+    );
+    assert!(desk.path("stopped/sweep.csv").exists());
+    let output = desk.run(&[&stopped[..], &["--resume"]].concat());
+    assert!(output.status.success(), "{}", transcript(&output));
+    let table = |folder: &str| fs::read(desk.path(folder).join("sweep.csv")).unwrap();
+    assert!(table("stopped") == table("whole"));
+}

@@ -1,0 +1,237 @@
+//! What a verification test holds against what, within what, and why.
+//!
+//! A test hands each number that it checks to [`report`], which asserts it; where the environment
+//! variable [`FILE`] names a file, the row is appended to it as a line of JSON, and `cargo xtask verify`
+//! makes the book's table of all rows.
+//!
+//! ```
+//! use wholestring_verification::{Row, Tolerance, report};
+//!
+//! report(&Row {
+//!     case: "E05",
+//!     quantity: "climb angle at friction 0.25, rad",
+//!     expected: 0.25_f64.atan(),
+//!     computed: 0.244_97,
+//!     tolerance: Tolerance::Relative(2e-4),
+//!     reason: "what the slow rolling has left after ten seconds",
+//! });
+//! ```
+#![warn(missing_docs)]
+
+use std::{borrow::Cow, fs::OpenOptions, io::Write};
+
+use serde::{Deserialize, Serialize};
+
+/// The environment variable that names the file for the rows.
+pub const FILE: &str = "WHOLESTRING_VERIFICATION";
+
+/// How far what was computed may lie from what was expected.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Tolerance {
+    /// By this part of the expected value.
+    Relative(f64),
+    /// By this much, in the quantity's unit; what an expected zero needs.
+    Absolute(f64),
+    /// By anything: a prediction that is reported as it comes.
+    Any,
+}
+
+/// One number, held against another.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row<'a> {
+    /// The case: the name of a file of `verification/` up to its first underscore (`E05`), or another
+    /// name that `verification/README.md` lists.
+    pub case: &'a str,
+    /// Which number, with what tells it from the case's others, then its unit if it has one, as in
+    /// `climb at friction 0.25, rad`. A comma in it is that before the unit.
+    pub quantity: &'a str,
+    /// What should come out.
+    pub expected: f64,
+    /// What came out.
+    pub computed: f64,
+    /// How far apart they may be.
+    pub tolerance: Tolerance,
+    /// Where the tolerance comes from: a convergence study, or the source's own precision.
+    pub reason: &'a str,
+}
+
+impl Row<'_> {
+    /// How far apart they are: in the unit of the tolerance, a part of the expected value where anything goes.
+    pub fn error(&self) -> f64 {
+        error(self.expected, self.computed, self.tolerance)
+    }
+
+    /// The error over the tolerance; more than 1 fails, and so does what is not a number.
+    fn strain(&self) -> f64 {
+        match self.tolerance {
+            Tolerance::Any if self.computed.is_finite() => 0.0,
+            Tolerance::Any => f64::NAN,
+            // An error of zero meets a tolerance of zero.
+            Tolerance::Relative(_) | Tolerance::Absolute(_) if self.error() == 0.0 => 0.0,
+            Tolerance::Relative(most) | Tolerance::Absolute(most) => self.error() / most,
+        }
+    }
+
+    #[track_caller]
+    fn check(&self) {
+        let Row {
+            case,
+            quantity,
+            expected,
+            computed,
+            tolerance,
+            ..
+        } = self;
+        assert!(
+            self.strain() <= 1.0,
+            "{case}, {quantity}: {computed} for {expected}, {:.2e} apart, {tolerance:?} is held",
+            self.error()
+        );
+    }
+}
+
+/// How far `computed` lies from `expected`: in the unit of the tolerance.
+pub fn error(expected: f64, computed: f64, tolerance: Tolerance) -> f64 {
+    let apart = (computed - expected).abs();
+    match tolerance {
+        Tolerance::Absolute(_) => apart,
+        Tolerance::Relative(_) | Tolerance::Any if apart == 0.0 => 0.0,
+        Tolerance::Relative(_) | Tolerance::Any => apart / expected.abs(),
+    }
+}
+
+/// Checks a row and reports it.
+///
+/// # Panics
+/// If it is farther off than its tolerance, or the file for the rows cannot be written.
+#[track_caller]
+pub fn report(row: &Row<'_>) {
+    row.check();
+    append(&Line {
+        case: row.case.into(),
+        quantity: row.quantity.into(),
+        expected: row.expected,
+        computed: row.computed,
+        tolerance: row.tolerance,
+        reason: row.reason.into(),
+        of: 1,
+    });
+}
+
+/// Checks many rows alike, and reports the one nearest to its tolerance for all of them.
+///
+/// # Panics
+/// As [`report`] does, and if there is none.
+#[track_caller]
+pub fn report_worst<'a>(rows: impl IntoIterator<Item = Row<'a>>) {
+    let mut count = 0;
+    let mut worst: Option<Row<'a>> = None;
+    for row in rows {
+        row.check();
+        count += 1;
+        let nearer = worst
+            .as_ref()
+            .is_none_or(|worst| row.strain() >= worst.strain());
+        if nearer {
+            worst = Some(row);
+        }
+    }
+    let worst = worst.expect("there is something to check");
+    append(&Line {
+        case: worst.case.into(),
+        quantity: worst.quantity.into(),
+        expected: worst.expected,
+        computed: worst.computed,
+        tolerance: worst.tolerance,
+        reason: worst.reason.into(),
+        of: count,
+    });
+}
+
+/// A reported row as it stands in the file.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Line<'a> {
+    /// As in [`Row`].
+    pub case: Cow<'a, str>,
+    /// As in [`Row`].
+    pub quantity: Cow<'a, str>,
+    /// As in [`Row`].
+    pub expected: f64,
+    /// As in [`Row`].
+    pub computed: f64,
+    /// As in [`Row`].
+    pub tolerance: Tolerance,
+    /// As in [`Row`].
+    pub reason: Cow<'a, str>,
+    /// How many numbers it is the worst of.
+    pub of: usize,
+}
+
+fn append(line: &Line<'_>) {
+    let Some(path) = std::env::var_os(FILE) else {
+        return;
+    };
+    let mut text = serde_json::to_string(line).expect("numbers and words");
+    text.push('\n');
+    // Tests run side by side: one write to the end of the file is not torn apart.
+    OpenOptions::new()
+        .create(true)
+        .append(true)
+        .open(&path)
+        .and_then(|mut file| file.write_all(text.as_bytes()))
+        .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(expected: f64, computed: f64, tolerance: Tolerance) -> Row<'static> {
+        Row {
+            case: "X01",
+            quantity: "a number",
+            expected,
+            computed,
+            tolerance,
+            reason: "a test",
+        }
+    }
+
+    #[test]
+    fn what_is_near_enough_passes() {
+        for (expected, computed, tolerance) in [
+            (2.0, 2.002, Tolerance::Relative(1.01e-3)),
+            (-2.0, -2.002, Tolerance::Relative(1.01e-3)),
+            (0.0, 0.1, Tolerance::Absolute(0.1)),
+            (3.0, 3.0, Tolerance::Relative(0.0)),
+            (0.0, 0.0, Tolerance::Relative(1e-9)),
+            (1.0, 7.0, Tolerance::Any),
+        ] {
+            row(expected, computed, tolerance).check();
+        }
+    }
+
+    #[test]
+    fn what_is_too_far_off_fails() {
+        for (expected, computed, tolerance) in [
+            (2.0, 2.002, Tolerance::Relative(0.99e-3)),
+            (2.0, -2.0, Tolerance::Relative(1e-3)),
+            (0.0, 0.1, Tolerance::Relative(0.5)),
+            (0.0, -0.11, Tolerance::Absolute(0.1)),
+            (1.0, f64::NAN, Tolerance::Relative(1e-3)),
+            (1.0, f64::NAN, Tolerance::Any),
+            (f64::INFINITY, 1.0, Tolerance::Relative(1e-3)),
+        ] {
+            let row = row(expected, computed, tolerance);
+            let caught = std::panic::catch_unwind(|| row.check());
+            assert!(caught.is_err(), "{row:?}");
+        }
+    }
+
+    #[test]
+    #[should_panic(expected = "X01, a number: 3 for 2, 5.00e-1 apart")]
+    fn one_of_many_is_enough_to_fail() {
+        report_worst([2.0, 3.0, 2.0].map(|x| row(2.0, x, Tolerance::Relative(0.1))));
+    }
+}

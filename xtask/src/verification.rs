@@ -1,0 +1,325 @@
+//! The book's table of verification, made of what the tests report.
+
+use std::{
+    collections::BTreeMap,
+    fmt::Write as _,
+    fs,
+    path::{Path, PathBuf},
+};
+
+use wholestring_verification::{FILE, Line, Tolerance, error};
+
+use crate::{
+    Finding,
+    command::{Failure, cargo, run_counted, succeeds},
+    root, target,
+};
+
+/// Where the tests of the last run reported to.
+pub(crate) fn reported() -> PathBuf {
+    // Absolute: each test runs in the folder of its own package.
+    let target = target();
+    target
+        .canonicalize()
+        .unwrap_or(target)
+        .join("verification.jsonl")
+}
+
+/// Removes what an earlier run reported.
+pub(crate) fn forget() -> Result<(), Failure> {
+    let path = reported();
+    match fs::remove_file(&path) {
+        Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
+            Err(Failure::new(format!("{}: {error}", path.display())))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn page() -> PathBuf {
+    root().join("docs/src/verification-table.md")
+}
+
+/// Runs every test, those that take minutes too.
+pub(crate) fn all_tests() -> Result<Finding, Failure> {
+    forget()?;
+    let mut runner = cargo();
+    if succeeds(cargo().args(["nextest", "--version"])) {
+        runner.args(["nextest", "run", "--workspace", "--no-fail-fast"]);
+        runner.args(["--run-ignored", "all"]);
+    } else {
+        runner.args(["test", "--workspace", "--no-fail-fast"]);
+        runner.args(["--lib", "--bins", "--tests", "--examples"]);
+        runner.args(["--", "--include-ignored"]);
+    }
+    run_counted(runner.env(FILE, reported())).map(Finding::Tested)
+}
+
+/// Writes the table into the book.
+pub(crate) fn write_table() -> Result<Finding, Failure> {
+    let lines = read(&reported())?;
+    let cases = Cases::read()?;
+    fs::write(page(), table(&lines, &cases)?)
+        .map_err(|error| Failure::new(format!("{}: {error}", page().display())))?;
+    Ok(Finding::Done)
+}
+
+/// Whether the table in the book has the cases that the tests reported, and no other than are on
+/// record. Its numbers are those of the machine that made it.
+pub(crate) fn check_table() -> Result<Finding, Failure> {
+    let text = fs::read_to_string(page()).unwrap_or_default();
+    let listed: Vec<&str> = text
+        .lines()
+        .filter_map(|line| line.strip_prefix("## "))
+        .map(|heading| heading.split(':').next().unwrap_or(heading))
+        .collect();
+    let cases = Cases::read()?;
+    let stale = |reason: String| Failure::new(format!("{reason}; run `cargo xtask verify`"));
+    for line in read(&reported())? {
+        if !listed.contains(&&*line.case) {
+            let page = page();
+            return Err(stale(format!("{} lacks {}", page.display(), line.case)));
+        }
+    }
+    for case in listed {
+        if cases.find(case).is_none() {
+            return Err(stale(format!("nothing is on record of {case}")));
+        }
+    }
+    Ok(Finding::Done)
+}
+
+fn read(path: &Path) -> Result<Vec<Line<'static>>, Failure> {
+    let text = fs::read_to_string(path)
+        .map_err(|error| Failure::new(format!("{}: {error}", path.display())))?;
+    text.lines()
+        .map(|line| {
+            serde_json::from_str(line)
+                .map_err(|error| Failure::new(format!("{}: {error}: {line}", path.display())))
+        })
+        .collect()
+}
+
+/// What `verification/README.md` says of the cases.
+struct Cases(Vec<Case>);
+
+struct Case {
+    /// Files, or names of cases without one.
+    names: Vec<String>,
+    what: String,
+    source: String,
+}
+
+impl Cases {
+    fn read() -> Result<Self, Failure> {
+        let path = root().join("verification/README.md");
+        let text = fs::read_to_string(&path)
+            .map_err(|error| Failure::new(format!("{}: {error}", path.display())))?;
+        Ok(Self::parse(&text))
+    }
+
+    fn parse(text: &str) -> Self {
+        let rows = text.lines().filter_map(|line| {
+            let line = line.trim().strip_prefix('|')?.strip_suffix('|')?;
+            let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+            let [names, what, source] = cells[..] else {
+                return None;
+            };
+            let names = names.split('`').skip(1).step_by(2).map(str::to_owned);
+            Some(Case {
+                names: names.collect(),
+                what: what.to_owned(),
+                source: source.to_owned(),
+            })
+        });
+        Self(rows.filter(|case| !case.names.is_empty()).collect())
+    }
+
+    fn find(&self, name: &str) -> Option<&Case> {
+        let is = |file: &String| {
+            let rest = file.strip_prefix(name);
+            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
+        };
+        self.0.iter().find(|case| case.names.iter().any(is))
+    }
+}
+
+const INTRODUCTION: &str = "\
+# Verification, number by number
+
+What the tests of [Verification](verification.md) hold against what, within what and why. `cargo xtask verify`
+runs all of them, those that take minutes too, and writes this page; the numbers are those of the machine
+that did. Where a row stands for several numbers, it is the one nearest to its tolerance. Errors and
+tolerances are parts of the expected value where no unit says otherwise.
+";
+
+fn table(lines: &[Line<'_>], cases: &Cases) -> Result<String, Failure> {
+    let mut sorted: BTreeMap<&str, BTreeMap<Vec<Piece<'_>>, &Line<'_>>> = BTreeMap::new();
+    for line in lines {
+        let rows = sorted.entry(&line.case).or_default();
+        rows.insert(pieces(&line.quantity), line);
+    }
+    let mut text = INTRODUCTION.to_owned();
+    for (name, rows) in sorted {
+        let case = cases.find(name).ok_or_else(|| {
+            Failure::new(format!(
+                "the tests report {name}, which verification/README.md does not list"
+            ))
+        })?;
+        let _ = write!(
+            text,
+            "\n## {name}: {}\n\nSource: {}.\n\n\
+             | quantity | expected | computed | error | within | why |\n|---|---|---|---|---|---|\n",
+            case.what, case.source
+        );
+        for line in rows.values() {
+            let _ = writeln!(text, "{}", row(line));
+        }
+    }
+    Ok(text)
+}
+
+fn row(line: &Line<'_>) -> String {
+    let Line {
+        quantity,
+        expected,
+        computed,
+        tolerance,
+        reason,
+        of,
+        ..
+    } = line;
+    let many = if *of > 1 {
+        format!(" (of {of})")
+    } else {
+        String::new()
+    };
+    let apart = error(*expected, *computed, *tolerance);
+    // `climb, rad` is in rad.
+    let unit = quantity.rsplit_once(", ").map_or("", |(_, unit)| unit);
+    let in_unit = |value: f64| format!("{} {unit}", short(value)).trim_end().to_owned();
+    let (apart, within) = match tolerance {
+        Tolerance::Relative(most) => (short(apart), short(*most)),
+        Tolerance::Absolute(most) => (in_unit(apart), in_unit(*most)),
+        Tolerance::Any => (short(apart), "as it comes".to_owned()),
+    };
+    let cells = [
+        format!("{quantity}{many}"),
+        number(*expected),
+        number(*computed),
+        apart,
+        within,
+        reason.to_string(),
+    ];
+    format!(
+        "| {} |",
+        cells.map(|cell| cell.replace('|', "\\|")).join(" | ")
+    )
+}
+
+/// Six digits.
+fn number(value: f64) -> String {
+    let plain: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    if plain == 0.0 || (1e-3..1e7).contains(&plain.abs()) {
+        plain.to_string()
+    } else {
+        format!("{plain:e}")
+    }
+}
+
+/// Two digits.
+fn short(value: f64) -> String {
+    let plain: f64 = format!("{value:.1e}").parse().unwrap_or(value);
+    if plain == 0.0 || plain >= 1e-3 {
+        plain.to_string()
+    } else {
+        format!("{plain:e}")
+    }
+}
+
+/// A stretch of a text: digits sort by their number.
+#[derive(Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Piece<'a> {
+    Number(u64),
+    Word(&'a str),
+}
+
+fn pieces(text: &str) -> Vec<Piece<'_>> {
+    let mut pieces = Vec::new();
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let digit = first.is_ascii_digit();
+        let end = rest
+            .find(|letter: char| letter.is_ascii_digit() != digit)
+            .unwrap_or(rest.len());
+        let (piece, after) = rest.split_at(end);
+        pieces.push(match piece.parse() {
+            Ok(number) if digit => Piece::Number(number),
+            _ => Piece::Word(piece),
+        });
+        rest = after;
+    }
+    pieces
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const README: &str = "\
+# Inputs
+
+| file | what | source |
+|---|---|---|
+| `A01`, `A02` | soft string | our own |
+| `E05_climb.json` | a climb | closed | forms |
+| `E06_hertz.json` | a blow | closed forms |
+| `energy` | the balance | an identity |
+";
+
+    fn line(case: &'static str, quantity: &'static str, tolerance: Tolerance) -> Line<'static> {
+        Line {
+            case: case.into(),
+            quantity: quantity.into(),
+            expected: 2e-5,
+            computed: 2.000_02e-5,
+            tolerance,
+            reason: "a reason".into(),
+            of: 3,
+        }
+    }
+
+    #[test]
+    fn a_row_for_every_number() {
+        let cases = Cases::parse(README);
+        let lines = [
+            line("E06", "force at 10 m", Tolerance::Relative(1e-4)),
+            line("A02", "torque", Tolerance::Any),
+            line("E06", "force at 9 m, N", Tolerance::Absolute(0.25)),
+        ];
+        let text = table(&lines, &cases).unwrap_or_else(|failure| panic!("{}", failure.reason));
+        let expected = "\
+\n## A02: soft string\n\nSource: our own.\n
+| quantity | expected | computed | error | within | why |
+|---|---|---|---|---|---|
+| torque (of 3) | 2e-5 | 2.00002e-5 | 1e-5 | as it comes | a reason |
+\n## E06: a blow\n\nSource: closed forms.\n
+| quantity | expected | computed | error | within | why |
+|---|---|---|---|---|---|
+| force at 9 m, N (of 3) | 2e-5 | 2.00002e-5 | 2e-10 N | 0.25 N | a reason |
+| force at 10 m (of 3) | 2e-5 | 2.00002e-5 | 1e-5 | 1e-4 | a reason |
+";
+        assert_eq!(text.strip_prefix(INTRODUCTION), Some(expected));
+    }
+
+    #[test]
+    fn a_case_that_is_not_on_record_is_refused() {
+        let cases = Cases::parse(README);
+        for name in ["E0", "E05_climb.jso", "E07", "A0"] {
+            assert!(cases.find(name).is_none(), "{name}");
+        }
+        assert!(cases.find("A01").is_some() && cases.find("energy").is_some());
+        let unknown = [line("E07", "a number", Tolerance::Any)];
+        assert!(table(&unknown, &cases).is_err());
+    }
+}
