@@ -27,6 +27,7 @@ fn soft_string_side_by_side() {
         "profile.svg",
         "summary.json",
         "time.parquet",
+        "wear.parquet",
     ];
     assert_eq!(
         files(&desk, "out/Straight slant"),
@@ -83,6 +84,8 @@ fn soft_string_and_dynamics_side_by_side() {
         "summary.json",
         "time.csv",
         "time.parquet",
+        "wear.csv",
+        "wear.parquet",
     ];
     assert_eq!(
         files(&desk, "here/and/there"),
