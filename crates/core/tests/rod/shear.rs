@@ -112,9 +112,9 @@ fn a_deep_cantilever_bends_far_by_bending_and_shear() {
     let force = input("F_large");
     let reissner = [100, 200].map(|steps| shoot(&rod, simo_reissner, force, steps));
     let own = [100, 200].map(|steps| shoot(&rod, along_the_axis, force, steps));
-    for answers in [reissner, own] {
-        for i in 0..2 {
-            assert_close("steps", answers[0][i], answers[1][i], 2e-9);
+    for [coarse, fine] in [reissner, own] {
+        for (coarse, fine) in coarse.into_iter().zip(fine) {
+            assert_close("steps", coarse, fine, 2e-9);
         }
     }
     let large = &data["expected"]["large"];

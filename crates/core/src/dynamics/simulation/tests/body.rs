@@ -118,7 +118,7 @@ fn a_bent_string_turns() {
                 .surroundings
                 .follow(chain, anchors, &mut simulation.high);
         }
-        if step as u64 % simulation.steps_per_sample == 0 {
+        if (step as u64).is_multiple_of(simulation.steps_per_sample) {
             simulation.sample();
         }
         spun += node!(simulation.chain, index, spin) * dt;
