@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     assembly::{self, Anchor, Surroundings},
-    bit::{Bit, BitLaw},
+    bit::Bit,
     body::Body,
     chain::{Chain, element, node},
     energy::{self, Energies, EnergyBalance, Ledger, StepWork},
@@ -197,10 +197,7 @@ impl Simulation {
         let top_drive = TopDrive::new(&settings.top_drive, string, &mut chain);
         // The front on which the bit stands with its first weight.
         let lighter_N = operation.weight_on_bit_now_N() - first.weight_on_bit_now_N();
-        let bottom = match settings.bit.law {
-            BitLaw::Rate(law) => bottom + lighter_N / law.rock_stiffness_N_per_m,
-            BitLaw::Regenerative(_) => bottom,
-        };
+        let bottom = bottom + lighter_N / settings.bit.law.stiffness_N_per_m();
         let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
         let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
         let record = Record::new(model, &mesh);
