@@ -23,6 +23,10 @@ for (model, operation), string in nodes.group_by("model", "operation", maintain_
     print(f"    torque at surface    {string['torque_N_m'][0] / 1e3:9.2f} kN.m")
     if not compression.is_empty():
         print(f"    in compression from  {compression['md_m'].min():9.1f} m MD")
+    used = string.filter(pl.col("yield_use").is_not_null()).sort("yield_use", descending=True)
+    if not used.is_empty():
+        part, depth = used["yield_use"][0], used["md_m"][0]
+        print(f"    most of the yield    {100 * part:9.0f} % at {depth:.1f} m MD")
     if not hardest.is_empty():
         force, depth = hardest["side_force_N_per_m"][0], hardest["md_m"][0]
         side = "high" if force > 0 else "low"
@@ -35,3 +39,16 @@ if not time.is_empty():
         for name, scale, unit in [("hook_load_N", 1e3, "kN"), ("surface_torque_N_m", 1e3, "kN.m")]:
             mean, deviation = late[name].mean() / scale, late[name].std() / scale
             print(f"  {operation:<20} {name:<20} {mean:9.2f} +- {deviation:.2f} {unit}")
+
+# With [records] frames in the case. They can be many: this reads no more of them than it needs.
+if (folder / "frames.parquet").exists():
+    frames = pl.scan_parquet(folder / "frames.parquet")
+    if "contact_force_N" in frames.collect_schema():
+        print("In frames: the hardest contact")
+        where = pl.col("contact_force_N").abs().arg_max()
+        columns = pl.col("time_s", "md_m", "contact_force_N").get(where)
+        for row in frames.group_by("operation").agg(columns).collect().iter_rows(named=True):
+            print(
+                f"  {row['operation']:<20} {abs(row['contact_force_N']) / 1e3:9.2f} kN"
+                f" at {row['md_m']:.1f} m MD, {row['time_s']:.2f} s"
+            )

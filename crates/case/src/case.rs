@@ -11,20 +11,23 @@ use crate::{
     assembly,
     bit::BitTable,
     diagnostic::{Diagnostic, Report},
-    dynamics::{DynamicsTable, MeshTable},
+    dynamics::{DynamicsTable, MeshTable, Told},
     effort, fit, hole,
     mud::MudTable,
     node::{self, Entries, Node, Value},
     operation::OperationTable,
     overrides::{self, Override},
     reader::Reader,
+    records::{Records, RecordsTable},
     rig::{HoistTable, RigTable},
+    roughness,
     rule::{At, Choice, List, Rule, Section, Table, Text, once_each},
     settings,
     source::{Files, Place},
     string::{ComponentTable, SteelTable},
     table::{default, optional, required, table},
     template::Template,
+    top_drive::TopDriveTable,
     well::WellTable,
 };
 
@@ -115,12 +118,16 @@ table! {
         rig: RigTable = optional(Section::<RigTable>::RULE);
         /// How the top of the string is moved along the hole in the dynamic model.
         hoist: HoistTable = optional(Section::<HoistTable>::RULE);
+        /// What turns the top of the string in the dynamic model.
+        top_drive: TopDriveTable = optional(Section::<TopDriveTable>::RULE);
         /// What the driller is doing.
         operation: OperationTable = required(Section::<OperationTable>::RULE);
         /// How finely the string is cut.
         mesh: MeshTable = optional(Section::<MeshTable>::RULE);
         /// Settings of the dynamic model.
         dynamics: DynamicsTable = optional(Section::<DynamicsTable>::RULE);
+        /// What a dynamic run keeps beside its tables.
+        records: RecordsTable = optional(Section::<RecordsTable>::RULE);
     }
 }
 
@@ -141,6 +148,8 @@ pub struct Case {
     pub dynamics: DynamicsSettings,
     /// Time on the clock between checkpoints of a dynamic run, s.
     pub checkpoint_interval_s: f64,
+    /// What a dynamic run keeps beside its tables.
+    pub records: Records,
     /// How the survey file was understood, in sentences; empty where the stations stand in the case.
     pub survey_notes: Vec<String>,
     /// What is probably not meant, but can be computed.
@@ -232,7 +241,7 @@ fn as_text(bytes: &[u8]) -> Result<&str, Diagnostic> {
 fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> Option<Case> {
     let case = CaseTable::read(root, Place::default(), reader);
     let models = models(&case, reader);
-    let mud = case.mud.get().and_then(MudTable::build);
+    let mud = case.mud.get().and_then(|mud| mud.build(reader));
     let steel = case.steel.get().and_then(|steel| steel.build(reader));
     let rig = case.rig.get().and_then(|rig| rig.build(reader));
 
@@ -242,7 +251,9 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         .zip(stations.as_ref())
         .and_then(|(at, stations)| at.value.path(stations, reader));
     let sections = well.and_then(|at| at.value.hole.get());
-    let hole = sections.and_then(|sections| hole::build(sections, reader));
+    let rough = well.and_then(|at| at.value.roughness.given());
+    let hole =
+        sections.and_then(|sections| hole::build(sections, rough.map(|at| &at.value), reader));
 
     let last_md_m = path.as_ref().map(|path| path.last_md_m());
     let operation = case.operation.get();
@@ -253,28 +264,55 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
             .reaches(path.as_ref(), hole.as_ref(), bit_depth_m, bit_place, reader)
     });
 
-    let operations = match (operation, case.bit.get()) {
-        (Some(operation), Some(bit)) => {
-            operation.build(bit, models.as_deref().unwrap_or(&[]), bit_depth_m, reader)
-        }
-        _ => None,
-    };
-    let dynamics = match (
-        case.dynamics.get(),
-        case.mesh.get(),
-        case.hoist.get(),
-        case.bit.get(),
-    ) {
-        (Some(dynamics), Some(mesh), Some(hoist), Some(bit)) => {
-            dynamics.build(mesh, hoist, bit, reader)
-        }
-        _ => None,
-    };
-
     let components = case.string.get();
     let spec = components
         .zip(steel.as_ref())
         .and_then(|(components, steel)| assembly::spec(components, steel, reader));
+    let lowest = spec.as_ref().and_then(|spec| spec.components.first());
+    let bit_radius_m = lowest.map(|bit| 0.5 * bit.od_m);
+    let bit = case
+        .bit
+        .get()
+        .and_then(|bit| bit.build(bit_radius_m, reader));
+
+    let operations = match (operation, case.bit.get()) {
+        (Some(operation), Some(table)) => operation.build(
+            (table, bit.as_ref()),
+            models.as_deref().unwrap_or(&[]),
+            bit_depth_m,
+            reader,
+        ),
+        _ => None,
+    };
+    let schedule = operation.and_then(|operation| {
+        let end_s = case.dynamics.get().and_then(DynamicsTable::end_s);
+        operation.schedule(models.as_deref().unwrap_or(&[]), end_s, reader)
+    });
+    let top_drive = case.top_drive.get().and_then(|drive| drive.build(reader));
+    if let (Some(operation), Some(mud)) = (operation, &mud) {
+        operation.check_flow(mud, reader);
+    }
+    let dynamics = match (case.dynamics.get(), case.mesh.get(), case.hoist.get()) {
+        (Some(dynamics), Some(mesh), Some(hoist)) => {
+            let told = Told {
+                hoist,
+                bit,
+                top_drive,
+                schedule,
+            };
+            dynamics.build(mesh, told, reader)
+        }
+        _ => None,
+    };
+
+    if let (Some(dynamics), Some(hole)) = (case.dynamics.get(), &hole) {
+        dynamics.check_stribeck(hole, reader);
+    }
+    let records = match (&dynamics, case.records.get()) {
+        (Some(dynamics), Some(records)) => records.build(dynamics, reader),
+        _ => None,
+    };
+
     let drill_string = match (&spec, components, bit_depth_m) {
         (Some(spec), Some(components), Some(bit_depth_m)) => {
             assembly::assemble(spec, components, bit_depth_m, bit_place, reader)
@@ -284,6 +322,8 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     if let (Some(drill_string), Some(components)) = (&drill_string, components) {
         if let (Some(hole), Some(sections)) = (&hole, sections) {
             fit::check_clearance(drill_string, components, hole, sections, reader);
+            let rms = rough.and_then(|at| at.value.rms.given());
+            roughness::check_clearance(drill_string, hole, rms.map(|at| at.place), reader);
         }
         if let Some(mud) = &mud {
             let wob = operation.and_then(|operation| operation.wob.given());
@@ -304,7 +344,8 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         mud: mud?,
         rig: rig?,
     };
-    let (models, operations, dynamics) = (models?, operations?, dynamics?);
+    let (models, operations) = (models?, operations?);
+    let (dynamics, records) = (dynamics?, records?);
     effort::check_effort(&models, &model, &operations, &dynamics, &case, reader)?;
     let name = match case.name.optional()? {
         Some(given) => given.value.clone(),
@@ -314,7 +355,9 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         ),
     };
     let units = *case.units.get()?;
-    let settings = settings::settings(&name, units, &models, &model, &operations, &dynamics, &case);
+    let mut settings =
+        settings::settings(&name, units, &models, &model, &operations, &dynamics, &case);
+    settings["records"] = records.settings();
     let checkpoint_interval_s = *case.dynamics.get()?.checkpoint_interval.get()?;
     Some(Case {
         name,
@@ -324,6 +367,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         operations,
         dynamics,
         checkpoint_interval_s,
+        records,
         survey_notes: stations.map_or_else(Vec::new, |stations| stations.notes),
         warnings: Report::default(),
         settings,

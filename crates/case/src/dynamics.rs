@@ -1,10 +1,15 @@
 //! `[mesh]` and `[dynamics]`.
 
-use wholestring::dynamics::{ContactLaw, DynamicsSettings, FrictionLaw, RodDamping, Start};
+use wholestring::{
+    dynamics::{
+        Autodriller, BitSettings, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl,
+        RodDamping, Schedule, Start, TopDriveSettings,
+    },
+    well::{Hole, HoleSection},
+};
 use wholestring_units::Dimension;
 
 use crate::{
-    bit::BitTable,
     diagnostic::Diagnostic,
     quantity::Quantity,
     range::{Number, Range, Whole, number_text},
@@ -90,6 +95,12 @@ table! {
             },
             DynamicsSettings::default().friction_law,
         );
+        /// Sliding speed at which friction at rest has half decayed to the kinetic one. Raising it keeps
+        /// more of the friction at rest in slow sliding. Used where a hole section has static friction.
+        stribeck_speed: f64 = default(
+            Quantity::si(Dimension::TripSpeed, Range::from_to(1e-4, 100.0), "0.1 m/s"),
+            DynamicsSettings::default().stribeck_speed_m_per_s,
+        );
         /// "hertz" (stiffness from the elastic constants and radii of pipe and hole) or "linear" (a
         /// spring and a dashpot).
         contact_law: Contact = default(
@@ -132,7 +143,8 @@ table! {
             Quantity::si(Dimension::Time, Range::from_to(0.01, 86_400.0), "30 s"),
             CHECKPOINT_INTERVAL_S,
         );
-        /// Seed of the microscopic lateral disturbance that breaks the symmetry of the start.
+        /// Seed of the microscopic lateral disturbance that breaks the symmetry of the start, and of the
+        /// bit's excitation.
         seed: u64 = default(Whole, DynamicsSettings::default().seed);
     }
 }
@@ -146,16 +158,36 @@ fn hertz_dissipation_default() -> f64 {
     }
 }
 
+/// What other tables tell of a dynamic run; what is missing has been reported.
+pub(crate) struct Told<'a> {
+    pub(crate) hoist: &'a HoistTable,
+    pub(crate) bit: Option<BitSettings>,
+    pub(crate) top_drive: Option<TopDriveSettings>,
+    pub(crate) schedule: Option<Schedule>,
+}
+
 impl DynamicsTable {
+    /// Where the run ends, s.
+    pub(crate) fn end_s(&self) -> Option<f64> {
+        Some(*self.settle.get()? + *self.duration.get()?)
+    }
+
     pub(crate) fn build(
         &self,
         mesh: &MeshTable,
-        hoist: &HoistTable,
-        bit: &BitTable,
+        told: Told<'_>,
         reader: &mut Reader,
     ) -> Option<DynamicsSettings> {
+        let Told {
+            hoist,
+            bit,
+            top_drive,
+            schedule,
+        } = told;
         let contact_law = self.contact(reader);
-        let hoist_control = hoist.control(reader);
+        let plan = schedule.clone().unwrap_or_default();
+        let hoist_control = hoist.control(&plan, reader);
+        let autodriller = hoist.autodriller(reader);
         self.check_samples(reader)?;
         let damping = self.damping.get()?;
         Some(DynamicsSettings {
@@ -164,17 +196,43 @@ impl DynamicsTable {
             settle_s: *self.settle.get()?,
             start: *self.start.get()?,
             friction_law: *self.friction_law.get()?,
+            stribeck_speed_m_per_s: *self.stribeck_speed.get()?,
             contact_law: contact_law?,
             damping: RodDamping {
                 mass_per_s: *damping.mass.get()?,
                 stiffness_s: *damping.stiffness.get()?,
             },
             hoist_control: hoist_control?,
+            // An operation that takes the autodriller by itself takes it as it is by default.
+            autodriller: if hoist_control? == Some(HoistControl::Autodriller)
+                || plan.holds_a_weight()
+            {
+                autodriller?
+            } else {
+                autodriller.map(|_| Autodriller::default())?
+            },
+            top_drive: top_drive?,
+            schedule: schedule?,
             hoist_line: hoist.line()?,
-            bit: bit.build()?,
+            bit: bit?,
             sample_interval_s: *self.sample_interval.get()?,
             seed: *self.seed.get()?,
         })
+    }
+
+    /// A Stribeck speed without friction at rest that could decay.
+    pub(crate) fn check_stribeck(&self, hole: &Hole, reader: &mut Reader) {
+        let decays = |section: &HoleSection| section.friction.at_rest > section.friction.kinetic;
+        if let Some(given) = self.stribeck_speed.given()
+            && !hole.sections().iter().any(decays)
+        {
+            reader.report(
+                Diagnostic::warning("`stribeck_speed` has no effect here").at(
+                    given.place,
+                    "used with `static` friction above `kinetic` in a hole section",
+                ),
+            );
+        }
     }
 
     fn contact(&self, reader: &mut Reader) -> Option<ContactLaw> {

@@ -46,12 +46,20 @@ pub(crate) fn check_clearance(
         };
         let name = short(&span.component.name);
         let joint = span.component.joints.is_some();
-        let part = if joint { "tool joint of " } else { "" };
+        let part = match span.component.blades {
+            Some(_) => "blades of ",
+            None if joint => "tool joint of ",
+            None => "",
+        };
+        let verb = match span.component.blades {
+            Some(_) => ["leave", "do"],
+            None => ["leaves", "does"],
+        };
         let equal = (od_m - section.diameter_m).abs() <= EQUAL_M;
         let message = if equal {
-            format!("{part}`{name}` leaves no clearance in the hole")
+            format!("{part}`{name}` {} no clearance in the hole", verb[0])
         } else {
-            format!("{part}`{name}` does not pass the hole")
+            format!("{part}`{name}` {} not pass the hole", verb[1])
         };
         let mut diagnostic =
             Diagnostic::error(message).at(od_place(table, joint), format!("{} across", mm(od_m)));
@@ -107,7 +115,10 @@ pub(crate) fn check_weight_on_bit(
 fn od_place(table: &At<ComponentTable>, joint: bool) -> Place {
     let component = &table.value;
     let joint_od = component.joint_od.given().filter(|_| joint);
-    joint_od
+    component
+        .blade_od
+        .given()
+        .or(joint_od)
         .or(component.od.given())
         .map(|at| at.place)
         .or(component.catalogue.given().map(|at| at.place))

@@ -9,18 +9,24 @@ use crate::{
     quantity::Quantity,
     range::{Number, Range, number_text},
     reader::Reader,
+    roughness::RoughnessTable,
     rule::{At, Choice, Rule, Table},
     source::Place,
-    table::{optional, required, table},
+    table::{default, optional, required, table},
 };
 
 table! {
-    /// Friction between string and wall, sliding and at rest.
+    /// Friction between string and wall: sliding and at rest, along the hole and around it.
     FrictionTable in "friction" {
-        /// Coefficient while sliding.
+        /// Coefficient while sliding, along the hole and, where `around` does not say otherwise, around it.
         kinetic: f64 = required(coefficient());
-        /// Coefficient at rest, at least the kinetic one. Default: the kinetic one.
+        /// Coefficient at rest along the hole, at least the kinetic one; around the hole it is in the same
+        /// ratio to `around`. Raising it makes the string stick longer and break away with more. Default:
+        /// the kinetic one.
         r#static: f64 = optional(coefficient());
+        /// Coefficient while sliding around the hole: raising it raises torque, not drag. Default: the
+        /// kinetic one.
+        around: f64 = optional(coefficient());
     }
 }
 
@@ -31,7 +37,45 @@ fn coefficient() -> Number {
     }
 }
 
-/// A coefficient of friction, or a table of two.
+/// Smallest coefficient along the hole that one around it is taken in its ratio to.
+const LEAST_FRICTION: f64 = 1e-3;
+
+impl FrictionTable {
+    fn build(&self, reader: &mut Reader) -> Option<Friction> {
+        let kinetic = self.kinetic.get();
+        let (at_rest, around) = (self.r#static.optional()?, self.around.optional()?);
+        let kinetic = *kinetic?;
+        let mut friction = Friction::uniform(kinetic);
+        if let Some(at_rest) = at_rest {
+            if at_rest.value < kinetic {
+                reader.report(
+                    Diagnostic::error("static friction is smaller than kinetic friction")
+                        .at(at_rest.place, format!("expected at least {kinetic}")),
+                );
+                return None;
+            }
+            friction.at_rest = at_rest.value;
+        }
+        if let Some(around) = around
+            && around.value != kinetic
+        {
+            if kinetic < LEAST_FRICTION {
+                reader.report(
+                    Diagnostic::error("friction around the hole needs friction along it")
+                        .at(around.place, "taken in its ratio to `kinetic`")
+                        .help(format!(
+                            "give a kinetic friction of {LEAST_FRICTION} or more"
+                        )),
+                );
+                return None;
+            }
+            friction.around = around.value / kinetic;
+        }
+        Some(friction)
+    }
+}
+
+/// A coefficient of friction, or a table of several.
 pub(crate) struct FrictionRule;
 
 impl Rule for FrictionRule {
@@ -41,32 +85,9 @@ impl Rule for FrictionRule {
         match &node.value {
             Value::Number { .. } => {
                 let kinetic = coefficient().read(node, reader)?;
-                Some(Friction {
-                    kinetic,
-                    at_rest: kinetic,
-                })
+                Some(Friction::uniform(kinetic))
             }
-            Value::Table(entries) => {
-                let table = FrictionTable::read(entries, node.place, reader);
-                let kinetic = table.kinetic.get()?;
-                let Some(at_rest) = table.r#static.optional()? else {
-                    return Some(Friction {
-                        kinetic: *kinetic,
-                        at_rest: *kinetic,
-                    });
-                };
-                if at_rest.value < *kinetic {
-                    reader.report(
-                        Diagnostic::error("static friction is smaller than kinetic friction")
-                            .at(at_rest.place, format!("expected at least {kinetic}")),
-                    );
-                    return None;
-                }
-                Some(Friction {
-                    kinetic: *kinetic,
-                    at_rest: at_rest.value,
-                })
-            }
+            Value::Table(entries) => FrictionTable::read(entries, node.place, reader).build(reader),
             _ => {
                 reader.expected(node, "a coefficient such as 0.3, without quotes");
                 None
@@ -106,7 +127,8 @@ table! {
             Range::from_to(0.02, 2.0),
             "8-1/2 in",
         ));
-        /// Coefficient of friction between string and wall, or { kinetic = 0.25, static = 0.3 }.
+        /// Coefficient of friction between string and wall, or
+        /// { kinetic = 0.25, static = 0.3, around = 0.2 }.
         friction: Friction = required(FrictionRule);
         /// Young's modulus of the wall. Default: 210 GPa in casing; 51.5 GPa in open hole, the rock of
         /// the article that the dynamics follow. Used by Hertz contact.
@@ -117,6 +139,8 @@ table! {
         ));
         /// Poisson's ratio of the wall. Default: 0.3 in casing, 0.33 in open hole. Used by Hertz contact.
         poisson_ratio: f64 = optional(Number { unit: "", range: Range::from_to(0.0, 0.5) });
+        /// What the amplitudes of [well.roughness] are multiplied by in this section: 0 makes it smooth.
+        roughness: f64 = default(Number { unit: "", range: Range::from_to(0.0, 10.0) }, 1.0);
     }
 }
 
@@ -131,7 +155,13 @@ const fn wall_constants(kind: HoleKind) -> (f64, f64) {
 }
 
 /// The sections, one below the other.
-pub(crate) fn build(tables: &[At<HoleTable>], reader: &mut Reader) -> Option<Hole> {
+pub(crate) fn build(
+    tables: &[At<HoleTable>],
+    roughness: Option<&RoughnessTable>,
+    reader: &mut Reader,
+) -> Option<Hole> {
+    crate::roughness::warn_of_sections(roughness, tables, reader);
+    let roughness = roughness.map(|table| table.build(reader));
     let mut sections = Vec::new();
     let mut above: Option<(f64, Place)> = None;
     let mut sound = true;
@@ -165,7 +195,11 @@ pub(crate) fn build(tables: &[At<HoleTable>], reader: &mut Reader) -> Option<Hol
     if !sound {
         return None;
     }
-    match Hole::new(sections) {
+    let roughness = match roughness {
+        Some(built) => Some(built?),
+        None => None,
+    };
+    match Hole::new(sections).and_then(|hole| hole.with_roughness(roughness)) {
         Ok(hole) => Some(hole),
         Err(error) => {
             reader.report(hole_error(&error, tables));
@@ -221,6 +255,7 @@ fn section(table: &HoleTable, from_md_m: f64) -> Option<HoleSection> {
         friction: *table.friction.get()?,
         youngs_modulus_Pa: youngs_modulus.map_or(youngs_modulus_Pa, |at| at.value),
         poisson_ratio: poisson.map_or(poisson_ratio, |at| at.value),
+        roughness: *table.roughness.get()?,
     })
 }
 

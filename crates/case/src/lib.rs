@@ -18,6 +18,7 @@
 
 mod assembly;
 mod bit;
+mod body;
 mod case;
 mod diagnostic;
 mod dynamics;
@@ -32,8 +33,11 @@ mod overrides;
 mod quantity;
 mod range;
 mod reader;
+mod records;
 mod rig;
+mod roughness;
 mod rule;
+mod schedule;
 mod schema;
 mod settings;
 mod source;
@@ -42,12 +46,14 @@ mod string;
 pub mod survey;
 mod table;
 mod template;
+mod top_drive;
 mod vary;
 mod well;
 
 pub use case::{Case, load, parse};
 pub use diagnostic::{Diagnostic, Label, Report, Severity};
 pub use overrides::{Override, OverrideError};
+pub use records::Records;
 pub use schema::schema;
 pub use source::{Disk, Files, InMemory, Place, Source};
 pub use template::Template;

@@ -1,13 +1,40 @@
 //! `[mud]`.
 
-use wholestring::mud::Mud;
+use wholestring::mud::{Mud, Rheology};
 use wholestring_units::Dimension;
 
 use crate::{
+    diagnostic::Diagnostic,
     quantity::Quantity,
     range::{Number, Range},
-    table::{default, required, table},
+    reader::Reader,
+    rule::{At, Choice},
+    source::Place,
+    table::{Field, default, optional, required, table},
 };
+
+/// The rheologies, without their numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Flow {
+    Newtonian,
+    Bingham,
+    PowerLaw,
+}
+
+impl Flow {
+    const WORDS: &'static [(&'static str, Self)] = &[
+        ("newtonian", Self::Newtonian),
+        ("bingham", Self::Bingham),
+        ("power-law", Self::PowerLaw),
+    ];
+
+    fn word(self) -> &'static str {
+        Self::WORDS
+            .iter()
+            .find(|(_, flow)| *flow == self)
+            .map_or("", |(word, _)| word)
+    }
+}
 
 table! {
     /// Drilling fluid, the same inside the string and in the annulus.
@@ -33,15 +60,134 @@ table! {
             Number { unit: "", range: Range::from_to(0.0, 100.0) },
             1.0,
         );
+        /// How the mud flows: "newtonian", "bingham" or "power-law". With it the mud drags along the string and
+        /// about it as the string moves and the pumps run, lifts it with its stream and with the bit's jets, and
+        /// loses pressure on its way. Without it the mud does none of that.
+        rheology: Flow = optional(Choice { noun: "a rheology", words: Flow::WORDS });
+        /// Viscosity of a Newtonian mud. Raising it raises torque, drag and pressure losses in proportion, as long as
+        /// the flow is laminar.
+        viscosity: f64 = optional(Quantity::si(
+            Dimension::Viscosity,
+            Range::from_to(1e-6, 1e3),
+            "20 cP",
+        ));
+        /// Plastic viscosity of a Bingham mud: what the shear stress gains per shear rate.
+        plastic_viscosity: f64 = optional(Quantity::si(
+            Dimension::Viscosity,
+            Range::from_to(1e-6, 1e3),
+            "25 cP",
+        ));
+        /// Yield point of a Bingham mud: the stress below which it does not flow. Raising it raises torque, drag and
+        /// losses at any speed.
+        yield_point: f64 = optional(Quantity::si(
+            Dimension::ShearStress,
+            Range::from_to(0.0, 1000.0),
+            "15 lbf/100ft2",
+        ));
+        /// Consistency index of a power-law mud: its shear stress at a shear rate of 1 1/s.
+        consistency_index: f64 = optional(Quantity::si(
+            Dimension::Consistency,
+            Range::from_to(1e-6, 1e3),
+            "0.6 Pa.s^n",
+        ));
+        /// Flow behaviour index of a power-law mud: 1 is Newtonian; the lower, the more it thins as it is sheared.
+        flow_behaviour_index: f64 = optional(Number {
+            unit: "",
+            range: Range::from_to(0.1, 1.0),
+        });
     }
 }
 
 impl MudTable {
-    pub(crate) fn build(&self) -> Option<Mud> {
+    pub(crate) fn build(&self, reader: &mut Reader) -> Option<Mud> {
+        let rheology = self.rheology(reader);
         Some(Mud {
             density_kg_per_m3: *self.density.get()?,
             linear_drag_Pa_s: *self.linear_drag.get()?,
             drag_coefficient: *self.drag_coefficient.get()?,
+            rheology: rheology?,
         })
     }
+
+    /// The rheology with its numbers; `None` after a mistake.
+    fn rheology(&self, reader: &mut Reader) -> Option<Option<Rheology>> {
+        let chosen = self.rheology.optional()?;
+        let belongs = [
+            (&self.viscosity, "viscosity", Flow::Newtonian),
+            (&self.plastic_viscosity, "plastic_viscosity", Flow::Bingham),
+            (&self.yield_point, "yield_point", Flow::Bingham),
+            (&self.consistency_index, "consistency_index", Flow::PowerLaw),
+            (
+                &self.flow_behaviour_index,
+                "flow_behaviour_index",
+                Flow::PowerLaw,
+            ),
+        ];
+        for (field, name, owner) in belongs {
+            match (field.given(), chosen) {
+                (Some(given), Some(flow)) if flow.value != owner => reader
+                    .report(no_effect(name, given.place, owner).at(flow.place, "the rheology")),
+                (Some(given), None) => reader.report(
+                    no_effect(name, given.place, owner)
+                        .help(format!("give rheology = \"{}\"", owner.word())),
+                ),
+                _ => {}
+            }
+        }
+        let Some(flow) = chosen else {
+            return Some(None);
+        };
+        let mut needed = |field: &Field<f64>, name: &str, example: &str| {
+            needed_by(flow, field, name, example, reader)
+        };
+        Some(Some(match flow.value {
+            Flow::Newtonian => Rheology::Newtonian {
+                viscosity_Pa_s: needed(&self.viscosity, "viscosity", "\"20 cP\"")?,
+            },
+            Flow::Bingham => {
+                let viscosity = needed(&self.plastic_viscosity, "plastic_viscosity", "\"25 cP\"");
+                let yields = needed(&self.yield_point, "yield_point", "\"15 lbf/100ft2\"");
+                Rheology::Bingham {
+                    plastic_viscosity_Pa_s: viscosity?,
+                    yield_point_Pa: yields?,
+                }
+            }
+            Flow::PowerLaw => {
+                let consistency = needed(
+                    &self.consistency_index,
+                    "consistency_index",
+                    "\"0.6 Pa.s^n\"",
+                );
+                let index = needed(&self.flow_behaviour_index, "flow_behaviour_index", "0.65");
+                Rheology::PowerLaw {
+                    consistency_Pa_s_n: consistency?,
+                    flow_index: index?,
+                }
+            }
+        }))
+    }
+}
+
+fn no_effect(name: &str, place: Place, owner: Flow) -> Diagnostic {
+    Diagnostic::warning(format!("`{name}` has no effect here"))
+        .at(place, format!("used with rheology = \"{}\"", owner.word()))
+}
+
+/// A number that the rheology cannot do without; `None` after a mistake.
+fn needed_by(
+    flow: &At<Flow>,
+    field: &Field<f64>,
+    name: &str,
+    example: &str,
+    reader: &mut Reader,
+) -> Option<f64> {
+    let value = field.optional()?;
+    if value.is_none() {
+        reader.report(
+            Diagnostic::error(format!("`{}` needs `{name}`", flow.value.word()))
+                .at(flow.place, format!("`{name}` is missing in [mud]"))
+                .help(format!("such as {name} = {example}")),
+        );
+    }
+    value.map(|at| at.value)
 }

@@ -3,18 +3,21 @@
 use std::f64::consts::PI;
 
 use wholestring::{
+    dynamics::{BitLaw, BitSettings, RegenerativeLaw, Schedule},
+    mud::Mud,
     operation::{Operation, OperationKind},
     outcome::ModelKind,
 };
 use wholestring_units::Dimension;
 
 use crate::{
-    bit::BitTable,
+    bit::{BitTable, Law},
     diagnostic::Diagnostic,
     quantity::Quantity,
-    range::Range,
+    range::{Range, number_text},
     reader::Reader,
-    rule::{At, Choice, List, once_each},
+    rule::{At, Choice, List, Section, once_each},
+    schedule::{self, Around, StepTable},
     source::Place,
     table::{Field, default, optional, required, table},
 };
@@ -76,7 +79,7 @@ table! {
             "6 tf",
         ));
         /// Rate of penetration at this weight on bit and rotary speed. Needed by "drill", and by "slide"
-        /// in the dynamic model.
+        /// in the dynamic model; the regenerative law of the bit finds its own.
         rop: f64 = optional(Quantity::si(
             Dimension::RateOfPenetration,
             Range::positive_to(0.3),
@@ -87,6 +90,26 @@ table! {
             Quantity::si(Dimension::TripSpeed, Range::positive_to(10.0), "0.3 m/s"),
             TRIP_SPEED_M_PER_S,
         );
+        /// What the pumps deliver. They rest while the string trips without rotation. It acts on a mud with a rheology:
+        /// raising it raises the pressure losses and the lift of the stream, which lowers the hook load.
+        flow_rate: f64 = default(
+            Quantity::si(Dimension::FlowRate, Range::from_to(0.0, 0.5), "2000 L/min"),
+            0.0,
+        );
+        /// Pressure drop of the bit's nozzles at this flow rate. Raising it lifts the string with the thrust of the
+        /// jets and lengthens it with the pressure inside.
+        bit_pressure_drop: f64 = default(
+            Quantity::si(Dimension::Pressure, Range::from_to(0.0, 1e8), "80 bar"),
+            0.0,
+        );
+        /// What the driller changes while a dynamic run goes on, line by line in the order of time. One operation
+        /// alone can have a schedule.
+        schedule: Vec<At<StepTable>> = optional(List {
+            item: Section::<StepTable>::RULE,
+            or_one: false,
+            noun: "lines ([[operation.schedule]])",
+            most: 5000,
+        });
     }
 }
 
@@ -104,20 +127,76 @@ impl OperationTable {
         }
     }
 
+    /// The plan of what changes in the course of a run that ends at `end_s`.
+    pub(crate) fn schedule(
+        &self,
+        models: &[ModelKind],
+        end_s: Option<f64>,
+        reader: &mut Reader,
+    ) -> Option<Schedule> {
+        let Some(lines) = self.schedule.optional()? else {
+            return Some(Schedule::default());
+        };
+        let around = Around {
+            kinds: self.kind.get()?,
+            models,
+            wob_N: self.wob.optional()?.map(|at| at.value),
+            end_s,
+        };
+        schedule::build(lines, &around, reader)
+    }
+
+    /// Warns of a flow that does nothing.
+    pub(crate) fn check_flow(&self, mud: &Mud, reader: &mut Reader) -> Option<()> {
+        let flowing = *self.flow_rate.get()? > 0.0;
+        let circulates = |kind: &At<OperationKind>| {
+            !matches!(kind.value, OperationKind::TripIn | OperationKind::TripOut)
+        };
+        let why = if mud.rheology.is_none() {
+            "acts on a mud with a rheology"
+        } else if !self.kind.get()?.iter().any(circulates) {
+            "the pumps rest while the string trips"
+        } else {
+            ""
+        };
+        let keys = [
+            (&self.flow_rate, "flow_rate", why),
+            (
+                &self.bit_pressure_drop,
+                "bit_pressure_drop",
+                if why.is_empty() && !flowing {
+                    "needs a flow_rate"
+                } else {
+                    why
+                },
+            ),
+        ];
+        for (field, name, why) in keys {
+            if let (Some(given), false) = (field.given(), why.is_empty()) {
+                let message = format!("`{name}` has no effect here");
+                reader.report(Diagnostic::warning(message).at(given.place, why));
+            }
+        }
+        Some(())
+    }
+
     /// The operations, with the set points that each needs.
     pub(crate) fn build(
         &self,
-        bit: &BitTable,
+        bit: (&BitTable, Option<&BitSettings>),
         models: &[ModelKind],
         bit_depth_m: Option<f64>,
         reader: &mut Reader,
     ) -> Option<Vec<Operation>> {
         let kinds = self.kind.get()?;
+        let (table, bit) = bit;
+        let regenerative = table.law.get() == Some(&Law::Regenerative);
         once_each(kinds, OperationKind::name, reader)?;
         let find = |wanted: fn(OperationKind) -> bool| kinds.iter().find(|at| wanted(at.value));
         let rotating = find(OperationKind::rotates);
         let on_bottom = find(OperationKind::on_bottom);
         let advancing = kinds.iter().find(|at| match at.value {
+            _ if regenerative => false,
             OperationKind::Drill => true,
             OperationKind::Slide => models.contains(&ModelKind::Dynamic),
             _ => false,
@@ -139,8 +218,8 @@ impl OperationTable {
             );
             return None;
         }
-        let torque = bit.torque.optional()?;
-        if let (Some(kind), None) = (on_bottom, torque) {
+        let torque = table.torque.optional()?;
+        if let (Some(kind), None, Some(Law::Rate)) = (on_bottom, torque, table.law.get()) {
             reader.report(
                 Diagnostic::warning("no bit torque is given: the bit is taken to turn freely")
                     .at(kind.place, "puts the bit on bottom")
@@ -148,18 +227,63 @@ impl OperationTable {
             );
         }
         let trip_speed = *self.trip_speed.get()?;
+        let flow_rate = *self.flow_rate.get()?;
+        let bit_pressure_drop = *self.bit_pressure_drop.get()?;
         let (rpm, wob, rop) = (rpm?, wob?, rop?);
+        let bit = bit?;
+        if let (Some(kind), None) = (
+            find(|kind| kind == OperationKind::Slide),
+            table.motor_speed.given(),
+        ) && bit.asks_for_motor_speed()
+        {
+            reader.report(
+                Diagnostic::error("`slide` needs the speed at which the motor turns this bit")
+                    .at(kind.place, "`motor_speed` is missing in [bit]")
+                    .help("such as motor_speed = 120"),
+            );
+            return None;
+        }
+        if let BitLaw::Regenerative(law) = bit.law {
+            self.warn_of_regenerative(&law, reader);
+        }
         let bit_depth_m = bit_depth_m?;
-        let operation = |at: &At<OperationKind>| Operation {
-            kind: at.value,
-            bit_depth_m,
-            rotary_speed_rad_per_s: rpm.unwrap_or(0.0),
-            weight_on_bit_N: wob.unwrap_or(0.0),
-            bit_torque_N_m: torque.map_or(0.0, |torque| torque.value),
-            rate_of_penetration_m_per_s: rop.unwrap_or(SLIDE_ROP_M_PER_S),
-            trip_speed_m_per_s: trip_speed,
+        let operation = |at: &At<OperationKind>| {
+            bit.drilling_steadily(Operation {
+                kind: at.value,
+                bit_depth_m,
+                rotary_speed_rad_per_s: rpm.unwrap_or(0.0),
+                weight_on_bit_N: wob.unwrap_or(0.0),
+                bit_torque_N_m: torque.map_or(0.0, |torque| torque.value),
+                rate_of_penetration_m_per_s: rop.unwrap_or(SLIDE_ROP_M_PER_S),
+                trip_speed_m_per_s: trip_speed,
+                flow_rate_m3_per_s: flow_rate,
+                bit_pressure_drop_Pa: bit_pressure_drop,
+            })
         };
         Some(kinds.iter().map(operation).collect())
+    }
+
+    fn warn_of_regenerative(&self, law: &RegenerativeLaw, reader: &mut Reader) {
+        if let Some(rop) = self.rop.given() {
+            reader.report(
+                Diagnostic::warning("`rop` has no effect here")
+                    .at(rop.place, "the regenerative law of the bit finds its own"),
+            );
+        }
+        let bearing = law.wear_flat_weight_N();
+        if let Some(wob) = self.wob.given().filter(|wob| wob.value <= bearing) {
+            reader.report(
+                Diagnostic::warning("the wear flats bear all weight: the bit does not cut")
+                    .at(
+                        wob.place,
+                        format!(
+                            "they bear {} kN",
+                            number_text((bearing * 1e-2).round() * 1e-1)
+                        ),
+                    )
+                    .help("raise wob, or lower wear_flat or contact_strength under [bit]"),
+            );
+        }
     }
 }
 

@@ -13,7 +13,8 @@ use crate::{
 /// One `--set KEY=VALUE`.
 ///
 /// The key is a dotted key of the case file, lists counted from zero (`well.hole.0.friction`), or one
-/// of the short keys `friction` (every hole section), `bit_depth`, `rpm` and `wob`. The value is a TOML
+/// of the short keys `friction` (every hole section; coefficients at rest and around the hole keep their
+/// ratio to it), `bit_depth`, `rpm` and `wob`. The value is a TOML
 /// value if it reads as one (`0.3`, `[1, 2]`, `"drill"`), and text otherwise (`300m`, `drill`).
 ///
 /// ```
@@ -215,6 +216,32 @@ fn set_in_table(
     }
 }
 
+/// A number in place of a table of friction coefficients is the kinetic one; the others keep their ratios
+/// to it. Whether that is what was asked for.
+fn set_friction(entry: &mut Node, node: &Node) -> bool {
+    let (Value::Table(table), Value::Number { value: new, .. }) = (&mut entry.value, &node.value)
+    else {
+        return false;
+    };
+    let Some(Value::Number { value: old, .. }) = table.get("kinetic").map(|old| old.value.clone())
+    else {
+        return false;
+    };
+    if old.is_nan() || old <= 0.0 {
+        return false;
+    }
+    for (key, coefficient) in &mut table.0 {
+        if key.name == "kinetic" {
+            *coefficient = node.clone();
+        } else if let Value::Number { value, whole } = &mut coefficient.value {
+            *value = new * (*value / old);
+            *whole = None;
+            coefficient.place = node.place;
+        }
+    }
+    true
+}
+
 fn set_in(
     entry: &mut Node,
     name: &str,
@@ -223,7 +250,9 @@ fn set_in(
     key_place: Place,
 ) -> Result<(), Problem> {
     let Some((first, rest)) = path.split_first() else {
-        *entry = node.clone();
+        if !(name == "friction" && set_friction(entry, node)) {
+            *entry = node.clone();
+        }
         return Ok(());
     };
     let noun = entry.value.noun();

@@ -181,3 +181,39 @@ impl Rule for Whole {
         json!(value)
     }
 }
+
+/// A whole number between two others.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Count {
+    pub(crate) from: u64,
+    pub(crate) to: u64,
+}
+
+impl Rule for Count {
+    type Value = u64;
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<u64> {
+        let Self { from, to } = self;
+        if let Value::Number {
+            whole: Some(whole), ..
+        } = node.value
+            && let Ok(whole) = u64::try_from(whole)
+            && (*from..=*to).contains(&whole)
+        {
+            return Some(whole);
+        }
+        let expected = format!("a whole number from {from} to {to}");
+        let message = format!("`{}` must be {expected}", reader.key);
+        reader
+            .report(Diagnostic::error(message).at(node.place, format!("expected {from} to {to}")));
+        None
+    }
+
+    fn schema(&self) -> Json {
+        json!({ "type": "integer", "minimum": self.from, "maximum": self.to })
+    }
+
+    fn json(&self, value: &u64) -> Json {
+        json!(value)
+    }
+}

@@ -1,7 +1,7 @@
 //! `[rig]` and `[hoist]`.
 
 use wholestring::{
-    dynamics::{DynamicsSettings, HoistControl, HoistLine},
+    dynamics::{Autodriller, DynamicsSettings, HoistControl, HoistLine, Schedule},
     rig::Rig,
 };
 use wholestring_units::Dimension;
@@ -9,7 +9,7 @@ use wholestring_units::Dimension;
 use crate::{
     diagnostic::Diagnostic,
     quantity::Quantity,
-    range::Range,
+    range::{Range, number_text},
     reader::Reader,
     rule::Choice,
     table::{Field, default, optional, table},
@@ -57,17 +57,6 @@ impl RigTable {
     }
 }
 
-/// Gain and filter of the autodriller where the case does not say, m/s/N and s.
-fn autodriller() -> (f64, f64) {
-    match HoistControl::AUTODRILLER {
-        HoistControl::Autodriller {
-            gain_m_per_s_per_N,
-            filter_s,
-        } => (gain_m_per_s_per_N, filter_s),
-        HoistControl::BlockVelocity(_) | HoistControl::HookLoad(_) => (0.0, 0.0),
-    }
-}
-
 /// The ways of moving the top of the string.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Control {
@@ -98,13 +87,31 @@ table! {
         /// faster, until it hunts.
         gain: f64 = default(
             Quantity::si(Dimension::HoistGain, Range::positive_to(1e-3), "1e-4 m/s/kN"),
-            autodriller().0,
+            Autodriller::default().gain_m_per_s_per_N,
         );
+        /// Autodriller: time in which a lasting lack of weight adds as much speed again as `gain` gives at once.
+        /// Raising it takes out what the gain leaves more slowly; too short, it hunts. Default: none.
+        integral_time: f64 = optional(Quantity::si(
+            Dimension::Time,
+            Range::positive_to(1e5),
+            "60 s",
+        ));
         /// Autodriller: time constant of the filter on the measured weight on bit.
         filter: f64 = default(
             Quantity::si(Dimension::Time, Range::positive_to(1e3), "1 s"),
-            autodriller().1,
+            Autodriller::default().filter_s,
         );
+        /// Autodriller: least speed of the block, positive downwards; a negative one lets it pick the string up.
+        min_speed: f64 = default(
+            Quantity::si(Dimension::TripSpeed, Range::from_to(-10.0, 10.0), "-10 m/h"),
+            Autodriller::default().min_speed_m_per_s,
+        );
+        /// Autodriller: greatest speed of the block. Default: none.
+        max_speed: f64 = optional(Quantity::si(
+            Dimension::TripSpeed,
+            Range::from_to(-10.0, 10.0),
+            "60 m/h",
+        ));
         /// Block velocity: speed of the block, positive downwards.
         block_velocity: f64 = optional(Quantity::si(
             Dimension::TripSpeed,
@@ -127,6 +134,12 @@ table! {
             Quantity::si(Dimension::Damping, Range::from_to(0.0, 1e9), "1e5 N.s/m"),
             DynamicsSettings::default().hoist_line.damping_N_s_per_m,
         );
+        /// Mass of travelling block and top drive, which move with the top of the string. Raising it slows the
+        /// top's axial swings; the reported hook load never holds its weight.
+        mass: f64 = default(
+            Quantity::si(Dimension::Mass, Range::from_to(0.0, 1e6), "25 t"),
+            DynamicsSettings::default().hoist_line.block_mass_kg,
+        );
     }
 }
 
@@ -135,16 +148,49 @@ impl HoistTable {
         Some(HoistLine {
             stiffness_N_per_m: *self.stiffness.get()?,
             damping_N_s_per_m: *self.damping.get()?,
+            block_mass_kg: *self.mass.get()?,
         })
     }
 
-    /// The control that was chosen, if one was.
-    pub(crate) fn control(&self, reader: &mut Reader) -> Option<Option<HoistControl>> {
+    /// The autodriller, wherever it is in control.
+    pub(crate) fn autodriller(&self, reader: &mut Reader) -> Option<Autodriller> {
+        let (min, max) = (self.min_speed.at()?, self.max_speed.optional()?);
+        if let Some(max) = max
+            && max.value <= min.value
+        {
+            reader.report(
+                Diagnostic::error("the block's greatest speed is no more than its least").at(
+                    max.place,
+                    format!("expected more than {} m/s", number_text(min.value)),
+                ),
+            );
+            return None;
+        }
+        let integral_time = self.integral_time.optional()?;
+        Some(Autodriller {
+            gain_m_per_s_per_N: *self.gain.get()?,
+            integral_time_s: integral_time.map_or(f64::INFINITY, |at| at.value),
+            filter_s: *self.filter.get()?,
+            min_speed_m_per_s: min.value,
+            max_speed_m_per_s: max.map_or(f64::INFINITY, |at| at.value),
+        })
+    }
+
+    /// The control that was chosen, if one was. A schedule may put the autodriller in control later.
+    pub(crate) fn control(
+        &self,
+        schedule: &Schedule,
+        reader: &mut Reader,
+    ) -> Option<Option<HoistControl>> {
         let chosen = self.control.optional()?;
         let control = chosen.map(|at| at.value);
+        let later = schedule.holds_a_weight().then_some(Control::Autodriller);
         let belongs = [
             (&self.gain, "gain", Control::Autodriller),
+            (&self.integral_time, "integral_time", Control::Autodriller),
             (&self.filter, "filter", Control::Autodriller),
+            (&self.min_speed, "min_speed", Control::Autodriller),
+            (&self.max_speed, "max_speed", Control::Autodriller),
             (
                 &self.block_velocity,
                 "block_velocity",
@@ -154,7 +200,7 @@ impl HoistTable {
         ];
         for (field, name, owner) in belongs {
             let Some(given) = field.given() else { continue };
-            if control == Some(owner) {
+            if control == Some(owner) || later == Some(owner) {
                 continue;
             }
             let word = word_of(owner);
@@ -172,10 +218,7 @@ impl HoistTable {
             return Some(None);
         };
         let control = match chosen.value {
-            Control::Autodriller => HoistControl::Autodriller {
-                gain_m_per_s_per_N: *self.gain.get()?,
-                filter_s: *self.filter.get()?,
-            },
+            Control::Autodriller => HoistControl::Autodriller,
             Control::BlockVelocity => {
                 let velocity =
                     needed(&self.block_velocity, "block_velocity", chosen.place, reader)?;

@@ -2,8 +2,12 @@
 
 use serde_json::{Value as Json, json};
 use wholestring::{
-    dynamics::{ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, Start},
+    dynamics::{
+        Band, BitLaw, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistSetPoint,
+        Schedule, ScheduleStep, SpeedController, Start, TopDriveSettings,
+    },
     model::Model,
+    mud::Rheology,
     operation::Operation,
     outcome::ModelKind,
     string::Component,
@@ -33,23 +37,46 @@ pub(crate) fn settings(
             "density_kg_per_m3": model.mud.density_kg_per_m3,
             "linear_drag_Pa_s": model.mud.linear_drag_Pa_s,
             "drag_coefficient": model.mud.drag_coefficient,
+            "rheology": model.mud.rheology.map(rheology),
         },
         "string": model.string.components().iter().map(component).collect::<Vec<_>>(),
-        "bit": {
-            "torque_N_m": operations.first().map(|operation| operation.bit_torque_N_m),
-            "rock_stiffness_N_per_m": dynamics.bit.rock_stiffness_N_per_m,
-            "lateral_stiffness_N_per_m": dynamics.bit.lateral_stiffness_N_per_m,
-        },
+        "bit": bit(dynamics, operations),
         "rig": {
             "block_weight_N": model.rig.block_weight_N,
             "hoist_capacity_N": model.rig.hoist_capacity_N,
             "top_drive_torque_N_m": model.rig.top_drive_torque_N_m,
         },
         "hoist": hoist(dynamics, case.hoist.get()),
-        "operation": operation(operations),
+        "top_drive": top_drive(&dynamics.top_drive),
+        "operation": operation(operations, &dynamics.schedule),
         "mesh": { "element_length_m": dynamics.element_length_m },
         "dynamics": run(dynamics, case),
     })
+}
+
+fn rheology(rheology: Rheology) -> Json {
+    match rheology {
+        Rheology::Newtonian { viscosity_Pa_s } => json!({
+            "law": "newtonian",
+            "viscosity_Pa_s": viscosity_Pa_s,
+        }),
+        Rheology::Bingham {
+            plastic_viscosity_Pa_s,
+            yield_point_Pa,
+        } => json!({
+            "law": "bingham",
+            "plastic_viscosity_Pa_s": plastic_viscosity_Pa_s,
+            "yield_point_Pa": yield_point_Pa,
+        }),
+        Rheology::PowerLaw {
+            consistency_Pa_s_n,
+            flow_index,
+        } => json!({
+            "law": "power-law",
+            "consistency_Pa_s_n": consistency_Pa_s_n,
+            "flow_index": flow_index,
+        }),
+    }
 }
 
 fn well(well: &Well, survey: Option<&String>) -> Json {
@@ -67,6 +94,13 @@ fn well(well: &Well, survey: Option<&String>) -> Json {
             Interpolation::MinimumCurvature => "minimum-curvature",
         },
         "tie_in": { "north_m": start.x, "east_m": start.y, "tvd_m": start.z },
+        "roughness": well.hole.roughness().map(|roughness| json!({
+            "rms_m": roughness.radius_rms_m,
+            "tortuosity_m": roughness.tortuosity_rms_m,
+            "shortest_wavelength_m": roughness.shortest_m,
+            "longest_wavelength_m": roughness.longest_m,
+            "seed": roughness.seed,
+        })),
         "hole": well.hole.sections().iter().map(section).collect::<Vec<_>>(),
     })
 }
@@ -80,9 +114,14 @@ fn section(section: &HoleSection) -> Json {
         "from_m": section.from_md_m,
         "to_m": section.to_md_m,
         "diameter_m": section.diameter_m,
-        "friction": { "kinetic": section.friction.kinetic, "static": section.friction.at_rest },
+        "friction": {
+            "kinetic": section.friction.kinetic,
+            "static": section.friction.at_rest,
+            "around": section.friction.kinetic * section.friction.around,
+        },
         "youngs_modulus_Pa": section.youngs_modulus_Pa,
         "poisson_ratio": section.poisson_ratio,
+        "roughness": section.roughness,
     })
 }
 
@@ -94,6 +133,8 @@ fn component(component: &Component) -> Json {
         "id_m": component.id_m,
         "joint_od_m": component.joints.map(|joints| joints.od_m),
         "joint_spacing_m": component.joints.map(|joints| joints.spacing_m),
+        "blade_od_m": component.blades.map(|blades| blades.od_m),
+        "blade_length_m": component.blades.map(|blades| blades.length_m),
         "mass_per_length_kg_per_m": component.mass_per_length_kg_per_m,
         "density_kg_per_m3": component.material.density_kg_per_m3,
         "youngs_modulus_Pa": component.material.youngs_modulus_Pa,
@@ -102,26 +143,136 @@ fn component(component: &Component) -> Json {
     })
 }
 
+/// The bit, with the keys of its law alone.
+fn bit(dynamics: &DynamicsSettings, operations: &[Operation]) -> Json {
+    let mut bit = json!({
+        "torque_N_m": operations.first().map(|operation| operation.bit_torque_N_m),
+        "lateral_stiffness_N_per_m": dynamics.bit.lateral_stiffness_N_per_m,
+        "motor_speed_rad_per_s": dynamics.bit.motor_speed_rad_per_s,
+    });
+    match dynamics.bit.law {
+        BitLaw::Rate(law) => {
+            bit["law"] = json!("rate");
+            bit["rock_stiffness_N_per_m"] = json!(law.rock_stiffness_N_per_m);
+            bit["excitation"] = law.excitation.map_or(Json::Null, |shaken| {
+                let (waves, frequency) = match shaken.band {
+                    Band::PerRevolution(waves) => (Some(waves), None),
+                    Band::PerSecond(frequency) => (None, Some(frequency)),
+                };
+                json!({
+                    "lobes": shaken.lobes,
+                    "amplitude_m": shaken.amplitude_m,
+                    "roughness_m": shaken.roughness_m,
+                    "torque_fluctuation": shaken.torque_fluctuation,
+                    "waves": waves,
+                    "frequency_per_s": frequency,
+                })
+            });
+        }
+        BitLaw::Regenerative(law) => {
+            bit["law"] = json!("regenerative");
+            bit["radius_m"] = json!(law.radius_m);
+            bit["blades"] = json!(law.blades);
+            bit["intrinsic_specific_energy_Pa"] = json!(law.intrinsic_specific_energy_Pa);
+            bit["cutter_inclination"] = json!(law.cutter_inclination);
+            bit["wear_flat_m"] = json!(law.wear_flat_m);
+            bit["contact_strength_Pa"] = json!(law.contact_strength_Pa);
+            bit["bit_geometry"] = json!(law.bit_geometry);
+            bit["friction"] = json!(law.friction);
+        }
+    }
+    bit
+}
+
 /// The control as solved; `null` leaves it to the operation. The autodriller's numbers stand also
 /// where it is not the control that was chosen: an operation on bottom takes it.
 fn hoist(dynamics: &DynamicsSettings, table: Option<&HoistTable>) -> Json {
     let number = |value: Option<&f64>| value.copied();
     json!({
         "control": dynamics.hoist_control.map(|control| match control {
-            HoistControl::Autodriller { .. } => "autodriller",
+            HoistControl::Autodriller => "autodriller",
             HoistControl::BlockVelocity(_) => "block-velocity",
             HoistControl::HookLoad(_) => "hook-load",
         }),
         "gain_m_per_s_per_N": number(table.and_then(|table| table.gain.get())),
+        "integral_time_s": number(table.and_then(|table| table.integral_time.get())),
         "filter_s": number(table.and_then(|table| table.filter.get())),
+        "min_speed_m_per_s": number(table.and_then(|table| table.min_speed.get())),
+        "max_speed_m_per_s": number(table.and_then(|table| table.max_speed.get())),
         "block_velocity_m_per_s": number(table.and_then(|table| table.block_velocity.get())),
         "hook_load_N": number(table.and_then(|table| table.hook_load.get())),
         "stiffness_N_per_m": dynamics.hoist_line.stiffness_N_per_m,
         "damping_N_s_per_m": dynamics.hoist_line.damping_N_s_per_m,
+        "mass_kg": dynamics.hoist_line.block_mass_kg,
     })
 }
 
-fn operation(operations: &[Operation]) -> Json {
+/// The drive as it runs; what it finds by itself from the string is `null`.
+fn top_drive(drive: &TopDriveSettings) -> Json {
+    let TopDriveSettings::Driven {
+        inertia_kg_m2,
+        controller,
+        torque_limit_N_m,
+    } = *drive
+    else {
+        return json!({ "control": "constant" });
+    };
+    let mut json = match controller {
+        SpeedController::Pi {
+            proportional_N_m_s,
+            integral_N_m,
+        } => json!({
+            "control": "pi",
+            "proportional_N_m_s": proportional_N_m_s,
+            "integral_N_m": integral_N_m,
+        }),
+        SpeedController::SoftTorque {
+            impedance_ratio,
+            frequency_Hz,
+        } => json!({
+            "control": "soft-torque",
+            "impedance_ratio": impedance_ratio,
+            "frequency_Hz": frequency_Hz,
+        }),
+        SpeedController::ZTorque {
+            impedance_ratio,
+            frequency_Hz,
+            proportional_N_m_s,
+            integral_N_m,
+        } => json!({
+            "control": "z-torque",
+            "impedance_ratio": impedance_ratio,
+            "frequency_Hz": frequency_Hz,
+            "proportional_N_m_s": proportional_N_m_s,
+            "integral_N_m": integral_N_m,
+        }),
+    };
+    json["inertia_kg_m2"] = json!(inertia_kg_m2);
+    json["torque_limit_N_m"] = json!(torque_limit_N_m);
+    json
+}
+
+/// The lines of a schedule; what a line does not set is `null`.
+fn schedule(schedule: &Schedule) -> Json {
+    let line = |step: &ScheduleStep| {
+        let (velocity, weight) = match step.hoist {
+            Some(HoistSetPoint::BlockVelocity(velocity)) => (Some(velocity), None),
+            Some(HoistSetPoint::WeightOnBit(weight)) => (None, Some(weight)),
+            None => (None, None),
+        };
+        json!({
+            "at_s": step.at_s,
+            "ramp_s": step.ramp_s,
+            "rotary_speed_rad_per_s": step.rotary_speed_rad_per_s,
+            "block_velocity_m_per_s": velocity,
+            "wob_N": weight,
+            "note": step.note,
+        })
+    };
+    schedule.steps.iter().map(line).collect()
+}
+
+fn operation(operations: &[Operation], plan: &Schedule) -> Json {
     let first = operations.first();
     json!({
         "kind": operations.iter().map(|operation| operation.kind.name()).collect::<Vec<_>>(),
@@ -130,6 +281,9 @@ fn operation(operations: &[Operation]) -> Json {
         "wob_N": first.map(|operation| operation.weight_on_bit_N),
         "rop_m_per_s": first.map(|operation| operation.rate_of_penetration_m_per_s),
         "trip_speed_m_per_s": first.map(|operation| operation.trip_speed_m_per_s),
+        "schedule": schedule(plan),
+        "flow_rate_m3_per_s": first.map(|operation| operation.flow_rate_m3_per_s),
+        "bit_pressure_drop_Pa": first.map(|operation| operation.bit_pressure_drop_Pa),
     })
 }
 
@@ -146,6 +300,7 @@ fn run(dynamics: &DynamicsSettings, case: &CaseTable) -> Json {
             FrictionLaw::Vector => "vector",
             FrictionLaw::Independent => "independent",
         },
+        "stribeck_speed_m_per_s": dynamics.stribeck_speed_m_per_s,
         "damping": {
             "mass_per_s": dynamics.damping.mass_per_s,
             "stiffness_s": dynamics.damping.stiffness_s,

@@ -1,9 +1,12 @@
 //! `[[string]]` and `[steel]`.
 
-use wholestring::string::{ComponentLength, ComponentSpec, Material, ToolJoints, catalogue};
+use wholestring::string::{
+    Blades, Cavity, ComponentLength, ComponentSpec, Material, ToolJoints, catalogue,
+};
 use wholestring_units::Dimension;
 
 use crate::{
+    body,
     diagnostic::Diagnostic,
     names::{nearest, short},
     node::{Node, Value},
@@ -150,6 +153,17 @@ table! {
             Range::from_to(0.5, 100.0),
             "9.6 m",
         ));
+        /// Diameter over the blades of a stabiliser or reamer, its gauge: blades then are what touches the
+        /// wall, at both edges where they are longer than 0.5 m and than half an element, at their middle
+        /// otherwise. Their mass is counted where `mass_per_length` counts it. Default: no blades; a
+        /// component of 4 m or less that stands out over its neighbours touches at its middle with `od`.
+        blade_od: f64 = optional(diameter("212.7 mm"));
+        /// Length of the blades, at the middle of the component. Default: all of the component.
+        blade_length: f64 = optional(Quantity::si(
+            Dimension::Length,
+            Range::from_to(0.01, 20.0),
+            "0.6 m",
+        ));
         /// Mass per length in air, tool joints included. Default: the catalogue's, or that of the body
         /// between od and id.
         mass_per_length: f64 = optional(Quantity::si(
@@ -169,6 +183,32 @@ table! {
             Range::from_to(1e7, 1e10),
             "931 MPa",
         ));
+        /// Bend fixed in its body, which turns with it: of a motor's bent housing, of a bent sub. The angle between the
+        /// axes above and below, deg unless a unit is given. Dynamic model only. Default: none. Raising it presses bit and housing against
+        /// opposite sides of the hole.
+        bend: f64 = optional(body::bend_angle());
+        /// Distance of the bend from the component's lower end; a node stands there. Default: its middle.
+        bend_at: f64 = optional(Quantity::si(
+            Dimension::Length,
+            Range::from_to(0.0, 20_000.0),
+            "1.9 m",
+        ));
+        /// Direction at the start to which the part below the bend is bent: the angle from the high side, clockwise as
+        /// one looks down the hole, deg unless a unit is given. Default: 0, the high side.
+        bend_toolface: f64 = optional(body::direction("90 deg"));
+        /// Distance of its steel's centre of mass from the axis, at most a tenth of od: an imbalance that
+        /// throws it outwards with the square of the rotary speed. Dynamic model only. Default: none.
+        eccentricity: f64 = optional(Quantity::si(
+            Dimension::Diameter,
+            Range::from_to(0.0, 0.2),
+            "2 mm",
+        ));
+        /// Direction of that centre of mass at the start: the angle from the high side, clockwise as one looks down the
+        /// hole, deg unless a unit is given. Default: 0, the high side.
+        eccentricity_phase: f64 = optional(body::direction("90 deg"));
+        /// What is in the place of the steel that it lacks on the other side: "mud" (a bore off the axis, a slot, a worn
+        /// side), which makes up for part of it, or "sealed" (an empty pocket). Default: "mud".
+        eccentricity_cavity: Cavity = optional(body::cavity());
     }
 }
 
@@ -190,6 +230,8 @@ impl ComponentTable {
             None => component.yield_strength_Pa,
         };
         self.joints(&mut component, reader)?;
+        self.blades(&mut component, reader)?;
+        self.body(&mut component, reader)?;
         if let Some(given) = self.mass_per_length.optional()? {
             component.mass_per_length_kg_per_m = given.value;
             check_mass(&component, given.place, reader)?;
@@ -333,6 +375,68 @@ impl ComponentTable {
             }
         }
         component.joints = Some(joints);
+        Some(())
+    }
+}
+
+/// Blades without a length of their own on a component without one, m.
+const LONGEST_BLADE_M: f64 = 20.0;
+
+impl ComponentTable {
+    /// Blades, which fit their component.
+    fn blades(&self, component: &mut ComponentSpec, reader: &mut Reader) -> Option<()> {
+        let od = self.blade_od.optional()?;
+        let length = self.blade_length.optional()?;
+        let Some(od) = od else {
+            if let Some(length) = length {
+                reader.report(
+                    Diagnostic::error("`blade_length` needs `blade_od`")
+                        .at(length.place, "`blade_od` is missing")
+                        .help("blades have a gauge; without it the body touches the wall"),
+                );
+                return None;
+            }
+            return Some(());
+        };
+        if component.joints.is_some() {
+            let mut diagnostic = Diagnostic::error("blades stand beside tool joints")
+                .at(od.place, "either of the two touches the wall");
+            if let Some(joint) = self.joint_od.given().or(self.joint_spacing.given()) {
+                diagnostic = diagnostic.at(joint.place, "the tool joints");
+            } else if let Some(catalogue) = self.catalogue.given() {
+                diagnostic = diagnostic.at(catalogue.place, "the catalogue gives tool joints");
+            }
+            reader.report(diagnostic.help("make the stabiliser a component of its own"));
+            return None;
+        }
+        if od.value < component.od_m {
+            let mut diagnostic = Diagnostic::error("the blades are thinner than their body")
+                .at(od.place, format!("expected {} or more", mm(component.od_m)));
+            if let Some(body) = self.od.given() {
+                diagnostic = diagnostic.at(body.place, "the body's outside diameter");
+            }
+            reader.report(diagnostic);
+            return None;
+        }
+        let component_m = match component.length {
+            ComponentLength::Metres(length_m) => length_m,
+            ComponentLength::ToSurface => LONGEST_BLADE_M,
+        };
+        if let Some(length) = length
+            && length.value > component_m
+        {
+            reader.report(
+                Diagnostic::error("the blades are longer than their component").at(
+                    length.place,
+                    format!("expected {} m or less", number_text(component_m)),
+                ),
+            );
+            return None;
+        }
+        component.blades = Some(Blades {
+            od_m: od.value,
+            length_m: length.map_or(component_m, |at| at.value),
+        });
         Some(())
     }
 }

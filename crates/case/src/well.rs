@@ -10,6 +10,7 @@ use crate::{
     quantity::Quantity,
     range::{Range, number_text},
     reader::Reader,
+    roughness::RoughnessTable,
     rule::{At, Choice, List, Section, Text},
     source::{Files, Place},
     stations::{self, StationRule, Stations},
@@ -63,6 +64,8 @@ table! {
         /// Position of the first station. Default: what the survey file says, or on the vertical under
         /// the origin, as deep as its measured depth.
         tie_in: TieInTable = optional(Section::<TieInTable>::RULE);
+        /// Roughness and micro-tortuosity of the wall. Default: a smooth wall.
+        roughness: RoughnessTable = optional(Section::<RoughnessTable>::RULE);
         /// Sections of the hole from the surface down to the bit or deeper.
         hole: Vec<At<HoleTable>> = required(List {
             item: Section::<HoleTable>::RULE,

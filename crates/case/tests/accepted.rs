@@ -7,7 +7,8 @@ use wholestring::{
     dynamics::{ContactLaw, DynamicsSettings, HoistControl},
     operation::OperationKind,
     outcome::ModelKind,
-    well::Interpolation,
+    string::Blades,
+    well::{Interpolation, Roughness},
 };
 
 #[test]
@@ -156,6 +157,96 @@ fn friction_may_have_a_value_at_rest() {
     assert_eq!((friction.kinetic, friction.at_rest), (0.2, 0.25));
 }
 
+/// Around the hole the coefficient may be another; at rest it is in the same ratio.
+#[test]
+fn friction_may_differ_around_the_hole() {
+    let table = "friction = { kinetic = 0.2, static = 0.25, around = 0.3 }\n[[";
+    let text = changed("friction = 0.3\n[[", table);
+    let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
+    let sections = case.model.well.hole.sections();
+    assert_eq!(sections[0].friction.at_rest, 0.25);
+    assert!((sections[0].friction.around - 1.5).abs() < 1e-15);
+    assert_eq!(sections[1].friction.around, 1.0);
+    // A number set in its place keeps the ratios.
+    for key in ["friction", "well.hole.0.friction"] {
+        let case = read_with(&text, &[&format!("{key}=0.1")]).expect("a case");
+        let friction = case.model.well.hole.sections()[0].friction;
+        assert_eq!((friction.kinetic, friction.at_rest), (0.1, 0.125));
+        assert!((friction.around - 1.5).abs() < 1e-15);
+    }
+    // A table takes its place whole, and without a ratio there is none to keep.
+    let case = read_with(&text, &["well.hole.0.friction={ kinetic = 0.1 }"]).expect("a case");
+    let friction = case.model.well.hole.sections()[0].friction;
+    assert_eq!((friction.at_rest, friction.around), (0.1, 1.0));
+    let smooth = text.replace(
+        "kinetic = 0.2, static = 0.25, around = 0.3",
+        "kinetic = 0, static = 0.25",
+    );
+    let case = read_with(&smooth, &["friction=0.1"]).expect("a case");
+    assert_eq!(case.model.well.hole.sections()[0].friction.at_rest, 0.1);
+}
+
+#[test]
+fn the_wall_may_be_rough() {
+    let text = changed(
+        "[mud]",
+        "[well.roughness]\nrms = \"1 mm\"\ntortuosity = \"4 mm\"\nshortest_wavelength = 3\nlongest_wavelength = \"40 m\"\nseed = 9\n[mud]",
+    )
+    .replace("friction = 0.3\n[[", "friction = 0.3\nroughness = 0.2\n[[");
+    let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
+    assert!(case.warnings.is_empty(), "{}", case.warnings);
+    let hole = &case.model.well.hole;
+    assert_eq!(
+        hole.roughness(),
+        Some(&Roughness {
+            radius_rms_m: 0.001,
+            tortuosity_rms_m: 0.004,
+            shortest_m: 3.0,
+            longest_m: 40.0,
+            seed: 9,
+        })
+    );
+    let shares: Vec<f64> = hole.sections().iter().map(|s| s.roughness).collect();
+    assert_eq!(shares, [0.2, 1.0]);
+    assert!(
+        read(EXAMPLE)
+            .expect("a case")
+            .model
+            .well
+            .hole
+            .roughness()
+            .is_none()
+    );
+}
+
+/// Blades as long as the component where nothing else is said.
+#[test]
+fn a_stabiliser_may_have_blades() {
+    let with = |keys: &str| {
+        let text = changed(
+            "# ...\n",
+            &format!(
+                "[[string]]\ncomponent = \"stabiliser\"\nod = \"165 mm\"\nid = \"71.4 mm\"\nlength = 1.5\n{keys}\n"
+            ),
+        );
+        let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
+        assert!(case.warnings.is_empty(), "{}", case.warnings);
+        case.model.string.components()[1].blades
+    };
+    assert_eq!(with(""), None);
+    assert_eq!(
+        with("blade_od = \"212.7 mm\"\nblade_length = \"0.6 m\""),
+        Some(Blades {
+            od_m: 0.2127,
+            length_m: 0.6
+        })
+    );
+    assert_eq!(
+        with("blade_od = 0.2127").map(|blades| blades.length_m),
+        Some(1.5)
+    );
+}
+
 #[test]
 fn explicit_pipe_may_have_joints_and_mass() {
     let text = changed(
@@ -245,13 +336,9 @@ fn the_command_line_sets_what_the_file_does_not() {
             < 1e-12
     );
     assert_eq!(case.models, [ModelKind::Soft]);
-    assert_eq!(
-        case.dynamics.hoist_control,
-        Some(HoistControl::Autodriller {
-            gain_m_per_s_per_N: 2e-7,
-            filter_s: 1.0
-        })
-    );
+    assert_eq!(case.dynamics.hoist_control, Some(HoistControl::Autodriller));
+    assert_eq!(case.dynamics.autodriller.gain_m_per_s_per_N, 2e-7);
+    assert_eq!(case.dynamics.autodriller.filter_s, 1.0);
     assert_eq!(case.name, "two at once");
     assert!((case.model.string.components()[1].od_m - 0.127).abs() < 1e-9);
 }
@@ -261,4 +348,28 @@ fn the_command_line_sets_what_the_file_does_not() {
 fn the_last_setting_counts() {
     let case = read_with(EXAMPLE, &["friction=0.1", "friction=0.2"]).expect("a case");
     assert_eq!(case.model.well.hole.sections()[0].friction.kinetic, 0.2);
+}
+
+/// Rheology and flow rate in field units.
+#[test]
+fn mud_that_flows() {
+    let text = changed(
+        "density = \"1.2 sg\"",
+        "density = \"10 ppg\"\nrheology = \"bingham\"\nplastic_viscosity = \"25 cP\"\nyield_point = \"15 lbf/100ft2\"",
+    )
+    .replace("rpm = 70", "flow_rate = \"600 gpm\"\nbit_pressure_drop = \"1000 psi\"\nrpm = 70");
+    let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
+    let Some(wholestring::mud::Rheology::Bingham {
+        plastic_viscosity_Pa_s,
+        yield_point_Pa,
+    }) = case.model.mud.rheology
+    else {
+        panic!("{:?}", case.model.mud);
+    };
+    assert!((plastic_viscosity_Pa_s / 0.025 - 1.0).abs() < 1e-12);
+    assert!((yield_point_Pa / (15.0 * 0.478_802_59) - 1.0).abs() < 1e-7);
+    let operation = &case.operations[0];
+    assert!((operation.flow_rate_m3_per_s / 0.037_854_12 - 1.0).abs() < 1e-6);
+    assert!((operation.bit_pressure_drop_Pa / 6.894_757e6 - 1.0).abs() < 1e-6);
+    assert_eq!(case.settings["mud"]["rheology"]["law"], "bingham");
 }

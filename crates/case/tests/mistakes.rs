@@ -262,6 +262,38 @@ fn of_relation() {
             explicit("od = \"8-1/2 in\"\nid = \"3 in\""),
         ),
         (
+            "bend_without_place",
+            explicit(&format!("{pipe}\nbend = \"1.5 deg\"")),
+        ),
+        (
+            "bend_of_a_turn",
+            explicit(&format!("{pipe}\nbend = \"90 deg\"\nbend_at = \"2 m\"")),
+        ),
+        (
+            "bend_off_its_component",
+            changed(
+                "length = \"0.34 m\"",
+                "length = \"0.34 m\"\nbend = \"1 deg\"\nbend_at = \"1.9 m\"",
+            ),
+        ),
+        (
+            "bend_at_the_bit",
+            changed(
+                "length = \"0.34 m\"",
+                "length = \"0.34 m\"\nbend = \"1 deg\"\nbend_at = \"0.1 m\"",
+            ),
+        ),
+        (
+            "eccentricity_of_a_crank",
+            explicit(&format!("{pipe}\neccentricity = \"30 mm\"")),
+        ),
+        (
+            "eccentricity_cavity_unknown",
+            explicit(&format!(
+                "{pipe}\neccentricity = \"2 mm\"\neccentricity_cavity = \"air\""
+            )),
+        ),
+        (
             "pipe_heavier_than_solid",
             explicit(&format!("{pipe}\nmass_per_length = \"358 kg/m\"")),
         ),
@@ -500,8 +532,196 @@ fn of_an_override() {
 }
 
 #[test]
+fn of_the_bit() {
+    let cases = [
+        ("bit_law_unknown", "law = \"regenerating\""),
+        ("bit_law_not_text", "law = 2"),
+        ("blades_none", "law = \"regenerative\"\nblades = 0"),
+        ("blades_halved", "law = \"regenerative\"\nblades = 4.5"),
+        (
+            "specific_energy_zero",
+            "law = \"regenerative\"\nintrinsic_specific_energy = 0",
+        ),
+        (
+            "specific_energy_in_pascals",
+            "law = \"regenerative\"\nintrinsic_specific_energy = 60",
+        ),
+        (
+            "cutter_inclination_zero",
+            "law = \"regenerative\"\ncutter_inclination = 0",
+        ),
+        (
+            "wear_flat_negative",
+            "law = \"regenerative\"\nwear_flat = -1e-3",
+        ),
+        (
+            "contact_strength_not_a_number",
+            "law = \"regenerative\"\ncontact_strength = nan",
+        ),
+        (
+            "bit_geometry_in_quotes",
+            "law = \"regenerative\"\nbit_geometry = \"flat\"",
+        ),
+        (
+            "bit_friction_above_two",
+            "law = \"regenerative\"\nfriction = 6",
+        ),
+        ("motor_speed_negative", "motor_speed = -120"),
+        ("excitation_as_value", "excitation = true"),
+        (
+            "excitation_key_misspelt",
+            "[bit.excitation]\nroughnes = \"1 mm\"",
+        ),
+        (
+            "excitation_lobes_zero",
+            "[bit.excitation]\nlobes = 0\namplitude = \"1 mm\"",
+        ),
+        (
+            "excitation_amplitude_in_mm_meant",
+            "[bit.excitation]\namplitude = 1",
+        ),
+        (
+            "excitation_torque_in_percent",
+            "[bit.excitation]\ntorque_fluctuation = 20",
+        ),
+        (
+            "excitation_waves_zero",
+            "[bit.excitation]\nroughness = \"1 mm\"\nwaves = 0",
+        ),
+        (
+            "excitation_by_time_and_angle",
+            "[bit.excitation]\nroughness = \"1 mm\"\nwaves = 8\nfrequency = \"20 Hz\"",
+        ),
+    ];
+    for (name, keys) in cases {
+        refused(name, read(&changed("torque = \"3.1 kN.m\"", keys)));
+    }
+    let sliding = changed("kind = \"drill\"", "kind = \"slide\"");
+    let regenerative = sliding.replace("torque = \"3.1 kN.m\"", "law = \"regenerative\"");
+    refused("slide_without_motor_speed", read(&regenerative));
+}
+
+#[test]
+fn of_the_wall_and_what_touches_it() {
+    let friction = "friction = 0.3\n[[";
+    let stabiliser = "# ...\n";
+    let body =
+        "[[string]]\ncomponent = \"stabiliser\"\nod = \"165 mm\"\nid = \"71.4 mm\"\nlength = 1.5\n";
+    let cases = [
+        (
+            "friction_around_negative",
+            friction,
+            "friction = { kinetic = 0.3, around = -0.1 }\n[[".to_owned(),
+        ),
+        (
+            "friction_around_without_axial",
+            friction,
+            "friction = { kinetic = 0, around = 0.2 }\n[[".to_owned(),
+        ),
+        (
+            "roughness_in_metres_meant_millimetres",
+            "[mud]",
+            "[well.roughness]\nrms = 2\n[mud]".to_owned(),
+        ),
+        (
+            "roughness_too_steep",
+            "[mud]",
+            "[well.roughness]\ntortuosity = \"20 cm\"\n[mud]".to_owned(),
+        ),
+        (
+            "roughness_band_upside_down",
+            "[mud]",
+            "[well.roughness]\nrms = \"1 mm\"\nshortest_wavelength = \"20 m\"\nlongest_wavelength = \"2 m\"\n[mud]".to_owned(),
+        ),
+        (
+            "roughness_key_misspelt",
+            "[mud]",
+            "[well.roughness]\nrms = \"1 mm\"\nwavelength = \"20 m\"\n[mud]".to_owned(),
+        ),
+        (
+            "stribeck_speed_zero",
+            "seed = 1",
+            "seed = 1\nstribeck_speed = 0".to_owned(),
+        ),
+        (
+            "blade_length_without_gauge",
+            stabiliser,
+            format!("{body}blade_length = \"0.6 m\"\n"),
+        ),
+        (
+            "blades_thinner_than_body",
+            stabiliser,
+            format!("{body}blade_od = \"150 mm\"\n"),
+        ),
+        (
+            "blades_longer_than_component",
+            stabiliser,
+            format!("{body}blade_od = \"210 mm\"\nblade_length = 2\n"),
+        ),
+        (
+            "blades_wider_than_hole",
+            stabiliser,
+            format!("{body}blade_od = \"220 mm\"\n"),
+        ),
+        (
+            "blades_beside_joints",
+            "length = \"to surface\"",
+            "length = \"to surface\"\nblade_od = \"210 mm\"".to_owned(),
+        ),
+    ];
+    for (name, from, to) in cases {
+        refused(name, read(&changed(from, &to)));
+    }
+}
+
+#[test]
+fn of_the_mud() {
+    let cases = [
+        ("rheology_unknown", "\nrheology = \"binghan\""),
+        ("rheology_without_numbers", "\nrheology = \"bingham\""),
+        (
+            "flow_index_above_one",
+            "\nrheology = \"power-law\"\nconsistency_index = \"0.6 Pa.s^n\"\nflow_behaviour_index = 1.4",
+        ),
+        (
+            "viscosity_in_pascals",
+            "\nrheology = \"newtonian\"\nviscosity = \"20 Pa\"",
+        ),
+    ];
+    let flow = changed("rpm = 70", "flow_rate = \"2000 L\"\nrpm = 70");
+    refused("flow_rate_in_litres", read(&flow));
+    for (name, more) in cases {
+        let text = changed(
+            "density = \"1.2 sg\"",
+            &format!("density = \"1.2 sg\"{more}"),
+        );
+        refused(name, read(&text));
+    }
+}
+
+#[test]
 fn worth_a_warning() {
     let cases = [
+        (
+            "warn_stribeck_speed",
+            "seed = 1",
+            "seed = 1\nstribeck_speed = \"0.2 m/s\"",
+        ),
+        (
+            "warn_section_roughness",
+            "friction = 0.3\n[[",
+            "friction = 0.3\nroughness = 0\n[[",
+        ),
+        (
+            "warn_roughness_without_amplitude",
+            "[mud]",
+            "[well.roughness]\nseed = 4\n[mud]",
+        ),
+        (
+            "warn_roughness_closes_in",
+            "[mud]",
+            "[well.roughness]\nrms = \"9 mm\"\n[mud]",
+        ),
         ("warn_bit_torque", "torque = \"3.1 kN.m\"", "# torque"),
         (
             "warn_contact_key",
@@ -513,6 +733,41 @@ fn worth_a_warning() {
             "contact_law = \"hertz\" ",
             "contact_law = \"linear\"\nhertz_dissipation = 0.1 ",
         ),
+        (
+            "warn_regenerative_key",
+            "torque = \"3.1 kN.m\"",
+            "torque = \"3.1 kN.m\"\nblades = 6\nwear_flat = \"2 mm\"",
+        ),
+        (
+            "warn_rate_key",
+            "torque = \"3.1 kN.m\"",
+            "torque = \"3.1 kN.m\"\nlaw = \"regenerative\"\n[bit.excitation]\namplitude = \"1 mm\"",
+        ),
+        (
+            "warn_bit_does_not_cut",
+            "torque = \"3.1 kN.m\"",
+            "law = \"regenerative\"\nwear_flat = \"20 mm\"",
+        ),
+        (
+            "warn_excitation_key",
+            "torque = \"3.1 kN.m\"",
+            "torque = \"3.1 kN.m\"\n[bit.excitation]\nlobes = 4\nfrequency = \"20 Hz\"",
+        ),
+        (
+            "warn_mud_key_of_another_rheology",
+            "density = \"1.2 sg\"",
+            "density = \"1.2 sg\"\nrheology = \"newtonian\"\nviscosity = \"20 cP\"\nyield_point = \"15 lbf/100ft2\"",
+        ),
+        (
+            "warn_mud_key_without_rheology",
+            "density = \"1.2 sg\"",
+            "density = \"1.2 sg\"\nplastic_viscosity = \"25 cP\"",
+        ),
+        (
+            "warn_flow_without_rheology",
+            "rpm = 70",
+            "flow_rate = \"2000 L/min\"\nbit_pressure_drop = \"80 bar\"\nrpm = 70",
+        ),
         ("warn_hoist_key", "[mesh]", "[hoist]\ngain = 1e-7\n[mesh]"),
         ("warn_weight_on_bit", "wob = \"6 tf\"", "wob = \"200 tf\""),
         (
@@ -521,6 +776,16 @@ fn worth_a_warning() {
             "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\nmass_per_length = \"20 kg/m\" ",
         ),
         ("warn_moduli", "\"76.923 GPa\"", "\"27 GPa\""),
+        (
+            "warn_bend_keys",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\nbend_at = 2\nbend_toolface = \"90 deg\" ",
+        ),
+        (
+            "warn_eccentricity_keys",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\neccentricity_phase = 1\neccentricity_cavity = \"mud\" ",
+        ),
         (
             "warn_joint_mass",
             "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
@@ -537,4 +802,47 @@ fn worth_a_warning() {
                 .replace("to = \"4305 m\"", "to = \"4500 m\""),
         ),
     );
+}
+
+/// `[records]` with these keys.
+fn records(keys: &str) -> String {
+    changed("[mesh]", &format!("[records]\n{keys}\n\n[mesh]"))
+}
+
+#[test]
+fn of_records() {
+    for (name, keys) in [
+        ("frames_as_a_time", "frames = \"0.1 s\""),
+        ("frames_never", "frames = 0"),
+        ("frames_faster_than_samples", "frames = \"1 kHz\""),
+        (
+            "channel_unknown",
+            "frames = \"10 Hz\"\nchannels = [\"position\", \"velocities\"]",
+        ),
+        (
+            "channel_twice",
+            "frames = \"10 Hz\"\nchannels = [\"force\", \"force\"]",
+        ),
+        ("channels_empty", "frames = \"10 Hz\"\nchannels = []"),
+        ("signal_with_its_unit", "spectra = \"surface_torque_N_m\""),
+        (
+            "spectrum_segment_longer_than_the_window",
+            "spectra = \"twist\"\nspectrum_segment = \"10 min\"",
+        ),
+        (
+            "spectrum_segment_of_few_samples",
+            "spectra = \"twist\"\nspectrum_segment = \"0.1 s\"",
+        ),
+    ] {
+        refused(name, read(&records(keys)));
+    }
+    for (name, keys) in [
+        ("channels_without_frames", "channels = \"force\""),
+        (
+            "spectrum_segment_without_spectra",
+            "spectrum_segment = \"5 s\"",
+        ),
+    ] {
+        warned(name, read(&records(keys)));
+    }
 }

@@ -193,7 +193,7 @@ fn run_dynamics(case: &Case, operation: &Operation) {
     const MOST_ELEMENTS: f64 = 150.0;
     const RUN_S: f64 = 0.03;
     const LONGEST_S: f64 = 0.05;
-    let mut settings = case.dynamics;
+    let mut settings = case.dynamics.clone();
     let length_m = case.model.string.length_m();
     settings.element_length_m = settings.element_length_m.max(length_m / MOST_ELEMENTS);
     // The window opens within the run, and is sampled.

@@ -5,6 +5,8 @@ mod check;
 mod checkpoint;
 mod comparison;
 mod failure;
+mod frames;
+mod indicators;
 mod interrupt;
 mod picture;
 mod progress;

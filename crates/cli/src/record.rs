@@ -4,20 +4,20 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 use wholestring::{
-    dynamics::DynamicOutcome,
+    dynamics::{ContactClass, DynamicOutcome, NodeProfile, TimeSeries},
     operation::Operation,
     outcome::{ModelKind, Scalars},
     statics::soft::SoftProfile,
     well::Hole,
 };
-use wholestring_case::Case;
+use wholestring_case::{Case, Records};
 use wholestring_results::{
-    Friction, NODES, Numerics, OperationSummary, ResultsFolder, SCHEMA_VERSION, Statistic, Status,
-    Summary, TIME, Table,
+    Friction, NODES, Numerics, OperationSummary, ResultsFolder, SCHEMA_VERSION, SPECTRA, Spectrum,
+    Statistic, Status, Summary, TIME, Table, WEAR,
 };
 use wholestring_units::{Dimension, UnitSet};
 
-use crate::{failure::Failure, picture};
+use crate::{failure::Failure, frames::Frames, picture};
 
 /// What a run has solved to its end, as a checkpoint keeps it.
 #[derive(Serialize, Deserialize)]
@@ -26,6 +26,8 @@ pub(crate) struct Solved {
     operations: String,
     nodes: Table,
     time: Table,
+    wear: Table,
+    spectra: Table,
 }
 
 /// Everything that a run leaves.
@@ -33,6 +35,12 @@ pub(crate) struct Record {
     pub(crate) summary: Summary,
     nodes: Table,
     time: Table,
+    wear: Table,
+    spectra: Table,
+    /// Frames of the whole string, while they are written.
+    pub(crate) frames: Option<Frames>,
+    records: Records,
+    settle_s: f64,
     hole: Hole,
     subtitle: String,
     units: UnitSet,
@@ -49,6 +57,11 @@ impl Record {
             },
             nodes: Table::with_columns(NODES),
             time: Table::with_columns(TIME),
+            wear: Table::with_columns(WEAR),
+            spectra: Table::with_columns(SPECTRA),
+            frames: None,
+            records: case.records.clone(),
+            settle_s: case.dynamics.settle_s,
             hole: case.model.well.hole.clone(),
             subtitle: subtitle(case, units),
             units,
@@ -62,6 +75,11 @@ impl Record {
             summary,
             nodes,
             time,
+            wear,
+            spectra,
+            frames: _,
+            records: _,
+            settle_s: _,
             hole: _,
             subtitle: _,
             units: _,
@@ -70,6 +88,8 @@ impl Record {
             operations: serde_json::to_string(&summary.operations).expect("numbers and words"),
             nodes: nodes.clone(),
             time: time.clone(),
+            wear: wear.clone(),
+            spectra: spectra.clone(),
         }
     }
 
@@ -79,6 +99,8 @@ impl Record {
         self.summary.operations = operations.map_err(|error| error.to_string())?;
         self.nodes = solved.nodes;
         self.time = solved.time;
+        self.wear = solved.wear;
+        self.spectra = solved.spectra;
         Ok(())
     }
 
@@ -90,7 +112,10 @@ impl Record {
     }
 
     pub(crate) fn add_soft(&mut self, operation: &Operation, profile: &SoftProfile) {
-        let solved = self.solved(ModelKind::Soft, operation, profile.scalars);
+        let solved = OperationSummary {
+            hydraulics: profile.hydraulics,
+            ..self.solved(ModelKind::Soft, operation, profile.scalars)
+        };
         self.summary.operations.push(solved);
         // A soft string lies on the wall all the time, wherever anything presses it there.
         let contact: Vec<f64> = profile
@@ -99,7 +124,12 @@ impl Record {
             .map(|force| f64::from(u8::from(*force != 0.0)))
             .collect();
         self.nodes.append(
-            &[("model", "soft"), ("operation", operation.kind.name())],
+            &[
+                ("model", &["soft"]),
+                ("operation", &[operation.kind.name()]),
+                ("contact_class", &classes(&contact)),
+                ("contact_side", &sides(&profile.side_force_N_per_m)),
+            ],
             &[
                 ("md_m", &profile.md_m),
                 ("tension_N", &profile.tension_N),
@@ -128,8 +158,11 @@ impl Record {
         let DynamicOutcome {
             scalars,
             statistics,
+            hydraulics,
             numerics,
+            indicators,
             nodes,
+            wear,
             series,
         } = outcome;
         let statistics = statistics.iter().map(|(name, of)| {
@@ -147,7 +180,9 @@ impl Record {
         let wall_time_s = took.as_secs_f64();
         let solved = OperationSummary {
             status,
+            hydraulics: *hydraulics,
             statistics: Some(statistics.collect()),
+            indicators: Some(*indicators),
             numerics: Some(Numerics {
                 elements: numerics.elements,
                 time_step_s: numerics.time_step_s,
@@ -155,6 +190,7 @@ impl Record {
                 added_axial_mass_fraction: numerics.added_axial_mass_fraction,
                 max_penetration_m: numerics.max_penetration_m,
                 energy_residual: numerics.energy_residual,
+                energy: numerics.energy,
                 instructions: numerics.instructions.into(),
                 wall_time_s,
                 real_time_factor: simulated_s / wall_time_s,
@@ -162,15 +198,27 @@ impl Record {
             ..self.solved(ModelKind::Dynamic, operation, *scalars)
         };
         self.summary.operations.push(solved);
-        let operation = operation.kind.name();
-        // The table writes what is not finite as `null`.
-        let climb_rad: Vec<f64> = nodes
-            .climb_rad
-            .iter()
-            .map(|climb| climb.unwrap_or(f64::NAN))
-            .collect();
+        self.add_profile(operation, nodes);
+        self.wear.append(
+            &[("operation", &[operation.kind.name()])],
+            &[
+                ("md_m", &wear.md_m),
+                ("wear_work_J_per_m", &wear.wear_work_J_per_m),
+                ("wear_power_W_per_m", &wear.wear_power_W_per_m),
+            ],
+        );
+        self.add_series(operation, series);
+        self.add_spectra(operation, series);
+    }
+
+    fn add_profile(&mut self, operation: &Operation, nodes: &NodeProfile) {
         self.nodes.append(
-            &[("model", "dynamic"), ("operation", operation)],
+            &[
+                ("model", &["dynamic"]),
+                ("operation", &[operation.kind.name()]),
+                ("contact_class", &classes(&nodes.contact_fraction)),
+                ("contact_side", &sides(&nodes.side_force_N_per_m)),
+            ],
             &[
                 ("md_m", &nodes.md_m),
                 ("tension_N", &nodes.tension_N),
@@ -182,22 +230,74 @@ impl Record {
                 ("contact_force_N", &nodes.contact_force_N),
                 ("contact_force_std_N", &nodes.contact_force_std_N),
                 ("contact_force_max_N", &nodes.contact_force_max_N),
-                ("climb_rad", &climb_rad),
+                ("climb_rad", &numbers(&nodes.climb_rad)),
                 ("lateral_offset_m", &nodes.lateral_offset_m),
                 ("axial_friction_N_per_m", &nodes.axial_friction_N_per_m),
                 (
                     "friction_torque_N_m_per_m",
                     &nodes.friction_torque_N_m_per_m,
                 ),
+                (
+                    "side_force_per_joint_N",
+                    &numbers(&nodes.side_force_per_joint_N),
+                ),
+                ("tension_p05_N", &nodes.tension_percentiles_N.p05),
+                ("tension_p50_N", &nodes.tension_percentiles_N.p50),
+                ("tension_p95_N", &nodes.tension_percentiles_N.p95),
+                ("torque_p05_N_m", &nodes.torque_percentiles_N_m.p05),
+                ("torque_p50_N_m", &nodes.torque_percentiles_N_m.p50),
+                ("torque_p95_N_m", &nodes.torque_percentiles_N_m.p95),
+                (
+                    "contact_force_p05_N",
+                    &nodes.contact_force_percentiles_N.p05,
+                ),
+                (
+                    "contact_force_p50_N",
+                    &nodes.contact_force_percentiles_N.p50,
+                ),
+                (
+                    "contact_force_p95_N",
+                    &nodes.contact_force_percentiles_N.p95,
+                ),
+                ("true_tension_N", &nodes.true_tension_N),
+                ("bending_moment_N_m", &nodes.bending_moment_N_m),
+                ("bending_moment_max_N_m", &nodes.bending_moment_max_N_m),
+                (
+                    "bending_moment_p05_N_m",
+                    &nodes.bending_moment_percentiles_N_m.p05,
+                ),
+                (
+                    "bending_moment_p50_N_m",
+                    &nodes.bending_moment_percentiles_N_m.p50,
+                ),
+                (
+                    "bending_moment_p95_N_m",
+                    &nodes.bending_moment_percentiles_N_m.p95,
+                ),
+                ("bending_stress_Pa", &nodes.bending_stress_Pa),
+                ("von_mises_stress_Pa", &nodes.von_mises_stress_Pa),
+                ("von_mises_stress_max_Pa", &nodes.von_mises_stress_max_Pa),
+                ("yield_use", &numbers(&nodes.yield_use)),
+                ("whirl_rate_rad_per_s", &nodes.whirl_rate_rad_per_s),
+                ("whirl_coherence", &nodes.whirl_coherence),
+                (
+                    "lateral_speed_rms_m_per_s",
+                    &nodes.lateral_speed_rms_m_per_s,
+                ),
+                ("wear_work_J_per_m", &nodes.wear_work_J_per_m),
             ],
         );
+    }
+
+    fn add_series(&mut self, operation: &Operation, series: &TimeSeries) {
         self.time.append(
-            &[("operation", operation)],
+            &[("operation", &[operation.kind.name()])],
             &[
                 ("time_s", &series.time_s),
                 ("bit_depth_m", &series.bit_depth_m),
                 ("weight_on_bit_N", &series.weight_on_bit_N),
                 ("bit_torque_N_m", &series.bit_torque_N_m),
+                ("depth_of_cut_m", &series.depth_of_cut_m),
                 ("hook_load_N", &series.hook_load_N),
                 ("surface_torque_N_m", &series.surface_torque_N_m),
                 ("friction_torque_N_m", &series.friction_torque_N_m),
@@ -205,6 +305,8 @@ impl Record {
                 ("side_force_total_N", &series.side_force_total_N),
                 ("twist_rad", &series.twist_rad),
                 ("stretch_m", &series.stretch_m),
+                ("neutral_point_m", &numbers(&series.neutral_point_m)),
+                ("cutoff_depth_m", &numbers(&series.cutoff_depth_m)),
                 ("block_velocity_m_per_s", &series.block_velocity_m_per_s),
                 (
                     "bit_rotary_speed_rad_per_s",
@@ -212,6 +314,35 @@ impl Record {
                 ),
             ],
         );
+    }
+
+    /// Adds the spectra that the case asks for; a window that was interrupted before a segment of it was full is
+    /// one segment.
+    fn add_spectra(&mut self, operation: &Operation, series: &TimeSeries) {
+        let from = series.time_s.partition_point(|time| *time < self.settle_s);
+        let [first, .., last] = series.time_s[from..] else {
+            return;
+        };
+        let interval_s = (last - first) / (series.time_s.len() - from - 1) as f64;
+        // Rounding to whole steps may leave the window a sample short.
+        let segment = (self.records.spectrum_segment_s / interval_s).round() as usize;
+        for signal in &self.records.spectra {
+            let samples = &signal.of(series)[from..];
+            let segment = segment.min(samples.len());
+            if let Some(spectrum) = Spectrum::welch(samples, interval_s, segment) {
+                self.spectra.append(
+                    &[
+                        ("operation", &[operation.kind.name()]),
+                        ("signal", &[signal.name()]),
+                        ("unit", &[signal.unit()]),
+                    ],
+                    &[
+                        ("frequency_Hz", &spectrum.frequency_Hz),
+                        ("density", &spectrum.density),
+                    ],
+                );
+            }
+        }
     }
 
     /// The summary of an operation that was solved to its end.
@@ -228,7 +359,9 @@ impl Record {
             friction: Friction::of(&friction(&self.hole)),
             bit_depth_m: operation.bit_depth_m,
             scalars,
+            hydraulics: None,
             statistics: None,
+            indicators: None,
             numerics: None,
         }
     }
@@ -237,6 +370,16 @@ impl Record {
     pub(crate) fn write(&self, folder: &ResultsFolder, csv: bool) -> Result<(), Failure> {
         folder.write_table("nodes", &self.nodes, csv)?;
         folder.write_table("time", &self.time, csv)?;
+        folder.write_table("wear", &self.wear, csv)?;
+        if self.records.spectra.is_empty() {
+            folder.remove("spectra.parquet")?;
+            folder.remove("spectra.csv")?;
+        } else {
+            folder.write_table("spectra", &self.spectra, csv)?;
+        }
+        if self.frames.is_none() {
+            folder.remove("frames.parquet")?;
+        }
         let picture = picture::draw(
             &self.summary.case,
             &self.subtitle,
@@ -249,6 +392,26 @@ impl Record {
         folder.write_summary(&self.summary)?;
         Ok(())
     }
+}
+
+/// The table writes what is not finite as `null`.
+fn numbers(values: &[Option<f64>]) -> Vec<f64> {
+    let number = |value: &Option<f64>| value.unwrap_or(f64::NAN);
+    values.iter().map(number).collect()
+}
+
+fn classes(contact_fraction: &[f64]) -> Vec<&'static str> {
+    let class = |fraction: &f64| ContactClass::of(*fraction).name();
+    contact_fraction.iter().map(class).collect()
+}
+
+fn sides(side_force: &[f64]) -> Vec<&'static str> {
+    let side = |force: &f64| match *force {
+        force if force > 0.0 => "high",
+        force if force < 0.0 => "low",
+        _ => "none",
+    };
+    side_force.iter().map(side).collect()
 }
 
 fn friction(hole: &Hole) -> Vec<f64> {

@@ -19,6 +19,8 @@ use crate::{
     checkpoint::{self, Keeper, Laid, UnderWay},
     comparison,
     failure::Failure,
+    frames::Frames,
+    indicators,
     interrupt::Interrupt,
     load,
     progress::Watch,
@@ -58,13 +60,14 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         let title = format!("{}: {}", case.name, record::subtitle(&case, units));
         let table = comparison::table(&record.summary, units, width);
         let notes = comparison::notes(&record.summary);
+        let indicators = indicators::notes(&record.summary, units);
         let warnings = rig::warnings(&record.summary, &case.model.rig, units);
         let place = folder.path().display();
         say(&format!(
             "{title}
 
 {table}
-{notes}{warnings}Results in {place}
+{notes}{indicators}{warnings}Results in {place}
 "
         ))?;
     }
@@ -170,6 +173,27 @@ impl<E: Into<Failure>> From<E> for Stop {
 /// comes between keeps what was solved. What the record has is solved already, but for one operation that
 /// may be under way.
 pub(crate) fn solve(
+    case: &Case,
+    way: &Way<'_>,
+    record: &mut Record,
+    folder: &ResultsFolder,
+    under_way: Option<UnderWay>,
+) -> Result<(), Stop> {
+    record.frames = Frames::begin(case, folder)?;
+    if let (Some(_), Some(begun)) = (&record.frames, &under_way) {
+        way.watch.tell(&format!(
+            "warning: frames.parquet begins anew, at {:.1} s of the operation under way\n",
+            begun.simulation.time_s()
+        ));
+    }
+    let solved = solve_all(case, way, record, folder, under_way);
+    // However it ended: an interrupted run keeps the frames that it has.
+    let frames = record.frames.take().map_or(Ok(()), Frames::finish);
+    solved?;
+    Ok(frames?)
+}
+
+fn solve_all(
     case: &Case,
     way: &Way<'_>,
     record: &mut Record,
@@ -285,7 +309,15 @@ fn solve_dynamic(
         .watch
         .operation(operation.kind.name(), simulation.time_s(), end_s);
     // The run goes on by whole samples.
-    let enough_s = end_s - 0.5 * case.dynamics.sample_interval_s;
+    let sample_s = simulation.sample_interval_s();
+    let enough_s = end_s - 0.5 * sample_s;
+    let frame_samples = record
+        .frames
+        .as_ref()
+        .map(|frames| frames.samples(sample_s));
+    let look_samples = ((LOOK_INTERVAL_S / sample_s).round() as u64).max(1);
+    // Frames and looks fall on the same samples wherever the run was taken up.
+    let mut samples = (simulation.time_s() / sample_s).round() as u64;
     let status = loop {
         let time_s = simulation.time_s();
         progress.reach(time_s);
@@ -300,8 +332,18 @@ fn solve_dynamic(
         if interrupted {
             break Status::Interrupted;
         }
-        if let Err(diverged) = simulation.advance(LOOK_INTERVAL_S.min(end_s - time_s)) {
+        let missing = ((end_s - time_s) / sample_s).round() as u64;
+        let to_frame = frame_samples.map_or(u64::MAX, |every| every - samples % every);
+        let next = look_samples.min(missing.max(1)).min(to_frame);
+        if let Err(diverged) = simulation.advance(next as f64 * sample_s) {
             break Status::Failed(diverged.to_string());
+        }
+        samples += next;
+        if next == to_frame
+            && let Some(frames) = &mut record.frames
+            && let Err(error) = frames.take(operation, &simulation)
+        {
+            break Status::Failed(error.to_string());
         }
     };
     progress.finish();

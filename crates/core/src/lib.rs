@@ -14,6 +14,7 @@ pub mod model;
 pub mod mud;
 pub mod operation;
 pub mod outcome;
+mod random;
 pub mod rig;
 pub mod rod;
 pub mod statics;

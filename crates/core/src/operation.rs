@@ -83,6 +83,10 @@ pub struct Operation {
     pub rate_of_penetration_m_per_s: f64,
     /// Axial speed of tripping and reaming, m/s, positive.
     pub trip_speed_m_per_s: f64,
+    /// What the pumps deliver while they run, m³/s.
+    pub flow_rate_m3_per_s: f64,
+    /// Pressure drop of the bit's nozzles at that flow rate, Pa.
+    pub bit_pressure_drop_Pa: f64,
 }
 
 impl Operation {
@@ -105,6 +109,27 @@ impl Operation {
         }
     }
 
+    /// Axial speed of the string at another weight on bit and rotary speed, m/s, positive towards the bit: on
+    /// bottom in proportion to both, but that a motor turns the bit of a string that slides.
+    pub fn axial_velocity_at_m_per_s(
+        &self,
+        weight_on_bit_N: f64,
+        rotary_speed_rad_per_s: f64,
+    ) -> f64 {
+        let part = |value: f64, of: f64| if of > 0.0 { value / of } else { 1.0 };
+        let cutting = if self.kind.on_bottom() {
+            part(weight_on_bit_N, self.weight_on_bit_N)
+        } else {
+            1.0
+        };
+        let turning = if self.kind.on_bottom() && self.kind.rotates() {
+            part(rotary_speed_rad_per_s, self.rotary_speed_rad_per_s)
+        } else {
+            1.0
+        };
+        self.axial_velocity_m_per_s() * cutting * turning
+    }
+
     /// Weight on bit, N; zero off bottom.
     pub fn weight_on_bit_now_N(&self) -> f64 {
         if self.kind.on_bottom() {
@@ -119,6 +144,23 @@ impl Operation {
     pub fn bit_torque_now_N_m(&self) -> f64 {
         if self.kind.on_bottom() {
             self.bit_torque_N_m
+        } else {
+            0.0
+        }
+    }
+
+    /// What the pumps deliver, m³/s; zero while the string trips without rotation, for the top drive is off it.
+    pub fn flow_now_m3_per_s(&self) -> f64 {
+        match self.kind {
+            OperationKind::TripOut | OperationKind::TripIn => 0.0,
+            _ => self.flow_rate_m3_per_s,
+        }
+    }
+
+    /// Pressure drop of the nozzles at a flow rate, Pa: by its square.
+    pub fn bit_loss_Pa(&self, flow_m3_per_s: f64) -> f64 {
+        if self.flow_rate_m3_per_s > 0.0 {
+            self.bit_pressure_drop_Pa * (flow_m3_per_s / self.flow_rate_m3_per_s).powi(2)
         } else {
             0.0
         }

@@ -11,7 +11,7 @@ use wholestring::{
     operation::{Operation, OperationKind, OperationKind::*},
     statics::soft::{self, SoftError, SoftProfile, SoftSettings},
     string::{ComponentLength, ComponentSpec, Material, ToolJoints},
-    well::Interpolation,
+    well::{Friction, Hole, HoleSection, Interpolation},
 };
 
 fn solve_with(model: &Model, operation: &Operation, step_m: f64) -> SoftProfile {
@@ -105,12 +105,29 @@ fn capstan_in_any_plane() {
 }
 
 /// Rotation at the speed `Ωr` and pulling at `v` slide along a direction that does not change along a
-/// string of one radius: a capstan of `μ v/V`, and torque and drag in the ratio `Ωr² : v`.
+/// string of one radius: a capstan of `μ v/V`, and torque and drag in the ratio `Ωr² : v`, the torque in that of
+/// the coefficients around and along besides.
 #[test]
 fn reaming_in_a_capstan() {
     let (mu, radius_m, tension_N, dogleg) = (0.3, 0.07, 100e3, std::f64::consts::FRAC_PI_2);
-    let model = capstan_model([90.0, 0.0], [0.0, 0.0], mu, radius_m, tension_N);
-    for (kind, sign) in [(BackReam, 1.0), (Ream, -1.0)] {
+    for (kind, sign, ratio) in [
+        (BackReam, 1.0, 1.0),
+        (Ream, -1.0, 1.0),
+        (BackReam, 1.0, 0.6),
+        (Ream, -1.0, 1.4),
+    ] {
+        let mut model = capstan_model([90.0, 0.0], [0.0, 0.0], mu, radius_m, tension_N);
+        let sections = model.well.hole.sections().iter().map(|section| {
+            let friction = Friction {
+                around: ratio,
+                ..section.friction
+            };
+            HoleSection {
+                friction,
+                ..*section
+            }
+        });
+        model.well.hole = Hole::new(sections.collect()).expect("a sound hole");
         let operation = operation(kind, model.string.length_m());
         let around = operation.rotary_speed_rad_per_s * radius_m;
         let along = operation.trip_speed_m_per_s / around.hypot(operation.trip_speed_m_per_s);
@@ -120,7 +137,7 @@ fn reaming_in_a_capstan() {
         assert_close("drag", scalars.axial_friction_N, expected - tension_N, 1e-9);
         let torque =
             scalars.axial_friction_N.abs() * around * radius_m / operation.trip_speed_m_per_s;
-        assert_close("torque", scalars.friction_torque_N_m, torque, 1e-9);
+        assert_close("torque", scalars.friction_torque_N_m, ratio * torque, 1e-9);
     }
 }
 

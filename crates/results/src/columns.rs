@@ -108,6 +108,11 @@ pub const NODES: &[ColumnSpec] = &[
         "Torque of wall friction per length",
     ),
     ColumnSpec::number(
+        "wear_work_J_per_m",
+        "J/m",
+        "Work of friction over the window per metre of string: force times sliding distance",
+    ),
+    ColumnSpec::number(
         "twist_rad",
         "rad",
         "Turn of the node against the bit; positive where it leads",
@@ -116,6 +121,118 @@ pub const NODES: &[ColumnSpec] = &[
         "stretch_m",
         "m",
         "Elongation of the string between the node and the bit",
+    ),
+    ColumnSpec::text(
+        "contact_class",
+        "`none`, `intermittent` or `continuous`: in contact for less than 1 %, up to 99 % or more of the time",
+    ),
+    ColumnSpec::text(
+        "contact_side",
+        "`high` or `low`, by the sign of the mean side force; `none` where nothing presses",
+    ),
+    ColumnSpec::number(
+        "side_force_per_joint_N",
+        "N",
+        "Side force that a tool joint carries, `side_force_N_per_m` over the spacing of the joints; `null` where the string has none",
+    ),
+    ColumnSpec::number("tension_p05_N", "N", "5th percentile of `tension_N`"),
+    ColumnSpec::number("tension_p50_N", "N", "Median of `tension_N`"),
+    ColumnSpec::number("tension_p95_N", "N", "95th percentile of `tension_N`"),
+    ColumnSpec::number("torque_p05_N_m", "N·m", "5th percentile of `torque_N_m`"),
+    ColumnSpec::number("torque_p50_N_m", "N·m", "Median of `torque_N_m`"),
+    ColumnSpec::number("torque_p95_N_m", "N·m", "95th percentile of `torque_N_m`"),
+    ColumnSpec::number(
+        "contact_force_p05_N",
+        "N",
+        "5th percentile of `contact_force_N`",
+    ),
+    ColumnSpec::number("contact_force_p50_N", "N", "Median of `contact_force_N`"),
+    ColumnSpec::number(
+        "contact_force_p95_N",
+        "N",
+        "95th percentile of `contact_force_N`",
+    ),
+    ColumnSpec::number(
+        "true_tension_N",
+        "N",
+        "Force in the metal, `T − p A`: effective tension less the pressure of the mud at rest on the section",
+    ),
+    ColumnSpec::number(
+        "bending_moment_N_m",
+        "N·m",
+        "Bending moment, whatever its direction",
+    ),
+    ColumnSpec::number(
+        "bending_moment_max_N_m",
+        "N·m",
+        "Largest bending moment of any sample",
+    ),
+    ColumnSpec::number(
+        "bending_moment_p05_N_m",
+        "N·m",
+        "5th percentile of `bending_moment_N_m`",
+    ),
+    ColumnSpec::number(
+        "bending_moment_p50_N_m",
+        "N·m",
+        "Median of `bending_moment_N_m`",
+    ),
+    ColumnSpec::number(
+        "bending_moment_p95_N_m",
+        "N·m",
+        "95th percentile of `bending_moment_N_m`",
+    ),
+    ColumnSpec::number(
+        "bending_stress_Pa",
+        "Pa",
+        "Stress that alternates at the body's surface as it turns, `M D/2I`",
+    ),
+    ColumnSpec::number(
+        "von_mises_stress_Pa",
+        "Pa",
+        "Von Mises stress where the body's surface bears most",
+    ),
+    ColumnSpec::number(
+        "von_mises_stress_max_Pa",
+        "Pa",
+        "Largest von Mises stress of any sample",
+    ),
+    ColumnSpec::number(
+        "yield_use",
+        "",
+        "`von_mises_stress_max_Pa` over the minimum yield strength; `null` where that is not known",
+    ),
+    ColumnSpec::number(
+        "whirl_rate_rad_per_s",
+        "rad/s",
+        "Mean angular velocity of the string's axis about the hole's; positive with the rotation",
+    ),
+    ColumnSpec::number(
+        "whirl_coherence",
+        "",
+        "How much of the lateral motion that whirl is, from 0 to 1",
+    ),
+    ColumnSpec::number(
+        "lateral_speed_rms_m_per_s",
+        "m/s",
+        "Root mean square of the lateral speed",
+    ),
+];
+
+/// Columns of `wear.parquet`: the work of friction on the hole over the window, one row per 5 m of hole, from
+/// the surface down, for each operation that was solved by dynamics.
+pub const WEAR: &[ColumnSpec] = &[
+    ColumnSpec::text("operation", "`trip_out`, `drill`, ..."),
+    ColumnSpec::number("md_m", "m", "Measured depth of the middle of the stretch"),
+    ColumnSpec::number(
+        "wear_work_J_per_m",
+        "J/m",
+        "Work of friction over the window per metre of hole: force times sliding distance",
+    ),
+    ColumnSpec::number(
+        "wear_power_W_per_m",
+        "W/m",
+        "Its mean rate; times 3600, the work in an hour of the same",
     ),
 ];
 
@@ -131,6 +248,11 @@ pub const TIME: &[ColumnSpec] = &[
     ColumnSpec::number("bit_depth_m", "m", "Measured depth of the bit"),
     ColumnSpec::number("weight_on_bit_N", "N", "Weight on bit"),
     ColumnSpec::number("bit_torque_N_m", "N·m", "Torque at the bit"),
+    ColumnSpec::number(
+        "depth_of_cut_m",
+        "m",
+        "Rock that a revolution of the bit takes away; `null` where a motor turns it at a speed that is not given",
+    ),
     ColumnSpec::number(
         "hook_load_N",
         "N",
@@ -165,12 +287,12 @@ pub const TIME: &[ColumnSpec] = &[
     ColumnSpec::number(
         "neutral_point_m",
         "m",
-        "Measured depth of the shallowest zero of effective tension; not sampled in time, `null`",
+        "Measured depth of the shallowest zero of effective tension; `null` if none",
     ),
     ColumnSpec::number(
         "cutoff_depth_m",
         "m",
-        "Deepest change of the side force from high to low side; not sampled in time, `null`",
+        "Deepest change of the side force, averaged over the second before, from high to low side: a value a second, `null` between and if none",
     ),
     ColumnSpec::number(
         "block_velocity_m_per_s",
@@ -184,13 +306,109 @@ pub const TIME: &[ColumnSpec] = &[
     ),
 ];
 
+/// Columns of `frames.parquet`: the whole string, a row per node of every frame. Channels that were not asked
+/// for have no column.
+pub const FRAMES: &[ColumnSpec] = &[
+    ColumnSpec::text("operation", "`trip_out`, `drill`, ..."),
+    ColumnSpec::number(
+        "time_s",
+        "s",
+        "Simulated time from the start, settling included",
+    ),
+    ColumnSpec::number("node", "", "Number of the node, from 0 at the surface"),
+    ColumnSpec::number("md_m", "m", "Measured depth of the node"),
+    ColumnSpec::number(
+        "offset_high_m",
+        "m",
+        "Offset of the string's axis from the hole's towards the high side",
+    ),
+    ColumnSpec::number(
+        "offset_right_m",
+        "m",
+        "Offset to the right, looking down the hole",
+    ),
+    ColumnSpec::number("north_m", "m", "North of the node"),
+    ColumnSpec::number("east_m", "m", "East of the node"),
+    ColumnSpec::number("tvd_m", "m", "True vertical depth of the node"),
+    ColumnSpec::number(
+        "velocity_high_m_per_s",
+        "m/s",
+        "Velocity towards the high side",
+    ),
+    ColumnSpec::number("velocity_right_m_per_s", "m/s", "Velocity to the right"),
+    ColumnSpec::number("axial_velocity_m_per_s", "m/s", "Velocity down the hole"),
+    ColumnSpec::number(
+        "rotary_speed_rad_per_s",
+        "rad/s",
+        "Rotary speed of the node; positive clockwise looking down the hole",
+    ),
+    ColumnSpec::number(
+        "twist_rad",
+        "rad",
+        "Turn of the node against the bit; positive where it leads",
+    ),
+    ColumnSpec::number(
+        "tilt_high_rad",
+        "rad",
+        "Angle of the string's axis with the hole's towards the high side",
+    ),
+    ColumnSpec::number("tilt_right_rad", "rad", "Angle to the right"),
+    ColumnSpec::number(
+        "contact_force_N",
+        "N",
+        "Contact force of the node, averaged over the sample; positive on the high side",
+    ),
+    ColumnSpec::number(
+        "axial_friction_N",
+        "N",
+        "Wall friction along the string on the node, averaged over the sample; positive adds to hook load",
+    ),
+    ColumnSpec::number(
+        "friction_torque_N_m",
+        "N·m",
+        "Torque of wall friction on the node, averaged over the sample",
+    ),
+    ColumnSpec::number(
+        "tension_N",
+        "N",
+        "Effective tension; negative in compression",
+    ),
+    ColumnSpec::number("torque_N_m", "N·m", "Torque that the string carries"),
+    ColumnSpec::number(
+        "bending_moment_N_m",
+        "N·m",
+        "Bending moment, whatever its direction",
+    ),
+    ColumnSpec::number(
+        "von_mises_stress_Pa",
+        "Pa",
+        "Von Mises stress where the body's surface bears most",
+    ),
+];
+
+/// Columns of `spectra.parquet`: power spectral densities of scalars over the window, a row per frequency.
+pub const SPECTRA: &[ColumnSpec] = &[
+    ColumnSpec::text("operation", "`trip_out`, `drill`, ..."),
+    ColumnSpec::text(
+        "signal",
+        "Column of `time.parquet` without its unit: `surface_torque`, ...",
+    ),
+    ColumnSpec::text("unit", "Unit of the signal"),
+    ColumnSpec::number("frequency_Hz", "Hz", "Frequency"),
+    ColumnSpec::number(
+        "density",
+        "",
+        "One-sided power spectral density, square of the signal's unit per Hz",
+    ),
+];
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn names_are_unique_and_end_in_their_unit() {
-        for table in [NODES, TIME] {
+        for table in [NODES, TIME, WEAR, FRAMES, SPECTRA] {
             for (index, column) in table.iter().enumerate() {
                 assert!(
                     table[..index].iter().all(|other| other.name != column.name),
@@ -206,8 +424,12 @@ mod tests {
                     "N·m" => "_N_m",
                     "N/m" => "_N_per_m",
                     "N·m/m" => "_N_m_per_m",
+                    "J/m" => "_J_per_m",
+                    "W/m" => "_W_per_m",
                     "m/s" => "_m_per_s",
                     "rad/s" => "_rad_per_s",
+                    "Pa" => "_Pa",
+                    "Hz" => "_Hz",
                     other => panic!("{}: unknown unit {other}", column.name),
                 };
                 assert!(column.name.ends_with(suffix), "{}", column.name);

@@ -5,7 +5,9 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use crate::{ResultsError, Summary, Table};
+use wholestring::dynamics::Channel;
+
+use crate::{FrameWriter, ResultsError, Summary, Table};
 
 /// The folder that a run writes to.
 #[derive(Debug, Clone)]
@@ -46,16 +48,27 @@ impl ResultsFolder {
     /// that an earlier run left goes, so that the folder never mixes two runs.
     pub fn write_table(&self, name: &str, table: &Table, csv: bool) -> Result<(), ResultsError> {
         table.write_parquet(&self.path.join(format!("{name}.parquet")))?;
-        let path = self.path.join(format!("{name}.csv"));
+        let csv_name = format!("{name}.csv");
         if csv {
-            return table.write_csv(&path);
+            return table.write_csv(&self.path.join(csv_name));
         }
+        self.remove(&csv_name)
+    }
+
+    /// Removes a file that an earlier run left and this one does not write.
+    pub fn remove(&self, name: &str) -> Result<(), ResultsError> {
+        let path = self.path.join(name);
         match fs::remove_file(&path) {
             Err(source) if source.kind() != io::ErrorKind::NotFound => {
                 Err(ResultsError::Write { path, source })
             }
             _ => Ok(()),
         }
+    }
+
+    /// Begins `frames.parquet` with these channels; the one that an earlier run left goes.
+    pub fn frames(&self, channels: &[Channel]) -> Result<FrameWriter, ResultsError> {
+        FrameWriter::create(&self.path, channels)
     }
 
     /// Writes a file of text, such as a picture.

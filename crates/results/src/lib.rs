@@ -1,5 +1,7 @@
-//! What a run leaves behind: `summary.json`, `nodes.parquet` and `time.parquet`, and the same
+//! What a run leaves behind: `summary.json`, `nodes.parquet`, `time.parquet` and `wear.parquet`, and the same
 //! tables as CSV.
+//! What a run leaves behind: `summary.json`, `nodes.parquet`, `time.parquet` and what else the case asks
+//! for, and the tables as CSV.
 //!
 //! Files are SI with the unit in every name, hold `null` where a number is not finite or does not
 //! apply, and appear whole or not at all: each is written beside its final name and then renamed.
@@ -10,13 +12,17 @@ mod columns;
 mod error;
 mod file;
 mod folder;
+mod frames;
 mod parquet_file;
+mod spectrum;
 mod summary;
 mod table;
 
-pub use columns::{ColumnSpec, NODES, TIME};
+pub use columns::{ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
 pub use error::ResultsError;
 pub use folder::ResultsFolder;
+pub use frames::FrameWriter;
+pub use spectrum::Spectrum;
 pub use summary::{
     Friction, Numerics, OperationSummary, SCHEMA_VERSION, Statistic, Status, Summary,
 };

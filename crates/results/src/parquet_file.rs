@@ -4,12 +4,15 @@ use std::{fs::File, io, path::Path, sync::Arc};
 
 use parquet::{
     basic::{Compression, LogicalType, Repetition, Type as PhysicalType},
-    column::{reader::ColumnReader, writer::ColumnWriter},
-    data_type::ByteArray,
+    column::{
+        reader::{ColumnReader, ColumnReaderImpl},
+        writer::ColumnWriter,
+    },
+    data_type::{ByteArray, DataType},
     errors::ParquetError,
     file::{
         metadata::KeyValue,
-        properties::WriterProperties,
+        properties::{WriterProperties, WriterPropertiesBuilder},
         reader::{FileReader, SerializedFileReader},
         writer::{SerializedFileWriter, SerializedRowGroupWriter},
     },
@@ -28,7 +31,19 @@ pub(crate) fn write(table: &Table, path: &Path) -> Result<(), ResultsError> {
 }
 
 fn write_to(table: &Table, writer: impl io::Write + Send) -> Result<(), ParquetError> {
-    let mut file = SerializedFileWriter::new(writer, schema(table)?, properties(table))?;
+    let fields = table.columns().iter().map(|column| {
+        let kind = match column.data {
+            Data::Number(_) => PhysicalType::DOUBLE,
+            Data::Text(_) => PhysicalType::BYTE_ARRAY,
+        };
+        (column.name.as_str(), kind)
+    });
+    let notes = table.columns().iter().map(|column| {
+        let (name, unit) = (column.name.as_str(), column.unit.as_str());
+        (name, unit, column.meaning.as_str())
+    });
+    let properties = Arc::new(properties(notes).build());
+    let mut file = SerializedFileWriter::new(writer, schema(fields)?, properties)?;
     let mut rows = file.next_row_group()?;
     for column in table.columns() {
         write_column(&mut rows, &column.data)?;
@@ -39,7 +54,7 @@ fn write_to(table: &Table, writer: impl io::Write + Send) -> Result<(), ParquetE
 }
 
 /// The system's error where there is one inside, so that a full disk is called one.
-fn io_error(error: ParquetError) -> io::Error {
+pub(crate) fn io_error(error: ParquetError) -> io::Error {
     match error {
         ParquetError::External(error) => match error.downcast::<io::Error>() {
             Ok(error) => *error,
@@ -49,19 +64,18 @@ fn io_error(error: ParquetError) -> io::Error {
     }
 }
 
-fn schema(table: &Table) -> Result<Arc<Type>, ParquetError> {
-    let fields = table
-        .columns()
-        .iter()
-        .map(|column| {
-            let field = match column.data {
-                Data::Number(_) => Type::primitive_type_builder(&column.name, PhysicalType::DOUBLE)
-                    .with_repetition(Repetition::OPTIONAL),
-                Data::Text(_) => {
-                    Type::primitive_type_builder(&column.name, PhysicalType::BYTE_ARRAY)
-                        .with_repetition(Repetition::REQUIRED)
-                        .with_logical_type(Some(LogicalType::String))
-                }
+/// The schema of columns: words are always there, numbers may be missing.
+pub(crate) fn schema<'a>(
+    fields: impl Iterator<Item = (&'a str, PhysicalType)>,
+) -> Result<Arc<Type>, ParquetError> {
+    let fields = fields
+        .map(|(name, kind)| {
+            let field = Type::primitive_type_builder(name, kind);
+            let field = match kind {
+                PhysicalType::BYTE_ARRAY => field
+                    .with_repetition(Repetition::REQUIRED)
+                    .with_logical_type(Some(LogicalType::String)),
+                _ => field.with_repetition(Repetition::OPTIONAL),
             };
             Ok(Arc::new(field.build()?))
         })
@@ -70,24 +84,22 @@ fn schema(table: &Table) -> Result<Arc<Type>, ParquetError> {
     Ok(Arc::new(schema.build()?))
 }
 
-fn properties(table: &Table) -> Arc<WriterProperties> {
-    let notes = table
-        .columns()
-        .iter()
-        .flat_map(|column| {
+/// Compression, author, and the unit and meaning of each column.
+pub(crate) fn properties<'a>(
+    notes: impl Iterator<Item = (&'a str, &'a str, &'a str)>,
+) -> WriterPropertiesBuilder {
+    let notes = notes
+        .flat_map(|(name, unit, meaning)| {
             [
-                KeyValue::new(key(&column.name, "unit"), column.unit.clone()),
-                KeyValue::new(key(&column.name, "meaning"), column.meaning.clone()),
+                KeyValue::new(key(name, "unit"), unit.to_owned()),
+                KeyValue::new(key(name, "meaning"), meaning.to_owned()),
             ]
         })
         .collect();
-    Arc::new(
-        WriterProperties::builder()
-            .set_compression(Compression::SNAPPY)
-            .set_created_by(format!("wholestring {}", env!("CARGO_PKG_VERSION")))
-            .set_key_value_metadata(Some(notes))
-            .build(),
-    )
+    WriterProperties::builder()
+        .set_compression(Compression::SNAPPY)
+        .set_created_by(format!("wholestring {}", env!("CARGO_PKG_VERSION")))
+        .set_key_value_metadata(Some(notes))
 }
 
 fn write_column<W: io::Write + Send>(
@@ -140,7 +152,11 @@ fn read_table(file: File) -> Result<Vec<Column>, ParquetError> {
     let mut columns = Vec::new();
     for (index, field) in metadata.schema_descr().columns().iter().enumerate() {
         let data = match field.physical_type() {
-            PhysicalType::DOUBLE if field.max_def_level() == 1 => Data::Number(Vec::new()),
+            PhysicalType::DOUBLE | PhysicalType::FLOAT | PhysicalType::INT32
+                if field.max_def_level() == 1 =>
+            {
+                Data::Number(Vec::new())
+            }
             PhysicalType::BYTE_ARRAY if field.max_def_level() == 0 => Data::Text(Vec::new()),
             other => {
                 return Err(ParquetError::General(format!(
@@ -167,24 +183,14 @@ fn read_table(file: File) -> Result<Vec<Column>, ParquetError> {
 
 fn read_column(reader: ColumnReader, rows: usize, column: &mut Column) -> Result<(), ParquetError> {
     match (reader, &mut column.data) {
-        (ColumnReader::DoubleColumnReader(mut reader), Data::Number(all)) => {
-            let (mut levels, mut present) = (Vec::new(), Vec::new());
-            while levels.len() < rows {
-                let (read, _, _) = reader.read_records(
-                    rows - levels.len(),
-                    Some(&mut levels),
-                    None,
-                    &mut present,
-                )?;
-                if read == 0 {
-                    break;
-                }
-            }
-            let mut present = present.into_iter();
-            all.extend(levels.into_iter().map(|level| match level {
-                0 => None,
-                _ => present.next(),
-            }));
+        (ColumnReader::DoubleColumnReader(reader), Data::Number(all)) => {
+            read_numbers(reader, rows, all)?;
+        }
+        (ColumnReader::FloatColumnReader(reader), Data::Number(all)) => {
+            read_numbers(reader, rows, all)?;
+        }
+        (ColumnReader::Int32ColumnReader(reader), Data::Number(all)) => {
+            read_numbers(reader, rows, all)?;
         }
         (ColumnReader::ByteArrayColumnReader(mut reader), Data::Text(all)) => {
             let mut words: Vec<ByteArray> = Vec::new();
@@ -201,6 +207,27 @@ fn read_column(reader: ColumnReader, rows: usize, column: &mut Column) -> Result
         }
         _ => unreachable!("the column was made for the same type"),
     }
+    Ok(())
+}
+
+fn read_numbers<T: DataType<T: Into<f64>>>(
+    mut reader: ColumnReaderImpl<T>,
+    rows: usize,
+    all: &mut Vec<Option<f64>>,
+) -> Result<(), ParquetError> {
+    let (mut levels, mut present) = (Vec::new(), Vec::new());
+    while levels.len() < rows {
+        let missing = rows - levels.len();
+        let (read, _, _) = reader.read_records(missing, Some(&mut levels), None, &mut present)?;
+        if read == 0 {
+            break;
+        }
+    }
+    let mut present = present.into_iter();
+    all.extend(levels.into_iter().map(|level| match level {
+        0 => None,
+        _ => present.next().map(Into::into),
+    }));
     Ok(())
 }
 

@@ -3,7 +3,11 @@
 use std::{collections::BTreeMap, fs::File, io::BufReader, io::Write, path::Path};
 
 use serde::{Deserialize, Serialize};
-use wholestring::outcome::{ModelKind, Scalars};
+use wholestring::{
+    dynamics::{EnergyBalance, Indicators},
+    mud::Hydraulics,
+    outcome::{ModelKind, Scalars},
+};
 
 use crate::{ResultsError, file::write_whole};
 
@@ -74,9 +78,15 @@ pub struct OperationSummary {
     /// Torque and drag; means over the window for a dynamic model.
     #[serde(flatten, with = "ScalarKeys")]
     pub scalars: Scalars,
+    /// What the mud does, if it has a rheology; means over the window for a dynamic model.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hydraulics: Option<Hydraulics>,
     /// Statistics over the window by quantity; dynamic models only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub statistics: Option<BTreeMap<String, Statistic>>,
+    /// Whirl, stick-slip and the use of the top drive over the window; dynamic models only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub indicators: Option<Indicators>,
     /// What the numbers cost and how sound they are; dynamic models only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub numerics: Option<Numerics>,
@@ -125,6 +135,9 @@ pub struct Numerics {
     /// change of energy and kinetic energy.
     #[serde(with = "finite")]
     pub energy_residual: f64,
+    /// Where energy came from and went since the window began; none before that, or of a run that diverged.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub energy: Option<EnergyBalance>,
     /// Instruction set that the time loop was compiled for.
     pub instructions: String,
     /// Time that the solution took, s.

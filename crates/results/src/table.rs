@@ -74,13 +74,13 @@ impl Table {
         Self::new(specs.iter().map(ColumnSpec::empty).collect())
     }
 
-    /// Adds rows: each word of `words` fills its column, each slice of `numbers` gives one number a
-    /// row, and the columns that are not named become `None`.
+    /// Adds rows: each list of `words` gives one word a row, or one for all rows, each slice of `numbers`
+    /// one number a row, and the columns of numbers that are not named become `None`.
     ///
     /// # Panics
     /// If the table has no such column of that kind, a text column is not named, or the slices differ
     /// in length.
-    pub fn append(&mut self, words: &[(&str, &str)], numbers: &[(&str, &[f64])]) {
+    pub fn append(&mut self, words: &[(&str, &[&str])], numbers: &[(&str, &[f64])]) {
         for &(name, _) in numbers {
             assert!(self.column(name).is_some(), "the table has no `{name}`");
         }
@@ -89,8 +89,15 @@ impl Table {
             match &mut column.data {
                 Data::Text(all) => {
                     let word = words.iter().find(|(name, _)| *name == column.name);
-                    let (_, word) = word.unwrap_or_else(|| panic!("`{}` is named", column.name));
-                    all.extend(std::iter::repeat_n((*word).to_owned(), rows));
+                    let (name, words) =
+                        word.unwrap_or_else(|| panic!("`{}` is named", column.name));
+                    match words {
+                        [word] => all.extend(std::iter::repeat_n((*word).to_owned(), rows)),
+                        words => {
+                            assert_eq!(words.len(), rows, "`{name}` is as long as the others");
+                            all.extend(words.iter().map(|word| (*word).to_owned()));
+                        }
+                    }
                 }
                 Data::Number(all) => match numbers.iter().find(|(name, _)| *name == column.name) {
                     Some((name, values)) => {

@@ -2,7 +2,7 @@
 
 use std::{fs, path::Path};
 
-use wholestring_results::{ColumnSpec, NODES, TIME};
+use wholestring_results::{ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
 
 fn rows(columns: &[ColumnSpec]) -> String {
     let mut text = String::from("| column | unit | meaning |\n|---|---|---|\n");
@@ -17,7 +17,13 @@ fn rows(columns: &[ColumnSpec]) -> String {
 fn the_page_lists_every_column() {
     let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/src/outputs.md");
     let page = fs::read_to_string(page).unwrap().replace("\r\n", "\n");
-    for (name, columns) in [("nodes", NODES), ("time", TIME)] {
+    for (name, columns) in [
+        ("nodes", NODES),
+        ("time", TIME),
+        ("frames", FRAMES),
+        ("spectra", SPECTRA),
+        ("wear", WEAR),
+    ] {
         let expected = rows(columns);
         assert!(
             page.contains(&expected),

@@ -3,7 +3,11 @@
 use std::{collections::BTreeMap, fs};
 
 use serde_json::{Value, json};
-use wholestring::outcome::{ModelKind, Scalars};
+use wholestring::{
+    dynamics::{EnergyBalance, Indicators, StickSlip, TorqueUse, Whirl},
+    mud::Hydraulics,
+    outcome::{ModelKind, Scalars},
+};
 use wholestring_results::{
     Friction, Numerics, OperationSummary, SCHEMA_VERSION, Statistic, Status, Summary,
 };
@@ -30,7 +34,9 @@ fn soft() -> OperationSummary {
         friction: Friction::of(&[0.3, 0.3]),
         bit_depth_m: 4305.0,
         scalars: SCALARS,
+        hydraulics: None,
         statistics: None,
+        indicators: None,
         numerics: None,
     }
 }
@@ -48,7 +54,36 @@ fn dynamic() -> OperationSummary {
         model: ModelKind::Dynamic,
         status: Status::Failed("the string flew off at 3.2 s".into()),
         friction: Friction::of(&[0.2, 0.3]),
+        hydraulics: Some(Hydraulics {
+            mud_drag_N: 1.0,
+            mud_torque_N_m: 2.0,
+            jet_thrust_N: 3.0,
+            bore_loss_Pa: 4.0,
+            bit_loss_Pa: 5.0,
+            annulus_loss_Pa: 6.0,
+            pump_pressure_Pa: 15.0,
+        }),
         statistics: Some(BTreeMap::from([("hook_load_N".into(), statistic)])),
+        indicators: Some(Indicators {
+            stick_slip: Some(StickSlip {
+                severity: Some(1.25),
+                torque_severity: Some(0.5),
+                period_s: None,
+                stuck_fraction: 0.25,
+                bit_speed_max_rad_per_s: 16.0,
+            }),
+            backward_whirl: Some(Whirl {
+                md_m: 4290.0,
+                rate_rad_per_s: -24.0,
+                ratio: -3.0,
+                length_fraction: 0.125,
+            }),
+            forward_whirl: None,
+            top_drive: Some(TorqueUse {
+                p95: 0.5,
+                max: 0.75,
+            }),
+        }),
         numerics: Some(Numerics {
             elements: 1350,
             time_step_s: 2e-4,
@@ -56,6 +91,12 @@ fn dynamic() -> OperationSummary {
             added_axial_mass_fraction: 0.003,
             max_penetration_m: 1e-5,
             energy_residual: 1e-4,
+            energy: Some(EnergyBalance {
+                hoist_work_J: 5.0,
+                gravity_change_J: 4.0,
+                friction_loss_J: 1.0,
+                ..EnergyBalance::default()
+            }),
             instructions: "avx2".into(),
             wall_time_s: 2.5,
             real_time_factor: 32.0,
@@ -84,7 +125,7 @@ fn written(summary: &Summary) -> Value {
 #[test]
 fn the_keys_are_the_contract() {
     let file = written(&summary(vec![soft(), dynamic()]));
-    let expected = json!({
+    let mut expected = json!({
         "schema_version": 1,
         "case": "NP13-X1042 at total depth",
         "settings": {"mesh": {"element_length": "3.2 m"}},
@@ -106,13 +147,35 @@ fn the_keys_are_the_contract() {
                 "statistics": {"hook_load_N": {
                     "mean": 1.0, "std": 2.0, "min": 3.0, "max": 4.0, "p05": 5.0, "p95": 6.0
                 }},
+                "indicators": {
+                    "stick_slip": {
+                        "severity": 1.25, "torque_severity": 0.5, "period_s": null,
+                        "stuck_fraction": 0.25, "bit_speed_max_rad_per_s": 16.0
+                    },
+                    "backward_whirl": {
+                        "md_m": 4290.0, "rate_rad_per_s": -24.0, "ratio": -3.0, "length_fraction": 0.125
+                    },
+                    "forward_whirl": null,
+                    "top_drive": {"p95": 0.5, "max": 0.75}
+                },
                 "numerics": {
                     "elements": 1350, "time_step_s": 2e-4, "steps": 400_000,
                     "added_axial_mass_fraction": 0.003, "max_penetration_m": 1e-5,
-                    "energy_residual": 1e-4, "instructions": "avx2", "wall_time_s": 2.5, "real_time_factor": 32.0
+                    "energy_residual": 1e-4,
+                    "instructions": "avx2", "wall_time_s": 2.5, "real_time_factor": 32.0
                 }
             }
         ]
+    });
+    let failed = &mut expected["operations"][1];
+    failed["hydraulics"] = json!({
+        "mud_drag_N": 1.0, "mud_torque_N_m": 2.0, "jet_thrust_N": 3.0, "bore_loss_Pa": 4.0,
+        "bit_loss_Pa": 5.0, "annulus_loss_Pa": 6.0, "pump_pressure_Pa": 15.0
+    });
+    failed["numerics"]["energy"] = json!({
+        "top_drive_work_J": 0.0, "hoist_work_J": 5.0, "bit_work_J": 0.0, "flow_work_J": 0.0,
+        "friction_loss_J": 1.0, "contact_loss_J": 0.0, "mud_loss_J": 0.0, "damping_loss_J": 0.0,
+        "kinetic_change_J": 0.0, "elastic_change_J": 0.0, "gravity_change_J": 4.0, "residual_J": 0.0
     });
     assert_eq!(file, expected);
 }

@@ -98,11 +98,21 @@ fn csv_numbers_are_exact() {
 fn appended_rows_leave_the_other_columns_null() {
     let mut table = Table::with_columns(NODES);
     table.append(
-        &[("model", "soft"), ("operation", "drill")],
+        &[
+            ("model", &["soft"]),
+            ("operation", &["drill"]),
+            ("contact_class", &["none", "continuous"]),
+            ("contact_side", &["none", "low"]),
+        ],
         &[("md_m", &[0.0, 10.0]), ("tension_N", &[1e6, f64::NAN])],
     );
     table.append(
-        &[("model", "dynamic"), ("operation", "drill")],
+        &[
+            ("model", &["dynamic"]),
+            ("operation", &["drill"]),
+            ("contact_class", &["intermittent"]),
+            ("contact_side", &["high"]),
+        ],
         &[("md_m", &[0.0]), ("contact_force_std_N", &[3.0])],
     );
     assert_eq!(table.rows(), 3);
@@ -113,13 +123,19 @@ fn appended_rows_leave_the_other_columns_null() {
     assert_eq!(number("tension_N"), [Some(1e6), None, None]);
     assert_eq!(number("contact_force_std_N"), [None, None, Some(3.0)]);
     assert_eq!(number("twist_rad"), [None; 3]);
+    let words = |name| match &table.column(name).unwrap().data {
+        Data::Text(words) => words.clone(),
+        Data::Number(_) => panic!("{name} is a word"),
+    };
+    assert_eq!(words("operation"), ["drill"; 3]);
+    assert_eq!(words("contact_side"), ["none", "low", "high"]);
 }
 
 #[test]
 #[should_panic(expected = "the table has no `md_ft`")]
 fn a_name_outside_the_registry_is_refused() {
     Table::with_columns(NODES).append(
-        &[("model", "soft"), ("operation", "drill")],
+        &[("model", &["soft"]), ("operation", &["drill"])],
         &[("md_ft", &[0.0])],
     );
 }

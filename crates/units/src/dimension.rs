@@ -41,6 +41,12 @@ pub enum Dimension {
     Damping,
     /// Viscosities, Pa·s.
     Viscosity,
+    /// Consistency indices of power-law fluids, Pa·sⁿ.
+    Consistency,
+    /// Yield points and shear stresses of fluids, Pa.
+    ShearStress,
+    /// Flow rates of pumps, m³/s.
+    FlowRate,
     /// Dissipation of an impact per velocity (Hunt and Crossley), s/m.
     DissipationTime,
     /// Velocity of the hoist per error of force, m/s/N.
@@ -51,6 +57,10 @@ pub enum Dimension {
     Frequency,
     /// Masses, kg.
     Mass,
+    /// Moments of inertia about an axis, kg·m².
+    MomentOfInertia,
+    /// Torque per rotary speed, N·m·s.
+    RotaryDamping,
 }
 
 impl Dimension {
@@ -72,11 +82,16 @@ impl Dimension {
         Dimension::Stiffness,
         Dimension::Damping,
         Dimension::Viscosity,
+        Dimension::Consistency,
+        Dimension::ShearStress,
+        Dimension::FlowRate,
         Dimension::DissipationTime,
         Dimension::HoistGain,
         Dimension::Time,
         Dimension::Frequency,
         Dimension::Mass,
+        Dimension::MomentOfInertia,
+        Dimension::RotaryDamping,
     ];
 
     /// The name in a sentence, such as `"rotary speed"`.
@@ -98,11 +113,16 @@ impl Dimension {
             Dimension::Stiffness => "stiffness",
             Dimension::Damping => "damping",
             Dimension::Viscosity => "viscosity",
+            Dimension::Consistency => "consistency index",
+            Dimension::ShearStress => "shear stress",
+            Dimension::FlowRate => "flow rate",
             Dimension::DissipationTime => "dissipation time",
             Dimension::HoistGain => "hoist gain",
             Dimension::Time => "time",
             Dimension::Frequency => "frequency",
             Dimension::Mass => "mass",
+            Dimension::MomentOfInertia => "moment of inertia",
+            Dimension::RotaryDamping => "torque per rotary speed",
         }
     }
 
@@ -125,11 +145,16 @@ impl Dimension {
             Dimension::Stiffness => table::STIFFNESS,
             Dimension::Damping => table::DAMPING,
             Dimension::Viscosity => table::VISCOSITY,
+            Dimension::Consistency => table::CONSISTENCY,
+            Dimension::ShearStress => table::SHEAR_STRESS,
+            Dimension::FlowRate => table::FLOW_RATE,
             Dimension::DissipationTime => table::DISSIPATION_TIME,
             Dimension::HoistGain => table::HOIST_GAIN,
             Dimension::Time => table::TIME,
             Dimension::Frequency => table::FREQUENCY,
             Dimension::Mass => table::MASS,
+            Dimension::MomentOfInertia => table::MOMENT_OF_INERTIA,
+            Dimension::RotaryDamping => table::ROTARY_DAMPING,
         }
     }
 
@@ -166,11 +191,16 @@ impl Dimension {
             Dimension::Stiffness => ["kN/m", "kN/m", "lbf/in"],
             Dimension::Damping => ["kN.s/m", "kN.s/m", "lbf.s/ft"],
             Dimension::Viscosity => ["mPa.s", "mPa.s", "cP"],
+            Dimension::Consistency => ["Pa.s^n", "Pa.s^n", "lbf.s^n/100ft2"],
+            Dimension::ShearStress => ["Pa", "Pa", "lbf/100ft2"],
+            Dimension::FlowRate => ["L/min", "L/min", "gpm"],
             Dimension::DissipationTime => ["s/m", "s/m", "s/ft"],
             Dimension::HoistGain => ["m/s/kN", "m/s/t", "ft/s/klbf"],
             Dimension::Time => ["s", "s", "s"],
             Dimension::Frequency => ["1/s", "1/s", "1/s"],
             Dimension::Mass => ["kg", "t", "lb"],
+            Dimension::MomentOfInertia => ["kg.m2", "kg.m2", "lb.ft2"],
+            Dimension::RotaryDamping => ["kN.m.s", "kN.m.s", "ft-lbf.s"],
         };
         match set {
             UnitSet::Si => si,

@@ -250,6 +250,47 @@ pub(crate) const VISCOSITY: &[Unit] = &[
     unit("Pa.s", 1.0, &[]),
 ];
 
+const PER_HUNDRED_SQUARE_FEET: f64 = POUND_FORCE / (100.0 * FOOT * FOOT);
+
+pub(crate) const CONSISTENCY: &[Unit] = &[
+    unit("Pa.s^n", 1.0, &["Pa.sn", "Pa.sⁿ", "N.s^n/m2"]),
+    unit("mPa.s^n", 1e-3, &["mPa.sn", "mPa.sⁿ"]),
+    unit(
+        "lbf.s^n/100ft2",
+        PER_HUNDRED_SQUARE_FEET,
+        &["lb.s^n/100ft2", "lbf.sn/100ft2", "lb.sn/100ft2"],
+    ),
+    unit("eq cP", 1e-3, &["eqcP", "cP eq"]),
+];
+
+pub(crate) const SHEAR_STRESS: &[Unit] = &[
+    unit("Pa", 1.0, &["N/m2"]),
+    unit(
+        "lbf/100ft2",
+        PER_HUNDRED_SQUARE_FEET,
+        &["lb/100ft2", "lbs/100ft2", "lbf/100sqft", "lb/100sqft"],
+    ),
+    unit("dyn/cm2", 0.1, &["dyne/cm2"]),
+];
+
+pub(crate) const FLOW_RATE: &[Unit] = &[
+    unit(
+        "L/min",
+        1e-3 / MINUTE,
+        &["l/min", "lpm", "LPM", "litres/min"],
+    ),
+    unit(
+        "gpm",
+        US_GALLON / MINUTE,
+        &["gal/min", "galUS/min", "gal[US]/min", "USgpm", "US gal/min"],
+    ),
+    unit("m3/s", 1.0, &[]),
+    unit("m3/min", 1.0 / MINUTE, &[]),
+    unit("m3/h", 1.0 / HOUR, &["m3/hr"]),
+    unit("L/s", 1e-3, &["l/s"]),
+    unit("bbl/min", 42.0 * US_GALLON / MINUTE, &["bpm"]),
+];
+
 pub(crate) const DISSIPATION_TIME: &[Unit] = &[
     unit("s/m", 1.0, &[]),
     unit("s/mm", 1e3, &[]),
@@ -297,4 +338,21 @@ pub(crate) const MASS: &[Unit] = &[
     unit("klb", 1e3 * POUND, &["klbm", "klbs"]),
     unit("g", 1e-3, &[]),
     unit("tonUS", 2000.0 * POUND, &["ton[US]", "US ton", "short ton"]),
+];
+
+pub(crate) const MOMENT_OF_INERTIA: &[Unit] = &[
+    unit("kg.m2", 1.0, &["kg m2", "kgm2"]),
+    unit("t.m2", 1e3, &["t m2"]),
+    unit("lb.ft2", POUND * FOOT * FOOT, &["lbm.ft2", "lb ft2"]),
+];
+
+pub(crate) const ROTARY_DAMPING: &[Unit] = &[
+    unit("kN.m.s", 1e3, &["kN.m.s/rad"]),
+    unit("N.m.s", 1.0, &["N.m.s/rad"]),
+    unit(
+        "ft-lbf.s",
+        FOOT * POUND_FORCE,
+        &["lbf.ft.s", "ft.lbf.s", "ft.lb.s"],
+    ),
+    unit("kN.m/rpm", 1e3 * MINUTE / TURN, &[]),
 ];

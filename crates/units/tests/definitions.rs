@@ -126,6 +126,25 @@ fn definition(dimension: Dimension, symbol: &str) -> Option<f64> {
         // One poise is 0.1 Pa.s.
         (D::Viscosity, "cP") => ratio(&[1.0], &[10.0, 100.0]),
 
+        (D::Consistency, "Pa.s^n") => 1.0,
+        (D::Consistency, "mPa.s^n" | "eq cP") => ratio(&[1.0], &[1000.0]),
+        (D::Consistency, "lbf.s^n/100ft2") | (D::ShearStress, "lbf/100ft2") => {
+            ratio(&[lbf[0], lbf[1]], &[100.0, 0.3048, 0.3048])
+        }
+
+        (D::ShearStress, "Pa") => 1.0,
+        // A dyne is 1e-5 N.
+        (D::ShearStress, "dyn/cm2") => ratio(&[1.0], &[10.0]),
+
+        (D::FlowRate, "m3/s") => 1.0,
+        (D::FlowRate, "m3/min") => ratio(&[1.0], &[60.0]),
+        (D::FlowRate, "m3/h") => ratio(&[1.0], &[60.0, 60.0]),
+        (D::FlowRate, "L/s") => ratio(&[1.0], &[1000.0]),
+        (D::FlowRate, "L/min") => ratio(&[1.0], &[1000.0, 60.0]),
+        (D::FlowRate, "gpm") => ratio(&[231.0, 0.0254, 0.0254, 0.0254], &[60.0]),
+        // A barrel is 42 US gallons.
+        (D::FlowRate, "bbl/min") => ratio(&[42.0, 231.0, 0.0254, 0.0254, 0.0254], &[60.0]),
+
         (D::DissipationTime, "s/m") => 1.0,
         (D::DissipationTime, "s/mm") => 1000.0,
         (D::DissipationTime, "s/ft") => ratio(&[100.0], &[12.0, 2.54]),
@@ -152,6 +171,17 @@ fn definition(dimension: Dimension, symbol: &str) -> Option<f64> {
         (D::Mass, "lb") => 0.453_592_37,
         (D::Mass, "klb") => 453.592_37,
         (D::Mass, "tonUS") => 907.184_74,
+
+        (D::MomentOfInertia, "kg.m2") => 1.0,
+        (D::MomentOfInertia, "t.m2") => 1e3,
+        (D::MomentOfInertia, "lb.ft2") => {
+            ratio(&[0.453_592_37, 12.0, 2.54, 12.0, 2.54], &[100.0, 100.0])
+        }
+
+        (D::RotaryDamping, "N.m.s") => 1.0,
+        (D::RotaryDamping, "kN.m.s") => 1e3,
+        (D::RotaryDamping, "ft-lbf.s") => ratio(&[lbf[0], lbf[1], 12.0, 2.54], &[100.0]),
+        (D::RotaryDamping, "kN.m/rpm") => ratio(&[1e3, 60.0], &[2.0, PI]),
         _ => return None,
     };
     Some(value)

@@ -111,7 +111,7 @@ fn keys_of_the_summary() {
         expected.extend(DEPTHS);
         let dynamic = operation["model"] == "dynamic";
         if dynamic {
-            expected.extend(["statistics", "numerics"]);
+            expected.extend(["statistics", "indicators", "numerics"]);
         }
         assert_eq!(keys(operation), expected);
         assert_eq!(operation["status"], "complete");

@@ -291,6 +291,25 @@ fn diverged() {
     assert!(matches!(&dynamic.status, Status::Failed(reason) if message.contains(reason)));
     let time = Table::read_parquet(&desk.path("results/time.parquet")).unwrap();
     assert!(time.rows() > 0);
+    // No number in a file is none: JSON would say `null` where the contract has a number.
+    let numerics = dynamic.numerics.as_ref().expect("a dynamic model");
+    assert_eq!(
+        (numerics.energy_residual, numerics.energy),
+        (1.0, None),
+        "a run that diverged balances nothing"
+    );
+    assert!(numerics.max_penetration_m.is_finite());
+    let nodes = Table::read_parquet(&desk.path("results/nodes.parquet")).unwrap();
+    for column in time.columns().iter().chain(nodes.columns()) {
+        // A node that never touched has no direction of contact; what the soft string alone knows stays out.
+        let others = ["climb_rad", "twist_rad", "stretch_m"];
+        if let (Data::Number(values), false) =
+            (&column.data, others.contains(&column.name.as_str()))
+        {
+            let dynamic = values.iter().rev().take(time.rows().min(10));
+            assert!(dynamic.into_iter().all(Option::is_some), "{}", column.name);
+        }
+    }
 }
 
 /// Ctrl-C keeps what was computed, and says so. Other systems than Unix have no way to send it to

@@ -9,13 +9,20 @@ use super::{
 };
 use crate::{
     model::Model,
-    rod::{element::Stiffness, mesh::Mesh, stability::StepPlan},
-    wall::{Bore, contact},
+    rod::{
+        element::{Pose, Stiffness},
+        mesh::Mesh,
+        stability::StepPlan,
+        vector::Vector,
+    },
+    wall::{Bore, BorePoint, contact},
     well::Path,
 };
 
-/// Most mud that is carried along outside, as a multiple of the mud that the pipe displaces. The
-/// formula of the concentric annulus grows without bound where a tool fills its hole.
+/// Most mud that is carried along outside, as a multiple of the mud that the pipe displaces: reached where
+/// a pipe fills 82 % of its hole. The formula of the concentric annulus grows without bound where a tool
+/// fills its hole, for it has the mud go round it in a plane; round a stabiliser or a bit, no longer than its hole is
+/// wide, most of it goes round the ends.
 const MOST_ADDED_MUD: f64 = 5.0;
 
 /// Where a node's anchor stands on the hole's axis.
@@ -39,15 +46,16 @@ pub struct Surroundings {
     steel: Vec<(f64, f64)>,
     /// Contact radius of each node, m; none where the wall does not act (the ends).
     touches: Vec<Option<f64>>,
+    /// A node takes up a new anchor when it has slid this far, m.
+    reach_m: f64,
+    /// Whether the wall asks for all that a step can do: friction at rest above the kinetic one, friction
+    /// around the hole other than along it, or a radius that undulates. Only then do cones have a slope, too.
+    pub intricate: bool,
 }
 
 /// A bit with less clearance than this fills its hole, m: contact and friction of its body would be those
 /// of a pipe that whirls in half a millimetre.
 const SNUG_M: f64 = 2e-3;
-
-/// A node takes up a new anchor when it has slid this far, m. The wall is then known to the third
-/// order in it: for a dogleg that changes by 3 deg/30 m within 30 m, to 1e-10 m.
-const REACH_M: f64 = 0.02;
 
 /// Lateral mass of each element, kg/m: steel, mud inside, and the mud that an accelerated cylinder
 /// carries along in an annulus, `ρ π r² (R² + r²)/(R² − r²)`.
@@ -98,18 +106,27 @@ impl Surroundings {
             .enumerate()
             .map(|(i, n)| (i != 0 && n.from_bit_m >= held_m).then_some(n.contact_radius_m))
             .collect();
+        let bore = Bore::new(&model.well.hole);
         Self {
             path: model.well.path.clone(),
-            bore: Bore::new(&model.well.hole),
+            reach_m: bore.reach_m(),
+            intricate: bore.undulates()
+                || model
+                    .well
+                    .hole
+                    .sections()
+                    .iter()
+                    .any(|s| s.friction.at_rest > s.friction.kinetic || s.friction.around != 1.0),
+            bore,
             law,
             steel,
             touches,
         }
     }
 
-    /// Clearance of a node at a measured depth, m.
-    pub fn clearance_m(&self, index: usize, md_m: f64) -> f64 {
-        self.touches[index].map_or(NO_WALL_M, |radius| self.bore.radius_m(md_m) - radius)
+    /// Diameter of the hole at a measured depth, m.
+    pub fn hole_diameter_m(&self, md_m: f64) -> f64 {
+        self.bore.section(md_m).diameter_m
     }
 
     /// Puts a node's anchor at `md_m`, the node itself staying where it is.
@@ -121,24 +138,38 @@ impl Surroundings {
 
     /// Puts a node's anchor at `md_m` and takes the node along.
     pub fn place(&self, chain: &mut Chain, anchors: &mut [Anchor], index: usize, md_m: f64) {
-        let point = self.path.at(md_m);
+        let wall = self.bore.at(&self.path, md_m);
+        let axis = &wall.axis;
         anchors[index] = Anchor {
             md_m,
-            position_m: point.position_m,
+            position_m: axis.position_m,
             high_side: self.path.high_side_at(md_m),
         };
-        chain.set_tangent(index, point.tangent.into());
-        chain.set_curvature(index, point.curvature_per_m.into());
-        self.meet_wall(chain, index, md_m);
+        chain.set_tangent(index, axis.tangent.into());
+        chain.set_curvature(index, axis.curvature_per_m.into());
+        self.meet_wall(chain, index, md_m, &wall);
     }
 
     /// Gives a node the wall at `md_m`.
-    fn meet_wall(&self, chain: &mut Chain, index: usize, md_m: f64) {
-        node!(chain, index, clearance = self.clearance_m(index, md_m));
+    fn meet_wall(&self, chain: &mut Chain, index: usize, md_m: f64, wall: &BorePoint) {
         let Some(radius) = self.touches[index] else {
+            node!(chain, index, clearance = NO_WALL_M);
             return;
         };
-        let hole = self.bore.radius_m(md_m);
+        // Where the wall is rougher than the tool is slim, the hole just holds it.
+        let clearance = wall.radius_m - radius;
+        let closed = clearance < 0.0;
+        node!(chain, index, clearance = clearance.max(0.0));
+        node!(
+            chain,
+            index,
+            clearance_slope = if closed || !self.intricate {
+                0.0
+            } else {
+                wall.slope
+            }
+        );
+        let hole = self.bore.smooth_radius_m(md_m);
         let section = self.bore.section(md_m);
         node!(chain, index, radius = radius);
         node!(chain, index, friction = section.friction.kinetic);
@@ -147,6 +178,7 @@ impl Surroundings {
             index,
             friction_rise = section.friction.at_rest - section.friction.kinetic
         );
+        node!(chain, index, friction_around = section.friction.around);
         match self.law {
             ContactLaw::Hertz { .. } => {
                 let (e, nu) = self.steel[index];
@@ -183,7 +215,7 @@ impl Surroundings {
         let mut moved_above = false;
         for index in 0..chain.nodes() {
             let along = chain.tangent(index).dot(chain.displacement(index));
-            let moved = along.abs() > REACH_M;
+            let moved = along.abs() > self.reach_m;
             if moved {
                 let md = anchors[index].md_m + along;
                 self.anchor(chain, anchors, index, md);
@@ -280,62 +312,20 @@ pub fn hold(chain: &mut Chain) {
     }
 }
 
-/// Elastic, kinetic and potential energy of the chain at the middle of the last step, J.
-///
-/// Velocities live there already; positions and twist are brought back by half a step, so that the sum
-/// is second-order accurate in the step.
-pub fn energy_J(chain: &Chain, anchors: &[Anchor], dt: f64) -> f64 {
-    kinetic_energy_J(chain) + potential_energy_J(chain, anchors, dt)
-}
-
-/// Kinetic energy at the middle of the last step, J.
-pub fn kinetic_energy_J(chain: &Chain) -> f64 {
-    let mut sum = 0.0;
-    for i in 0..chain.nodes() {
-        let v = chain.velocity(i);
-        let along = v.dot(chain.tangent(i));
-        let (ml, ma) = (node!(chain, i, mass_lateral), node!(chain, i, mass_axial));
-        let spin = node!(chain, i, spin);
-        let w = chain.turning(i);
-        let inverse = node!(chain, i, inv_rotary);
-        let rotary = if inverse > 0.0 {
-            w.dot(w) / inverse
-        } else {
-            0.0
-        };
-        sum += ml * v.dot(v)
-            + (ma - ml) * along * along
-            + node!(chain, i, polar) * spin * spin
-            + rotary;
-    }
-    0.5 * sum
-}
-
-/// Elastic and gravitational energy at the middle of the last step, J.
-fn potential_energy_J(chain: &Chain, anchors: &[Anchor], dt: f64) -> f64 {
+/// How an element stood half a step before, where the velocities are.
+pub(super) fn half_a_step_before(mut pose: Pose<f64>, dt: f64) -> Pose<f64> {
     let half = 0.5 * dt;
-    let mut sum = 0.0;
-    for i in 0..chain.elements() {
-        let mut pose = chain.pose(i);
-        pose.displacement = pose.displacement.minus(pose.velocity, half);
-        let back = |d: crate::rod::vector::Vector<f64>, w| {
-            let turned = d.minus(crate::rod::vector::Vector::cross(w, d), half);
-            turned.scaled(1.0 / turned.dot(turned).sqrt())
-        };
-        pose.d1 = back(pose.d1, pose.w1);
-        pose.d2 = back(pose.d2, pose.w2);
-        // The stored twist is that of the step's beginning.
-        let share = 1.0 / (1.0 + pose.d1.dot(pose.d2));
-        pose.twist += half * (pose.spin + share * (pose.w2.dot(pose.d1) - pose.w1.dot(pose.d2)));
-        sum += crate::rod::element::energy(&chain.stiffness(i), &pose);
-    }
-    for (i, anchor) in anchors.iter().enumerate() {
-        let weight = Vector3::from(chain.weight(i));
-        let at = anchor.position_m + Vector3::from(chain.displacement(i))
-            - half * Vector3::from(chain.velocity(i));
-        sum -= weight.dot(&at);
-    }
-    sum
+    pose.displacement = pose.displacement.minus(pose.velocity, half);
+    let back = |d: Vector<f64>, w: Vector<f64>| {
+        let turned = d.minus(w.cross(d), half);
+        turned.scaled(1.0 / turned.dot(turned).sqrt())
+    };
+    pose.d1 = back(pose.d1, pose.w1);
+    pose.d2 = back(pose.d2, pose.w2);
+    // The stored twist is that of the step's beginning.
+    let share = 1.0 / (1.0 + pose.d1.dot(pose.d2));
+    pose.twist += half * (pose.spin + share * (pose.w2.dot(pose.d1) - pose.w1.dot(pose.d2)));
+    pose
 }
 
 /// Weight of the node at the top of the chain along the hole, N: part of the hook load.

@@ -1,24 +1,45 @@
 //! The whole string in time: 3D nonlinear rod, wall contact and friction, top drive, hoist and bit.
 
 mod assembly;
+mod bent;
 mod bit;
+mod body;
+mod carry;
 mod chain;
+mod energy;
+mod frame;
 mod hoist;
+mod imbalance;
+mod indicators;
 mod outcome;
 mod record;
+mod schedule;
 mod settings;
 mod setup;
+mod signal;
 mod simulation;
 mod start;
 mod step;
 mod summary;
 #[cfg(test)]
 mod tests;
+mod top_drive;
+mod viscous;
+mod wear;
 
-pub use outcome::{DynamicOutcome, NodeProfile, Numerics, Statistic, TimeSeries};
+pub use bit::{Band, BitLaw, BitSettings, Excitation, RateLaw, RegenerativeLaw, SteadyCut};
+pub use energy::EnergyBalance;
+pub use frame::{Channel, Frame};
+pub use indicators::{Indicators, StickSlip, TorqueUse, Whirl};
+pub use outcome::{
+    ContactClass, DynamicOutcome, HoleWear, NodeProfile, Numerics, Percentiles, Statistic,
+    TimeSeries,
+};
+pub use schedule::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep};
 pub use settings::{
-    BitSettings, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping,
-    Start,
+    Autodriller, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping,
+    SpeedController, Start, TopDriveSettings,
 };
 pub use setup::{Effort, SetupError};
+pub use signal::Signal;
 pub use simulation::{Checkpoint, Diverged, ResumeError, Simulation};

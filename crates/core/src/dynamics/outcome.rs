@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::outcome::Scalars;
+use super::{energy::EnergyBalance, indicators::Indicators};
+use crate::{mud::Hydraulics, outcome::Scalars};
 
 /// Distribution of one quantity over the window.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,20 +34,75 @@ impl Statistic {
         let variance = samples.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / n as f64;
         let mut sorted = samples.to_vec();
         sorted.sort_by(f64::total_cmp);
-        let percentile = |part: f64| {
-            let place = part * (n - 1) as f64;
-            let low = place.floor() as usize;
-            let high = (low + 1).min(n - 1);
-            sorted[low] + (place - low as f64) * (sorted[high] - sorted[low])
-        };
         Some(Self {
             mean,
             std: variance.sqrt(),
             min: sorted[0],
             max: sorted[n - 1],
-            p05: percentile(0.05),
-            p95: percentile(0.95),
+            p05: percentile(&sorted, 0.05),
+            p95: percentile(&sorted, 0.95),
         })
+    }
+}
+
+/// A percentile of sorted samples, at least one, interpolated linearly between order statistics.
+pub(super) fn percentile(sorted: &[f64], part: f64) -> f64 {
+    let last = sorted.len() - 1;
+    let place = part * last as f64;
+    let low = place.floor() as usize;
+    let high = (low + 1).min(last);
+    sorted[low] + (place - low as f64) * (sorted[high] - sorted[low])
+}
+
+/// 5th, 50th and 95th percentile at every node, from samples spread evenly over the window.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Percentiles {
+    /// 5th percentile.
+    pub p05: Vec<f64>,
+    /// Median.
+    pub p50: Vec<f64>,
+    /// 95th percentile.
+    pub p95: Vec<f64>,
+}
+
+impl Percentiles {
+    pub(super) fn push(&mut self, [p05, p50, p95]: [f64; 3]) {
+        self.p05.push(p05);
+        self.p50.push(p50);
+        self.p95.push(p95);
+    }
+}
+
+/// How much of the time a node touches the wall.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ContactClass {
+    /// In less than a hundredth of the samples.
+    None,
+    /// Now and then.
+    Intermittent,
+    /// In more than ninety-nine hundredths of the samples.
+    Continuous,
+}
+
+impl ContactClass {
+    /// The class of a part of the samples.
+    pub fn of(contact_fraction: f64) -> Self {
+        if contact_fraction < 0.01 {
+            Self::None
+        } else if contact_fraction <= 0.99 {
+            Self::Intermittent
+        } else {
+            Self::Continuous
+        }
+    }
+
+    /// Name in results.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Intermittent => "intermittent",
+            Self::Continuous => "continuous",
+        }
     }
 }
 
@@ -65,8 +121,10 @@ pub struct Numerics {
     pub max_penetration_m: f64,
     /// Work put in at top drive, hoist and bit less the change of energy and every loss, over the
     /// largest of them and of the kinetic energy: what the integration itself gained or lost. From the
-    /// start of the window.
+    /// start of the window. 1, all of it, in a run that diverged.
     pub energy_residual: f64,
+    /// Its parts; none before the window began and in a run that diverged.
+    pub energy: Option<EnergyBalance>,
     /// Instruction set that the time loop was compiled for.
     pub instructions: &'static str,
 }
@@ -106,6 +164,53 @@ pub struct NodeProfile {
     pub friction_torque_N_m_per_m: Vec<f64>,
     /// Mean distance of the pipe's axis from the hole's, m.
     pub lateral_offset_m: Vec<f64>,
+    /// Work of friction over the window per metre of string, J/m.
+    pub wear_work_J_per_m: Vec<f64>,
+    /// Percentiles of tension, N.
+    pub tension_percentiles_N: Percentiles,
+    /// Percentiles of torque, N·m.
+    pub torque_percentiles_N_m: Percentiles,
+    /// Percentiles of the contact force of the node itself, N.
+    pub contact_force_percentiles_N: Percentiles,
+    /// Mean force in the metal, N: effective tension less what the mud's pressure presses it with,
+    /// `T − p A`.
+    pub true_tension_N: Vec<f64>,
+    /// Mean bending moment, N·m, whatever its direction.
+    pub bending_moment_N_m: Vec<f64>,
+    /// Largest bending moment of any sample, N·m.
+    pub bending_moment_max_N_m: Vec<f64>,
+    /// Percentiles of the bending moment, N·m.
+    pub bending_moment_percentiles_N_m: Percentiles,
+    /// Stress that alternates at the surface of the body as it turns, Pa: the mean bending moment over
+    /// the section modulus, `M D/2I`.
+    pub bending_stress_Pa: Vec<f64>,
+    /// Mean von Mises stress where the body's surface bears most, Pa.
+    pub von_mises_stress_Pa: Vec<f64>,
+    /// Largest von Mises stress of any sample, Pa.
+    pub von_mises_stress_max_Pa: Vec<f64>,
+    /// That stress over the minimum yield strength, where it is known.
+    pub yield_use: Vec<Option<f64>>,
+    /// Force that a tool joint carries, N: the side force per metre over the spacing of the joints;
+    /// positive on the high side, none where the string has no joints.
+    pub side_force_per_joint_N: Vec<Option<f64>>,
+    /// Mean angular velocity of the pipe's axis about the hole's, rad/s; clockwise looking down the
+    /// hole, as the string turns, is positive.
+    pub whirl_rate_rad_per_s: Vec<f64>,
+    /// How much of the lateral motion that is, from zero to one.
+    pub whirl_coherence: Vec<f64>,
+    /// Root mean square of the lateral speed, m/s.
+    pub lateral_speed_rms_m_per_s: Vec<f64>,
+}
+
+/// Work of friction on the hole over the window, from the surface down, one row per stretch of hole.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct HoleWear {
+    /// Measured depth of the middle of the stretch, m.
+    pub md_m: Vec<f64>,
+    /// Work per metre of hole, J/m: friction force times sliding distance.
+    pub wear_work_J_per_m: Vec<f64>,
+    /// Its mean rate, W/m.
+    pub wear_power_W_per_m: Vec<f64>,
 }
 
 /// Scalars against time, from time zero; rows are samples, contact quantities averages over them.
@@ -129,6 +234,9 @@ pub struct TimeSeries {
     pub weight_on_bit_N: Vec<f64>,
     /// Bit torque, N·m.
     pub bit_torque_N_m: Vec<f64>,
+    /// Rock that a revolution of the bit takes away, m; not a number where a motor turns it at a speed that is
+    /// not given.
+    pub depth_of_cut_m: Vec<f64>,
     /// Turn of the top against the bit, rad.
     pub twist_rad: Vec<f64>,
     /// Elongation, m.
@@ -137,6 +245,21 @@ pub struct TimeSeries {
     pub block_velocity_m_per_s: Vec<f64>,
     /// Rotary speed of the bit, rad/s.
     pub bit_rotary_speed_rad_per_s: Vec<f64>,
+    /// Rotary speed at surface, rad/s.
+    pub rotary_speed_rad_per_s: Vec<f64>,
+    /// What it is set to, rad/s.
+    pub rotary_speed_set_rad_per_s: Vec<f64>,
+    /// Block velocity that is set, m/s, positive downwards; not a number where something else is.
+    pub block_velocity_set_m_per_s: Vec<f64>,
+    /// Weight on bit that the autodriller is set to, N; not a number where it is not in control.
+    pub weight_on_bit_set_N: Vec<f64>,
+    /// Line of the schedule that began last, counted from one; zero before the first.
+    pub schedule_line: Vec<usize>,
+    /// Measured depth of the shallowest zero of effective tension, m, if there is one.
+    pub neutral_point_m: Vec<Option<f64>>,
+    /// Deepest change of the side force from high to low side over the second before, m: one value a
+    /// second, none between.
+    pub cutoff_depth_m: Vec<Option<f64>>,
 }
 
 impl DynamicOutcome {
@@ -155,10 +278,16 @@ pub struct DynamicOutcome {
     pub scalars: Scalars,
     /// Distributions over the window of the scalars that vary, by their name.
     pub statistics: Vec<(&'static str, Statistic)>,
+    /// What the mud did, on average over the window; none without a rheology.
+    pub hydraulics: Option<Hydraulics>,
     /// How it was computed.
     pub numerics: Numerics,
+    /// What the motion amounts to, in the figures of the field.
+    pub indicators: Indicators,
     /// Profile along the string.
     pub nodes: NodeProfile,
+    /// Wear along the hole.
+    pub wear: HoleWear,
     /// Scalars against time.
     pub series: TimeSeries,
 }

@@ -2,6 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::{bit::BitSettings, schedule::Schedule};
+use crate::wall::friction::STRIBECK_SPEED_M_PER_S;
+
 /// How the string lies at time zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Start {
@@ -42,26 +45,42 @@ pub enum ContactLaw {
 /// How the top of the string is moved along the hole.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum HoistControl {
-    /// The block follows the bit so that the weight on bit holds the operation's.
-    Autodriller {
-        /// Block speed per weight on bit that is missing, m/s/N.
-        gain_m_per_s_per_N: f64,
-        /// Time constant of the filter on the measured weight on bit, s.
-        filter_s: f64,
-    },
+    /// The block follows the bit so that the weight on bit holds its target: [`Autodriller`].
+    Autodriller,
     /// The block moves at a constant speed, positive downwards, m/s.
     BlockVelocity(f64),
     /// A constant lifting force on the top of the string, N; block excluded.
     HookLoad(f64),
 }
 
-impl HoistControl {
-    /// The autodriller with its default gain and filter, 1e-7 m/s/N and 1 s: 10 kN too little add
-    /// 1 mm/s.
-    pub const AUTODRILLER: Self = Self::Autodriller {
-        gain_m_per_s_per_N: 1e-7,
-        filter_s: 1.0,
-    };
+/// How the autodriller moves the block: `v = v₀ + K (e + ∫e dt/T_i)` within its limits, `e` the target less
+/// the measured weight on bit through a filter, `v₀` the rate of penetration at the target.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Autodriller {
+    /// `K`: block speed per weight on bit that is missing, m/s/N.
+    pub gain_m_per_s_per_N: f64,
+    /// `T_i`: time in which the integral adds as much as the gain gives at once, s; infinite without one.
+    pub integral_time_s: f64,
+    /// Time constant of the filter on the measured weight on bit, s.
+    pub filter_s: f64,
+    /// Least speed of the block, m/s, positive downwards; a negative one lets it pull up.
+    pub min_speed_m_per_s: f64,
+    /// Greatest speed of the block, m/s.
+    pub max_speed_m_per_s: f64,
+}
+
+impl Default for Autodriller {
+    /// 1e-7 m/s/N (10 kN too little add 1 mm/s), no integral, a filter of 1 s, and the block goes down
+    /// at any speed but never up.
+    fn default() -> Self {
+        Self {
+            gain_m_per_s_per_N: 1e-7,
+            integral_time_s: f64::INFINITY,
+            filter_s: 1.0,
+            min_speed_m_per_s: 0.0,
+            max_speed_m_per_s: f64::INFINITY,
+        }
+    }
 }
 
 /// The hoisting system between the block and the top of the string.
@@ -71,6 +90,56 @@ pub struct HoistLine {
     pub stiffness_N_per_m: f64,
     /// Damping, N·s/m. Without it a short string rings.
     pub damping_N_s_per_m: f64,
+    /// Mass of travelling block and top drive, which hang on the line above the string, kg.
+    pub block_mass_kg: f64,
+}
+
+/// How the speed of a top drive is controlled.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum SpeedController {
+    /// Proportional and integral, with gains as they are.
+    Pi {
+        /// Torque per speed that is missing, N·m·s.
+        proportional_N_m_s: f64,
+        /// Torque per angle that is missing, N·m.
+        integral_N_m: f64,
+    },
+    /// Proportional and integral, tuned to take the energy of torsional waves of one frequency.
+    SoftTorque {
+        /// Proportional gain over the characteristic impedance of the uppermost pipe.
+        impedance_ratio: f64,
+        /// Frequency, Hz; `None` takes the lowest torsional one of the string, held at the top and free at
+        /// the bit.
+        frequency_Hz: Option<f64>,
+    },
+    /// A stiff one that gives way to the string's torque, so that the drive shows the pipe's impedance over
+    /// a band.
+    ZTorque {
+        /// Impedance that it shows over that of the uppermost pipe.
+        impedance_ratio: f64,
+        /// Lower edge of the band, Hz; `None` takes a fifth of the string's lowest torsional frequency.
+        frequency_Hz: Option<f64>,
+        /// Gain of the stiff speed control, N·m·s: over the inertia, the upper edge of the band, rad/s.
+        proportional_N_m_s: f64,
+        /// Its integral gain, N·m.
+        integral_N_m: f64,
+    },
+}
+
+/// What turns the top of the string.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum TopDriveSettings {
+    /// The spin follows its set point, whatever torque that takes.
+    Constant,
+    /// A drive with inertia.
+    Driven {
+        /// Moment of inertia of everything that turns with the string at its speed, kg·m².
+        inertia_kg_m2: f64,
+        /// What holds its speed.
+        controller: SpeedController,
+        /// Largest torque that it gives, N·m; `None` sets no limit.
+        torque_limit_N_m: Option<f64>,
+    },
 }
 
 /// Rayleigh damping of the rod, mesh-independent.
@@ -83,17 +152,8 @@ pub struct RodDamping {
     pub stiffness_s: f64,
 }
 
-/// The bit on the rock.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct BitSettings {
-    /// Stiffness of the contact between bit and rock front, N/m.
-    pub rock_stiffness_N_per_m: f64,
-    /// Lateral stiffness that holds the bit to the hole's axis, N/m.
-    pub lateral_stiffness_N_per_m: f64,
-}
-
 /// Everything that a dynamic run needs beside the model and the operation.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct DynamicsSettings {
     /// Length of the elements, m. A node stands on tool joints and stabilisers; between them the
     /// elements are as near to this as whole numbers allow, rather longer than shorter.
@@ -106,6 +166,9 @@ pub struct DynamicsSettings {
     pub start: Start,
     /// Friction law.
     pub friction_law: FrictionLaw,
+    /// Sliding speed at which the friction at rest has half decayed to the kinetic one, m/s. Raising it
+    /// keeps more of the friction at rest in slow sliding; it matters only where the two differ.
+    pub stribeck_speed_m_per_s: f64,
     /// Contact law.
     pub contact_law: ContactLaw,
     /// Rayleigh damping.
@@ -113,21 +176,30 @@ pub struct DynamicsSettings {
     /// Hoist control; `None` takes what the operation asks for: the autodriller on bottom, a
     /// constant block velocity otherwise.
     pub hoist_control: Option<HoistControl>,
+    /// The autodriller, wherever it is in control.
+    pub autodriller: Autodriller,
     /// Hoist line.
     pub hoist_line: HoistLine,
+    /// Top drive.
+    pub top_drive: TopDriveSettings,
+    /// What the driller changes in the course of the run. Set points of its lines at time zero replace the
+    /// operation's from the beginning.
+    pub schedule: Schedule,
     /// The bit on the rock.
     pub bit: BitSettings,
     /// Time between samples of the statistics and rows of the time table, s. Contact forces are
     /// averaged over it.
     pub sample_interval_s: f64,
-    /// Seed of the microscopic lateral disturbance that breaks the symmetry of the start.
+    /// Seed of the microscopic lateral disturbance that breaks the symmetry of the start, and of the bit's
+    /// excitation.
     pub seed: u64,
 }
 
 impl Default for DynamicsSettings {
     /// Elements of 3.2 m; 60 s after 20 s of settling, sampled every 10 ms; a prepared start; vector
-    /// friction; Hertz contact with 0.5 s/m; damping of 0.1 1/s by mass and 10 µs by stiffness; the hoist control
-    /// that the operation asks for on a line of 1e7 N/m and 1e5 N·s/m; rock of 1e8 N/m and 1e7 N/m across;
+    /// friction that loses half of its rise at rest by 0.1 m/s; Hertz contact with 0.5 s/m; damping of 0.1 1/s by
+    /// mass and 10 µs by stiffness; the hoist control that the operation asks for on a line of 1e7 N/m and
+    /// 1e5 N·s/m that carries no block; a constant rotary speed; no schedule; rock of 1e8 N/m and 1e7 N/m across;
     /// seed 1.
     fn default() -> Self {
         Self {
@@ -139,19 +211,21 @@ impl Default for DynamicsSettings {
             contact_law: ContactLaw::Hertz {
                 dissipation_s_per_m: 0.5,
             },
+            stribeck_speed_m_per_s: STRIBECK_SPEED_M_PER_S,
             damping: RodDamping {
                 mass_per_s: 0.1,
                 stiffness_s: 1e-5,
             },
             hoist_control: None,
+            autodriller: Autodriller::default(),
             hoist_line: HoistLine {
                 stiffness_N_per_m: 1e7,
                 damping_N_s_per_m: 1e5,
+                block_mass_kg: 0.0,
             },
-            bit: BitSettings {
-                rock_stiffness_N_per_m: 1e8,
-                lateral_stiffness_N_per_m: 1e7,
-            },
+            top_drive: TopDriveSettings::Constant,
+            schedule: Schedule::default(),
+            bit: BitSettings::default(),
             sample_interval_s: 0.01,
             seed: 1,
         }

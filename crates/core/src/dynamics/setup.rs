@@ -2,7 +2,12 @@
 
 use super::{
     assembly::{self, Surroundings},
-    settings::{ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, Start},
+    bit::{Band, BitLaw},
+    schedule::{HoistSetPoint, ScheduleFault},
+    settings::{
+        ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, SpeedController, Start,
+        TopDriveSettings,
+    },
     start,
     step::{Abilities, Stepper},
 };
@@ -32,6 +37,14 @@ pub enum SetupError {
         /// What it should be.
         expected: &'static str,
     },
+    /// A schedule that cannot be followed.
+    #[error("line {line} of the schedule: {fault}")]
+    Schedule {
+        /// Which line, counted from one.
+        line: usize,
+        /// What is wrong with it.
+        fault: ScheduleFault,
+    },
 }
 
 /// Refuses settings that no run can use.
@@ -40,16 +53,17 @@ pub(super) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
         ("element_length_m", settings.element_length_m),
         ("duration_s", settings.duration_s),
         ("sample_interval_s", settings.sample_interval_s),
+        ("stribeck_speed_m_per_s", settings.stribeck_speed_m_per_s),
         (
             "hoist_line.stiffness_N_per_m",
             settings.hoist_line.stiffness_N_per_m,
         ),
-        (
-            "bit.rock_stiffness_N_per_m",
-            settings.bit.rock_stiffness_N_per_m,
-        ),
     ];
     let not_negative = [
+        (
+            "hoist_line.block_mass_kg",
+            settings.hoist_line.block_mass_kg,
+        ),
         ("settle_s", settings.settle_s),
         ("damping.mass_per_s", settings.damping.mass_per_s),
         ("damping.stiffness_s", settings.damping.stiffness_s),
@@ -61,9 +75,74 @@ pub(super) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
             "bit.lateral_stiffness_N_per_m",
             settings.bit.lateral_stiffness_N_per_m,
         ),
+        (
+            "bit.motor_speed_rad_per_s",
+            settings.bit.motor_speed_rad_per_s,
+        ),
     ];
-    for (name, value) in positive {
-        if !(value.is_finite() && value > 0.0) {
+    check_numbers(&positive, &not_negative)?;
+    check_numbers(&drive_numbers(&settings.top_drive), &[])?;
+    check_bit(&settings.bit.law)?;
+    match settings.schedule.fault() {
+        Some((index, fault)) => Err(SetupError::Schedule {
+            line: index + 1,
+            fault,
+        }),
+        None => Ok(()),
+    }
+}
+
+fn check_bit(law: &BitLaw) -> Result<(), SetupError> {
+    match law {
+        BitLaw::Rate(law) => {
+            check_numbers(
+                &[("bit.rock_stiffness_N_per_m", law.rock_stiffness_N_per_m)],
+                &[],
+            )?;
+            let Some(shaken) = law.excitation else {
+                return Ok(());
+            };
+            let (Band::PerRevolution(band) | Band::PerSecond(band)) = shaken.band;
+            check_numbers(
+                &[("bit.excitation.band", band)],
+                &[
+                    ("bit.excitation.amplitude_m", shaken.amplitude_m),
+                    ("bit.excitation.roughness_m", shaken.roughness_m),
+                    (
+                        "bit.excitation.torque_fluctuation",
+                        shaken.torque_fluctuation,
+                    ),
+                ],
+            )
+        }
+        BitLaw::Regenerative(law) => check_numbers(
+            &[
+                ("bit.radius_m", law.radius_m),
+                ("bit.blades", f64::from(law.blades)),
+                (
+                    "bit.intrinsic_specific_energy_Pa",
+                    law.intrinsic_specific_energy_Pa,
+                ),
+                ("bit.cutter_inclination", law.cutter_inclination),
+            ],
+            &[
+                ("bit.wear_flat_m", law.wear_flat_m),
+                ("bit.contact_strength_Pa", law.contact_strength_Pa),
+                ("bit.bit_geometry", law.bit_geometry),
+                ("bit.friction", law.friction),
+            ],
+        ),
+    }
+}
+
+/// Numbers with their names: those that must be positive, and those that may be zero.
+fn check_numbers(
+    positive: &[(&'static str, f64)],
+    not_negative: &[(&'static str, f64)],
+) -> Result<(), SetupError> {
+    let wrong = |value: f64, enough: bool| !(value.is_finite() && enough);
+    for &(name, value) in positive {
+        if wrong(value, value > 0.0) {
             return Err(SetupError::Setting {
                 name,
                 value,
@@ -71,8 +150,8 @@ pub(super) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
             });
         }
     }
-    for (name, value) in not_negative {
-        if !(value.is_finite() && value >= 0.0) {
+    for &(name, value) in not_negative {
+        if wrong(value, value >= 0.0) {
             return Err(SetupError::Setting {
                 name,
                 value,
@@ -83,22 +162,70 @@ pub(super) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
     Ok(())
 }
 
-/// What the hoist does, and the axial velocity that the string so has, m/s.
-pub(super) fn hoisting(operation: &Operation, settings: &DynamicsSettings) -> (HoistControl, f64) {
-    let velocity = operation.axial_velocity_m_per_s();
-    let usual = if operation.kind.on_bottom() {
-        HoistControl::AUTODRILLER
-    } else {
-        HoistControl::BlockVelocity(velocity)
+/// What must be positive of a top drive.
+fn drive_numbers(drive: &TopDriveSettings) -> Vec<(&'static str, f64)> {
+    let TopDriveSettings::Driven {
+        inertia_kg_m2,
+        controller,
+        torque_limit_N_m,
+    } = *drive
+    else {
+        return Vec::new();
     };
-    match settings.hoist_control.unwrap_or(usual) {
-        control @ HoistControl::BlockVelocity(velocity) => (control, velocity),
-        control => (control, velocity),
+    let mut numbers = vec![("top_drive.inertia_kg_m2", inertia_kg_m2)];
+    numbers.extend(torque_limit_N_m.map(|limit| ("top_drive.torque_limit_N_m", limit)));
+    match controller {
+        SpeedController::Pi {
+            proportional_N_m_s, ..
+        } => numbers.push(("top_drive.proportional_N_m_s", proportional_N_m_s)),
+        SpeedController::SoftTorque {
+            impedance_ratio,
+            frequency_Hz,
+        } => {
+            numbers.push(("top_drive.impedance_ratio", impedance_ratio));
+            numbers.extend(frequency_Hz.map(|hz| ("top_drive.frequency_Hz", hz)));
+        }
+        SpeedController::ZTorque {
+            impedance_ratio,
+            frequency_Hz,
+            proportional_N_m_s,
+            ..
+        } => {
+            numbers.push(("top_drive.impedance_ratio", impedance_ratio));
+            numbers.push(("top_drive.proportional_N_m_s", proportional_N_m_s));
+            numbers.extend(frequency_Hz.map(|hz| ("top_drive.frequency_Hz", hz)));
+        }
+    }
+    numbers
+}
+
+/// What the hoist does at time zero, and the axial velocity that the string so has, m/s.
+pub(super) fn hoisting(operation: &Operation, settings: &DynamicsSettings) -> (HoistControl, f64) {
+    let start = settings.schedule.at_time_zero(operation);
+    let own =
+        operation.axial_velocity_at_m_per_s(start.weight_on_bit_N, start.rotary_speed_rad_per_s);
+    let usual = if operation.kind.on_bottom() {
+        HoistControl::Autodriller
+    } else {
+        HoistControl::BlockVelocity(own)
+    };
+    let control = match settings.schedule.hoist_at_time_zero() {
+        Some(HoistSetPoint::BlockVelocity(velocity)) => HoistControl::BlockVelocity(velocity),
+        Some(HoistSetPoint::WeightOnBit(_)) => HoistControl::Autodriller,
+        None => settings.hoist_control.unwrap_or(usual),
+    };
+    match control {
+        HoistControl::BlockVelocity(velocity) => (control, velocity),
+        _ => (control, own),
     }
 }
 
-/// Where the bit stands at time zero: half the run above or below the operation's depth, m.
+/// Where the bit stands at time zero: half the run above or below the operation's depth, m; at that depth
+/// where a schedule moves the hoist.
 pub(super) fn first_bit_md_m(operation: &Operation, settings: &DynamicsSettings) -> f64 {
+    if settings.schedule.moves_the_hoist() {
+        return operation.bit_depth_m;
+    }
     let middle_s = settings.settle_s + 0.5 * settings.duration_s;
     operation.bit_depth_m - hoisting(operation, settings).1 * middle_s
 }
@@ -116,7 +243,7 @@ pub(super) fn mesh_and_plan(
 
 /// What the model, the operation and the settings of a run determine: the same at its start and
 /// wherever it is taken up again.
-pub(super) struct Frame {
+pub(super) struct Basis {
     pub(super) mesh: Mesh,
     pub(super) plan: StepPlan,
     pub(super) surroundings: Surroundings,
@@ -124,7 +251,7 @@ pub(super) struct Frame {
     pub(super) steps_per_sample: u64,
 }
 
-impl Frame {
+impl Basis {
     pub(super) fn new(
         model: &Model,
         operation: &Operation,
@@ -133,13 +260,10 @@ impl Frame {
         check(settings)?;
         let (mesh, plan) = mesh_and_plan(model, first_bit_md_m(operation, settings), settings);
         let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
-        let sections = model.well.hole.sections();
         let stepper = Stepper::new(Abilities {
             hertz: matches!(settings.contact_law, ContactLaw::Hertz { .. }),
             vector: settings.friction_law == FrictionLaw::Vector,
-            full: sections
-                .iter()
-                .any(|s| s.friction.at_rest > s.friction.kinetic),
+            full: surroundings.intricate || model.mud.rheology.is_some(),
         });
         let steps_per_sample = (settings.sample_interval_s / plan.dt_s).round().max(1.0) as u64;
         Ok(Self {

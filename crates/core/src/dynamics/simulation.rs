@@ -5,25 +5,33 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     assembly::{self, Anchor, Surroundings},
-    bit::Bit,
+    bit::{Bit, BitLaw},
+    body::Body,
     chain::{Chain, element, node},
-    hoist::Hoist,
+    energy::{self, Energies, EnergyBalance, Ledger, StepWork},
+    frame::{self, Frame},
+    hoist::{Hoist, Target},
     outcome::DynamicOutcome,
-    record::Record,
+    record::{self, Record},
+    schedule::{HoistNow, HoistSetPoint, SetPoints},
     settings::{ContactLaw, DynamicsSettings, HoistControl, Start},
-    setup::{self, Frame, SetupError},
+    setup::{self, Basis, SetupError},
     start::{self, Scene},
     step::{StepInput, Stepper},
     summary,
+    top_drive::{StringSeen, TopDrive},
+    viscous::Viscous,
+    wear::Wear,
 };
 use crate::{
     model::{Model, MudColumn},
     operation::Operation,
     rod::{
+        lanes::LANES,
         mesh::{Mesh, MeshNode},
         stability::StepPlan,
+        torsion,
     },
-    wall::friction::STRIBECK_SPEED_M_PER_S,
 };
 
 mod checkpoint;
@@ -33,7 +41,7 @@ pub use checkpoint::{Checkpoint, ResumeError};
 /// Extra damping of the first seconds of a prepared start, relative to the rigid motion, 1/s.
 const FADING_DAMPING_PER_S: f64 = 4.0;
 
-/// Time over which it fades, s.
+/// Time over which it fades, s; a schedule that changes something before has nothing of it against itself.
 const FADING_S: f64 = 5.0;
 
 /// Time in which a centred start brings the top to its speed, s.
@@ -42,11 +50,14 @@ const RAMP_S: f64 = 1.0;
 /// Steps after which anchors follow their nodes: at 3.2 m elements some 10 ms.
 const FOLLOW_STEPS: u64 = 16;
 
-/// Steps after which the numbers are looked at.
-const CHECK_STEPS: u64 = 128;
+/// Steps after which directors are squared up.
+const SQUARE_UP_STEPS: u64 = 128;
 
 /// Speed beyond which a run has diverged, m/s: no drill string moves at that of a bullet.
 const DIVERGED_M_PER_S: f64 = 1e3;
+
+/// Spin beyond which a run has diverged, rad/s: a million revolutions a minute.
+const DIVERGED_RAD_PER_S: f64 = 1e5;
 
 /// A run that left the range of numbers that mean anything.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -64,14 +75,6 @@ pub struct Diverged {
     pub value: f64,
 }
 
-/// Work and losses since the window began, J.
-#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
-struct Ledger {
-    energy_at_start: f64,
-    work: f64,
-    losses: f64,
-}
-
 /// A drill string in time.
 #[derive(Debug, Clone)]
 pub struct Simulation {
@@ -85,14 +88,21 @@ pub struct Simulation {
     anchors: Vec<Anchor>,
     surroundings: Surroundings,
     stepper: Stepper,
+    set_points: SetPoints,
+    top_drive: TopDrive,
     hoist: Hoist,
+    body: Body,
     bit: Bit,
+    viscous: Option<Viscous>,
     rigid_velocity_m_per_s: f64,
+    /// Time over which the extra damping of the start fades, s.
+    fading_s: f64,
     steps: u64,
     steps_per_sample: u64,
     since_sample: SinceSample,
     record: Record,
-    /// High side at each node, as plain numbers for the sampling loop.
+    wear: Wear,
+    /// High side at each node, as plain numbers for the sampling loop, padded to whole blocks.
     high: Vec<[f64; 3]>,
     ledger: Ledger,
     window_open: bool,
@@ -106,6 +116,7 @@ struct SinceSample {
     surface_torque: f64,
     weight_on_bit: f64,
     bit_torque: f64,
+    depth_of_cut: f64,
 }
 
 impl Simulation {
@@ -121,72 +132,107 @@ impl Simulation {
         operation: &Operation,
         settings: &DynamicsSettings,
     ) -> Result<Self, SetupError> {
-        let Frame {
+        let Basis {
             mesh,
             plan,
             surroundings,
             stepper,
             steps_per_sample,
-        } = Frame::new(model, operation, settings)?;
+        } = Basis::new(model, operation, settings)?;
         let (control, velocity) = setup::hoisting(operation, settings);
+        let first = settings.schedule.at_time_zero(operation);
         let bit_md_m = setup::first_bit_md_m(operation, settings);
         let chain = assembly::chain(model, &mesh, &plan);
+        let mut viscous = Viscous::new(model, &mesh, &first, velocity, bit_md_m);
         let input = StepInput {
             dt: plan.dt_s,
             stiffness_damping: settings.damping.stiffness_s,
             mass_damping: settings.damping.mass_per_s,
             rigid_velocity: velocity,
-            rigid_spin: operation.rotation_rad_per_s(),
+            rigid_spin: first.rotation_rad_per_s(),
             dissipation: match settings.contact_law {
                 ContactLaw::Hertz {
                     dissipation_s_per_m,
                 } => dissipation_s_per_m,
                 ContactLaw::Linear { .. } => 0.0,
             },
-            stribeck_speed: STRIBECK_SPEED_M_PER_S,
+            stribeck_speed: settings.stribeck_speed_m_per_s,
         };
+        let (moving, at_rest) = start::motion(&first, velocity, settings);
         let scene = Scene {
             model,
-            operation,
+            operation: &moving,
+            at_rest,
             settings,
             mesh: &mesh,
             surroundings: &surroundings,
+            viscous: viscous.as_ref(),
             stepper: &stepper,
             input: &input,
         };
-        let initial = start::lay(&scene, chain, bit_md_m)?;
-        let (chain, anchors) = (initial.chain, initial.anchors);
+        let initial = start::lay(&scene, chain, Body::new(model, &mesh), bit_md_m)?;
+        let (mut chain, anchors) = (initial.chain, initial.anchors);
+        if let Some(mud) = &mut viscous {
+            mud.attach(&mut chain, &anchors, plan.dt_s);
+            mud.update(&mut chain, &anchors, &surroundings, plan.dt_s);
+        }
         let last = anchors.len() - 1;
         let top = anchors[0].md_m + chain.displacement(0).dot(chain.tangent(0));
         let bottom = anchors[last].md_m + chain.displacement(last).dot(chain.tangent(last));
         let hoist = Hoist::new(
             settings.hoist_line,
             control,
-            operation.weight_on_bit_now_N(),
-            velocity,
+            settings.autodriller,
+            Target {
+                weight_N: first.weight_on_bit_now_N(),
+                velocity_m_per_s: velocity,
+            },
             top,
             initial.hook_load_N,
         );
-        let record = Record::new(&chain);
-        let high = anchors.iter().map(|a| a.high_side.into()).collect();
+        let string = StringSeen {
+            impedance_N_m_s: torsion::impedance_N_m_s(&mesh.elements[0].section),
+            frequency_Hz: torsion::lowest_frequency_Hz(&mesh),
+        };
+        let top_drive = TopDrive::new(&settings.top_drive, string, &mut chain);
+        // The front on which the bit stands with its first weight.
+        let lighter_N = operation.weight_on_bit_now_N() - first.weight_on_bit_now_N();
+        let bottom = match settings.bit.law {
+            BitLaw::Rate(law) => bottom + lighter_N / law.rock_stiffness_N_per_m,
+            BitLaw::Regenerative(_) => bottom,
+        };
+        let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
+        let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
+        let record = Record::new(model, &mesh);
+        let mut high: Vec<[f64; 3]> = anchors.iter().map(|a| a.high_side.into()).collect();
+        high.resize(high.len().next_multiple_of(LANES), [0.0; 3]);
         Ok(Self {
             model: model.clone(),
             mud: model.mud_column(),
             operation: *operation,
-            settings: *settings,
+            settings: settings.clone(),
             mesh,
             plan,
             chain,
             anchors,
             surroundings,
             stepper,
+            set_points: SetPoints::new(&first, &settings.schedule),
+            top_drive,
             hoist,
-            bit: Bit::new(settings.bit, operation, bottom),
+            body: initial.body,
+            bit: Bit::new(settings.bit, operation, bottom, settings.seed),
+            viscous,
             rigid_velocity_m_per_s: velocity,
+            fading_s: settings
+                .schedule
+                .first_change_s()
+                .map_or(FADING_S, |change_s| change_s.min(FADING_S)),
             steps: 0,
             steps_per_sample,
             since_sample: SinceSample::default(),
             record,
+            wear,
             high,
             ledger: Ledger::default(),
             window_open: false,
@@ -231,6 +277,14 @@ impl Simulation {
         self.hoist.set_control(control);
     }
 
+    /// Changes what the pumps deliver from now on, m³/s; the pressure drop of the bit follows. Without a rheology
+    /// the mud does nothing to the string, however it flows.
+    pub fn set_flow_rate(&mut self, flow_m3_per_s: f64) {
+        if let Some(mud) = &mut self.viscous {
+            mud.set_flow(flow_m3_per_s, self.operation.bit_loss_Pa(flow_m3_per_s));
+        }
+    }
+
     /// Gives every node an additional velocity, m/s, and an additional spin, rad/s: a blow. `blow` is
     /// asked for each node but the top, which is clamped.
     pub fn strike(&mut self, blow: impl Fn(&MeshNode) -> (Vector3<f64>, f64)) {
@@ -247,17 +301,18 @@ impl Simulation {
     /// # Errors
     /// A run that diverged; what it had sampled before stays available.
     pub fn advance(&mut self, seconds: f64) -> Result<(), Diverged> {
-        let interval = self.steps_per_sample as f64 * self.plan.dt_s;
-        let samples = (seconds / interval).round().max(1.0) as u64;
+        let samples = (seconds / self.sample_interval_s()).round().max(1.0) as u64;
         for _ in 0..samples {
+            // Until here they are what the last sample saw.
+            self.chain.clear_sums();
             for _ in 0..self.steps_per_sample {
                 self.step();
                 if self.steps.is_multiple_of(FOLLOW_STEPS) {
-                    let (chain, anchors) = (&mut self.chain, &mut self.anchors);
-                    self.surroundings.follow(chain, anchors, &mut self.high);
-                }
-                if self.steps.is_multiple_of(CHECK_STEPS) {
+                    // Nothing follows a node to where no number is.
                     self.check_numbers()?;
+                    self.follow();
+                }
+                if self.steps.is_multiple_of(SQUARE_UP_STEPS) {
                     self.chain.square_up();
                 }
             }
@@ -267,25 +322,32 @@ impl Simulation {
         Ok(())
     }
 
+    /// Takes the hole and the mud along to where the nodes have slid.
+    fn follow(&mut self) {
+        let (chain, anchors) = (&mut self.chain, &mut self.anchors);
+        self.surroundings.follow(chain, anchors, &mut self.high);
+        if let Some(mud) = &mut self.viscous {
+            mud.update(chain, anchors, &self.surroundings, self.plan.dt_s);
+        }
+    }
+
     fn step(&mut self) {
         let time = self.time_s();
         let dt = self.plan.dt_s;
-        let input = self.step_input(time);
-        let rotation = self.operation.rotation_rad_per_s();
-        node!(
-            self.chain,
-            0,
-            spin = match self.settings.start {
-                Start::Prepared => rotation,
-                Start::Centred => rotation * (time / RAMP_S).min(1.0),
-            }
-        );
+        let ramp = match self.settings.start {
+            Start::Prepared => 1.0,
+            Start::Centred => (time / RAMP_S).min(1.0),
+        };
+        let rotation = ramp * self.follow_schedule(time);
+        let input = self.step_input(time, rotation);
+        self.top_drive.prescribe(&mut self.chain, rotation);
         let last = self.chain.nodes() - 1;
         let top_before = self.chain.velocity(0).dot(self.chain.tangent(0));
         let bit_before = self.chain.velocity(last);
         let bit_spin_before = node!(self.chain, last, spin);
 
-        let losses = self.stepper.step(&mut self.chain, &input);
+        let body = self.body.push(&mut self.chain, &input, ramp);
+        let mut losses = self.stepper.step(&mut self.chain, &input);
 
         let bit = self.bit.act(
             &mut self.chain,
@@ -303,18 +365,51 @@ impl Simulation {
             dt,
         );
         self.clamp_top();
-        let surface_torque = -element!(self.chain, 0, torque);
-        let drive = surface_torque * node!(self.chain, 0, spin) * dt;
-        self.ledger.work += bit.work_J + hoist.work_J + drive;
-        self.ledger.losses += losses.total();
+        self.body.follow(&mut self.chain, dt);
+        let drive = self.top_drive.act(&mut self.chain, rotation, dt);
+        let work = StepWork {
+            top_drive: drive.work_J,
+            hoist: hoist.work_J,
+            bit: bit.work_J,
+            body: body.work_J,
+        };
+        losses.damping += body.loss_J;
+        self.ledger.book(&work, &losses);
 
         let sum = &mut self.since_sample;
         sum.steps += 1;
         sum.hook_load += hoist.hook_load_N;
-        sum.surface_torque += surface_torque;
+        sum.surface_torque += drive.string_torque_N_m;
         sum.weight_on_bit += bit.weight_on_bit_N;
         sum.bit_torque += bit.torque_N_m;
+        sum.depth_of_cut += bit.depth_of_cut_m;
         self.steps += 1;
+    }
+
+    /// Brings the set points to where they are at `time`; the rotary speed, rad/s.
+    fn follow_schedule(&mut self, time: f64) -> f64 {
+        let hoist = &self.hoist;
+        self.set_points.reach(time, || HoistNow {
+            block_velocity_m_per_s: hoist.velocity_m_per_s(),
+            weight_on_bit_N: hoist.filtered_N(),
+        });
+        let rotation = self.set_points.rotary_speed_rad_per_s(time);
+        match self.set_points.hoist_at(time) {
+            None => {}
+            Some(HoistSetPoint::BlockVelocity(velocity)) => {
+                self.set_hoist(HoistControl::BlockVelocity(velocity));
+            }
+            Some(HoistSetPoint::WeightOnBit(weight_N)) => {
+                let velocity_m_per_s = self.operation.axial_velocity_at_m_per_s(weight_N, rotation);
+                self.rigid_velocity_m_per_s = velocity_m_per_s;
+                self.hoist.set_target(Target {
+                    weight_N,
+                    velocity_m_per_s,
+                });
+                self.hoist.set_control(HoistControl::Autodriller);
+            }
+        }
+        rotation
     }
 
     /// Keeps the top on the hole's axis and along it, wherever it has slid to.
@@ -330,10 +425,10 @@ impl Simulation {
         chain.set_director(0, along);
     }
 
-    fn step_input(&self, time: f64) -> StepInput {
+    fn step_input(&self, time: f64, rotation: f64) -> StepInput {
         let fading = match self.settings.start {
-            Start::Prepared if time < FADING_S => {
-                FADING_DAMPING_PER_S * (1.0 - time / FADING_S).powi(2)
+            Start::Prepared if time < self.fading_s => {
+                FADING_DAMPING_PER_S * (1.0 - time / self.fading_s).powi(2)
             }
             _ => 0.0,
         };
@@ -342,23 +437,26 @@ impl Simulation {
             stiffness_damping: self.settings.damping.stiffness_s,
             mass_damping: self.settings.damping.mass_per_s + fading,
             rigid_velocity: self.rigid_velocity_m_per_s,
-            rigid_spin: node!(self.chain, 0, spin),
+            rigid_spin: self.top_drive.rigid_spin(&self.chain, rotation),
             dissipation: match self.settings.contact_law {
                 ContactLaw::Hertz {
                     dissipation_s_per_m,
                 } => dissipation_s_per_m,
                 ContactLaw::Linear { .. } => 0.0,
             },
-            stribeck_speed: STRIBECK_SPEED_M_PER_S,
+            stribeck_speed: self.settings.stribeck_speed_m_per_s,
         }
     }
 
     fn check_numbers(&self) -> Result<(), Diverged> {
         // Not a number is too fast, too.
-        let fast = |x: f64| x.is_nan() || x.abs() >= DIVERGED_M_PER_S;
+        let fast = |x: f64, limit: f64| x.is_nan() || x.abs() >= limit;
         let state = &self.chain.state;
-        let any = state.v.iter().any(|axis| axis.0.iter().any(|v| fast(*v)))
-            || state.spin.0.iter().any(|s| !s.is_finite());
+        let any = state
+            .v
+            .iter()
+            .any(|axis| axis.0.iter().any(|v| fast(*v, DIVERGED_M_PER_S)))
+            || state.spin.0.iter().any(|s| fast(*s, DIVERGED_RAD_PER_S));
         if !any {
             return Ok(());
         }
@@ -367,14 +465,16 @@ impl Simulation {
             v.dot(v).sqrt()
         };
         let worst = (0..self.chain.nodes())
-            .find(|i| !speed(*i).is_finite() || !node!(self.chain, *i, spin).is_finite())
+            .find(|i| {
+                !speed(*i).is_finite() || fast(node!(self.chain, *i, spin), DIVERGED_RAD_PER_S)
+            })
             .unwrap_or_else(|| {
                 (0..self.chain.nodes())
                     .max_by(|a, b| speed(*a).total_cmp(&speed(*b)))
                     .unwrap_or(0)
             });
         let spin = node!(self.chain, worst, spin);
-        let (quantity, value) = if spin.is_finite() {
+        let (quantity, value) = if !fast(spin, DIVERGED_RAD_PER_S) {
             ("velocity (m/s)", speed(worst))
         } else {
             ("spin (rad/s)", spin)
@@ -392,19 +492,30 @@ impl Simulation {
         if !self.window_open && time >= self.settings.settle_s {
             self.window_open = true;
             self.record.open_window();
-            self.ledger = Ledger {
-                energy_at_start: self.energy_J(),
-                ..Ledger::default()
-            };
+            self.wear.restart(self.anchors[self.anchors.len() - 1].md_m);
+            self.ledger = Ledger::open(self.energies(), self.flow_work_J());
+            if let Some(mud) = &mut self.viscous {
+                mud.open_window();
+            }
         }
+        if let Some(mud) = &mut self.viscous {
+            mud.sample(&self.chain);
+        }
+        self.wear.sample(&self.chain, |i| self.anchors[i].md_m);
         let sums = std::mem::take(&mut self.since_sample);
-        let totals = self.record.sample(&mut self.chain, &self.high, sums.steps);
+        let totals = self.record.sample(&self.chain, &self.high, sums.steps);
         let n = sums.steps as f64;
         let last = self.chain.nodes() - 1;
         let elongation = self.elongation_m();
         let twist = -(0..self.chain.elements())
             .map(|i| element!(self.chain, i, twist))
             .sum::<f64>();
+        let neutral_point_m = record::neutral_point_m(&self.chain, &self.anchors, totals.tension_N);
+        let interval_s = self.sample_interval_s();
+        let path = &self.model.well.path;
+        let cutoff_depth_m =
+            self.record
+                .cutoff_depth_m(&self.mesh, path, &self.anchors, interval_s);
         let series = &mut self.record.series;
         series.time_s.push(time);
         series.bit_depth_m.push(
@@ -417,6 +528,7 @@ impl Simulation {
         series.side_force_total_N.push(totals.normal_N);
         series.weight_on_bit_N.push(sums.weight_on_bit / n);
         series.bit_torque_N_m.push(sums.bit_torque / n);
+        series.depth_of_cut_m.push(sums.depth_of_cut / n);
         series.twist_rad.push(twist);
         series.stretch_m.push(elongation);
         series
@@ -425,10 +537,44 @@ impl Simulation {
         series
             .bit_rotary_speed_rad_per_s
             .push(node!(self.chain, last, spin));
+        let none = f64::NAN;
+        let (block, weight) = match self.hoist.control() {
+            HoistControl::BlockVelocity(velocity) => (velocity, none),
+            HoistControl::Autodriller => (none, self.hoist.target_N()),
+            HoistControl::HookLoad(_) => (none, none),
+        };
+        let rotation = self.set_points.rotary_speed_rad_per_s(time);
+        series
+            .rotary_speed_rad_per_s
+            .push(node!(self.chain, 0, spin));
+        series.rotary_speed_set_rad_per_s.push(rotation);
+        series.block_velocity_set_m_per_s.push(block);
+        series.weight_on_bit_set_N.push(weight);
+        series.schedule_line.push(self.set_points.line());
+        series.neutral_point_m.push(neutral_point_m);
+        series.cutoff_depth_m.push(cutoff_depth_m);
+    }
+
+    /// The whole string as it is now, at the end of a sample: after [`advance`](Self::advance).
+    pub fn frame(&self) -> Frame {
+        frame::Scene {
+            chain: &self.chain,
+            anchors: &self.anchors,
+            high: &self.high,
+            strength: self.record.strength(),
+            time_s: self.time_s(),
+            summed_steps: self.steps_per_sample,
+        }
+        .frame()
+    }
+
+    /// Time between two samples, s: the setting, rounded to whole steps.
+    pub fn sample_interval_s(&self) -> f64 {
+        self.steps_per_sample as f64 * self.plan.dt_s
     }
 
     /// Elongation against the unloaded string, m: by effective tension, less what the mud's pressure
-    /// takes, `(1 − 2ν)p/E`.
+    /// takes, `(1 − 2ν)p/E`, and by what its flow adds to the pressure.
     fn elongation_m(&self) -> f64 {
         let mud = self.mud;
         let mut sum = 0.0;
@@ -439,53 +585,58 @@ impl Simulation {
             sum += e.length_m
                 * (element!(self.chain, i, tension) / section.axial_stiffness_N - squeeze);
         }
-        sum
+        sum + self.viscous.as_ref().map_or(0.0, Viscous::stretch_m)
     }
 
     /// Kinetic, elastic and potential energy of the string, J: second-order accurate in the step.
     pub fn energy_J(&self) -> f64 {
-        assembly::energy_J(&self.chain, &self.anchors, self.plan.dt_s)
+        self.energies().total()
     }
 
     /// Kinetic energy of the string, J.
     pub fn kinetic_energy_J(&self) -> f64 {
-        assembly::kinetic_energy_J(&self.chain)
+        energy::kinetic_J(&self.chain)
     }
 
-    /// What the integration itself gained or lost since the window began, over the largest of the
-    /// work put in, the losses, the change of energy and the kinetic energy.
-    fn energy_residual(&self) -> f64 {
-        if !self.window_open {
-            return 0.0;
-        }
-        let Ledger {
-            energy_at_start,
-            work,
-            losses,
-        } = self.ledger;
-        let change = self.energy_J() - energy_at_start;
-        let largest = change
-            .abs()
-            .max(work.abs())
-            .max(losses.abs())
-            .max(self.kinetic_energy_J());
-        if largest > 0.0 {
-            (work - losses - change) / largest
-        } else {
-            0.0
-        }
+    fn energies(&self) -> Energies {
+        let viscous = self.viscous.as_ref();
+        Energies::of(
+            &self.chain,
+            &self.anchors,
+            &self.body,
+            viscous,
+            self.plan.dt_s,
+        )
+    }
+
+    fn flow_work_J(&self) -> f64 {
+        let (chain, anchors) = (&self.chain, &self.anchors);
+        let work = |mud: &Viscous| mud.pull_work_J(chain, anchors, self.plan.dt_s);
+        self.viscous.as_ref().map_or(0.0, work)
+    }
+
+    /// Where energy came from and went since the window began, and the relative residual; none before it does, and
+    /// none of a run that diverged.
+    fn energy_balance(&self) -> Option<(EnergyBalance, f64)> {
+        self.window_open
+            .then(|| self.ledger.balance(&self.energies(), self.flow_work_J()))
+            .flatten()
     }
 
     /// The answer so far: over the window if it has begun, over everything sampled otherwise.
     pub fn outcome(&self) -> DynamicOutcome {
         summary::outcome(&summary::Sources {
             model: &self.model,
+            operation: &self.operation,
             mesh: &self.mesh,
             plan: &self.plan,
             anchors: &self.anchors,
             record: &self.record,
+            wear: &self.wear,
             steps: self.steps,
-            energy_residual: self.energy_residual(),
+            energy: self.energy_balance(),
+            diverged: self.check_numbers().is_err(),
+            hydraulics: self.viscous.as_ref().map(Viscous::mean),
             instructions: self.stepper.instructions,
         })
     }

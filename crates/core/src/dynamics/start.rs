@@ -8,13 +8,16 @@ use nalgebra::Vector3;
 
 use super::{
     assembly::{self, Anchor, Surroundings},
+    body::Body,
     chain::{Chain, NO_WALL_M, element, node},
     settings::{DynamicsSettings, FrictionLaw, Start},
     step::{StepInput, Stepper},
+    viscous::Viscous,
 };
 use crate::{
     model::Model,
     operation::{Operation, OperationKind},
+    random::Random,
     rod::{element::react, mesh::Mesh, vector::Vector},
     statics::soft::{self, SoftError, SoftSettings},
 };
@@ -33,6 +36,9 @@ const DISTURBANCE_M: f64 = 1e-6;
 /// Passes over the string that bring every element to its tension.
 const PASSES: usize = 8;
 
+/// Part of the settling in which bends grow.
+const GROWING: f64 = 0.5;
+
 /// The string at time zero.
 #[derive(Debug)]
 pub struct Initial {
@@ -40,6 +46,8 @@ pub struct Initial {
     pub chain: Chain,
     /// Its anchors.
     pub anchors: Vec<Anchor>,
+    /// Bends and eccentric masses, turned to their angles.
+    pub body: Body,
     /// Load that carries it, N.
     pub hook_load_N: f64,
 }
@@ -49,32 +57,72 @@ pub struct Initial {
 pub struct Scene<'a> {
     /// Well, string and mud.
     pub model: &'a Model,
-    /// What the driller does.
+    /// What the driller does, as the string moves at time zero: [`motion`].
     pub operation: &'a Operation,
+    /// Whether the string neither turns nor slides at time zero.
+    pub at_rest: bool,
     /// How the string starts.
     pub settings: &'a DynamicsSettings,
     /// The string cut into elements.
     pub mesh: &'a Mesh,
     /// The hole around it.
     pub surroundings: &'a Surroundings,
+    /// The mud that drags on it, if any.
+    pub viscous: Option<&'a Viscous>,
     /// What moves it while it settles.
     pub stepper: &'a Stepper,
     /// The step, and the rigid motion that the string is to have.
     pub input: &'a StepInput,
 }
 
+/// What `operation` is at time zero by the motion of the string, and whether it is at rest.
+///
+/// Without a schedule it is what it is called. A schedule may begin it otherwise: a string that is to turn and
+/// does not yet is run in or pulled out, or hangs still.
+pub fn motion(
+    operation: &Operation,
+    axial_m_per_s: f64,
+    settings: &DynamicsSettings,
+) -> (Operation, bool) {
+    if settings.schedule.is_empty() {
+        return (*operation, false);
+    }
+    let pressed = operation.weight_on_bit_now_N() > 0.0;
+    let turns = operation.rotation_rad_per_s() > 0.0;
+    let kind = match (turns, pressed) {
+        (_, true) if turns == operation.kind.rotates() => operation.kind,
+        (_, true) => OperationKind::Slide,
+        (true, false) if axial_m_per_s > 0.0 => OperationKind::Ream,
+        (true, false) if axial_m_per_s < 0.0 => OperationKind::BackReam,
+        (true, false) => OperationKind::RotateOffBottom,
+        (false, false) if axial_m_per_s < 0.0 => OperationKind::TripOut,
+        (false, false) => OperationKind::TripIn,
+    };
+    let operation = Operation {
+        kind,
+        trip_speed_m_per_s: axial_m_per_s.abs(),
+        ..*operation
+    };
+    (operation, !turns && axial_m_per_s == 0.0)
+}
+
 /// Lays the string with its bit at `bit_md_m`.
 ///
 /// # Errors
 /// A soft string without solution.
-pub fn lay(scene: &Scene<'_>, chain: Chain, bit_md_m: f64) -> Result<Initial, SoftError> {
+pub fn lay(
+    scene: &Scene<'_>,
+    chain: Chain,
+    body: Body,
+    bit_md_m: f64,
+) -> Result<Initial, SoftError> {
     let Scene {
         operation,
         settings,
         mesh,
         ..
     } = *scene;
-    let guide = Guide::new(scene.model, operation, settings, mesh)?;
+    let guide = Guide::new(scene)?;
     let mut string = Laying {
         anchors: vec![
             Anchor {
@@ -85,11 +133,13 @@ pub fn lay(scene: &Scene<'_>, chain: Chain, bit_md_m: f64) -> Result<Initial, So
             mesh.nodes.len()
         ],
         chain,
+        body,
         surroundings: scene.surroundings,
         guide: &guide,
         mesh,
     };
     string.place(bit_md_m, settings.start == Start::Prepared);
+    string.body.orient(&string.chain, &string.anchors);
     string.disturb(settings.seed);
     if settings.start == Start::Prepared {
         string.set_motion(0.0, operation.rotation_rad_per_s());
@@ -109,6 +159,7 @@ pub fn lay(scene: &Scene<'_>, chain: Chain, bit_md_m: f64) -> Result<Initial, So
     Ok(Initial {
         chain: string.chain,
         anchors: string.anchors,
+        body: string.body,
         hook_load_N,
     })
 }
@@ -124,13 +175,14 @@ struct Guide {
 }
 
 impl Guide {
-    fn new(
-        model: &Model,
-        operation: &Operation,
-        settings: &DynamicsSettings,
-        mesh: &Mesh,
-    ) -> Result<Self, SoftError> {
-        let (model, operation) = as_soft_string(model, operation, settings);
+    fn new(scene: &Scene<'_>) -> Result<Self, SoftError> {
+        let Scene {
+            settings,
+            mesh,
+            viscous,
+            ..
+        } = *scene;
+        let (model, operation) = as_soft_string(scene);
         let profile = soft::solve(&model, &operation, &SoftSettings::default())?;
         let depth = |from_bit_m: f64| operation.bit_depth_m - from_bit_m;
         let middle = |i: usize| depth(mesh.nodes[i].from_bit_m - 0.5 * mesh.elements[i].length_m);
@@ -146,7 +198,8 @@ impl Guide {
             let md = depth(mesh.nodes[i].from_bit_m);
             let load = profile.side_force_at_N_per_m(md).abs();
             let side = profile.contact_direction_at(md);
-            let friction = model.well.hole.at(md).friction.kinetic;
+            let friction = model.well.hole.at(md).friction;
+            let friction = friction.kinetic * friction.around;
             // Wherever the nodes stand, the component touches with its joints.
             let radius = model
                 .string
@@ -166,7 +219,9 @@ impl Guide {
             if i > 0 {
                 let length = mesh.tributary_length_m(i);
                 torque += mu * climb * load * length * radius;
-                torque_N_m[i - 1] = torque;
+                let mud = viscous.map_or(0.0, |mud| mud.torque_N_m(i - 1));
+                torque_N_m[i - 1] = torque + 0.5 * mud;
+                torque += mud;
             }
         }
         Ok(Self {
@@ -183,18 +238,17 @@ fn operation_turns(operation: &Operation, settings: &DynamicsSettings) -> bool {
         && (operation.kind.rotates() || settings.friction_law == FrictionLaw::Independent)
 }
 
-/// The soft string whose tension the start takes: without friction for a centred start; with the full
-/// axial friction of a sliding string for the independent law.
-fn as_soft_string(
-    model: &Model,
-    operation: &Operation,
-    settings: &DynamicsSettings,
-) -> (Model, Operation) {
-    let (mut model, mut operation) = (model.clone(), *operation);
+/// The soft string whose tension the start takes: without friction for a centred start and for a string at rest,
+/// as if it had been turned before; with the full axial friction of a sliding string for the independent law.
+fn as_soft_string(scene: &Scene<'_>) -> (Model, Operation) {
+    let Scene {
+        settings, at_rest, ..
+    } = *scene;
+    let (mut model, mut operation) = (scene.model.clone(), *scene.operation);
     if !operation.kind.rotates() {
         operation.rotary_speed_rad_per_s = 0.0;
     }
-    if settings.start == Start::Centred {
+    if settings.start == Start::Centred || at_rest {
         // Zero is a coefficient that every hole takes.
         if let Ok(frictionless) = model.well.hole.with_friction(0.0) {
             model.well.hole = frictionless;
@@ -210,7 +264,7 @@ fn as_soft_string(
     (model, operation)
 }
 
-/// The part of the friction coefficient that acts around the hole.
+/// The part that acts around the hole, of the friction coefficient around it.
 fn around(mu: f64, radius_m: f64, operation: &Operation, law: FrictionLaw) -> f64 {
     match law {
         FrictionLaw::Independent => mu,
@@ -225,6 +279,7 @@ fn around(mu: f64, radius_m: f64, operation: &Operation, law: FrictionLaw) -> f6
 struct Laying<'a> {
     chain: Chain,
     anchors: Vec<Anchor>,
+    body: Body,
     surroundings: &'a Surroundings,
     guide: &'a Guide,
     mesh: &'a Mesh,
@@ -263,7 +318,7 @@ impl Laying<'_> {
     /// Length by which element `i` lacks its tension, m.
     fn shortfall_m(&self, i: usize) -> f64 {
         let k = self.chain.stiffness(i);
-        let mut pose = self.chain.pose(i);
+        let mut pose = self.body.pose(&self.chain, i);
         pose.velocity = Vector::zero();
         let tension = react(&k, &pose, 0.0, 0.0).tension;
         (self.guide.tension_N[i] - tension) / k.axial * k.length
@@ -293,14 +348,10 @@ impl Laying<'_> {
 
     /// Moves every node sideways by a millionth of a metre, never the same way for two seeds.
     fn disturb(&mut self, seed: u64) {
-        let mut state = seed;
+        let mut random = Random::new(seed);
         for i in 1..self.mesh.nodes.len() - 1 {
             let tangent = self.chain.tangent(i);
-            let kick = Vector(
-                uniform(&mut state),
-                uniform(&mut state),
-                uniform(&mut state),
-            );
+            let kick = Vector(random.signed(), random.signed(), random.signed());
             let across = kick.minus(tangent, kick.dot(tangent));
             let moved = self.chain.displacement(i).plus(across, DISTURBANCE_M);
             self.chain.set_displacement(i, moved);
@@ -333,9 +384,20 @@ impl Laying<'_> {
                 block.friction_rise.0.fill(0.0);
             }
         }
+        if !self.body.is_empty() {
+            // A bend would swing the bit out of its hole.
+            node!(
+                self.chain,
+                self.mesh.nodes.len() - 1,
+                inv_mass_lateral = 0.0
+            );
+        }
         let steps = (SETTLING_S / input.dt).ceil() as usize;
-        for _ in 0..steps {
+        for step in 0..steps {
+            let grown = (step + 1) as f64 / (GROWING * steps as f64);
+            self.body.push(&mut self.chain, &input, grown.min(1.0));
             stepper.step(&mut self.chain, &input);
+            self.body.follow(&mut self.chain, input.dt);
         }
         assembly::release(&mut self.chain);
         for i in 0..self.mesh.nodes.len() {
@@ -359,14 +421,4 @@ impl Laying<'_> {
             }
         }
     }
-}
-
-/// A number between −1 and 1 from Steele, Lea and Flood's SplitMix64 (2014).
-fn uniform(state: &mut u64) -> f64 {
-    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let mut z = *state;
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^= z >> 31;
-    (z >> 11) as f64 / (1u64 << 52) as f64 - 1.0
 }

@@ -2,11 +2,17 @@
 
 use super::{
     assembly::Anchor,
-    outcome::{DynamicOutcome, NodeProfile, Numerics, Statistic, TimeSeries},
-    record::Record,
+    carry,
+    energy::EnergyBalance,
+    indicators::{Indicators, Motion},
+    outcome::{DynamicOutcome, HoleWear, NodeProfile, Numerics, Statistic, TimeSeries},
+    record::{Quantity, Record, Spread},
+    wear::{HOLE_STEP_M, Wear},
 };
 use crate::{
     model::Model,
+    mud::Hydraulics,
+    operation::Operation,
     outcome::Scalars,
     rod::{mesh::Mesh, stability::StepPlan},
 };
@@ -14,17 +20,18 @@ use crate::{
 /// What the answer is made from.
 pub struct Sources<'a> {
     pub model: &'a Model,
+    pub operation: &'a Operation,
     pub mesh: &'a Mesh,
     pub plan: &'a StepPlan,
     pub anchors: &'a [Anchor],
     pub record: &'a Record,
+    pub wear: &'a Wear,
     pub steps: u64,
-    pub energy_residual: f64,
+    pub energy: Option<(EnergyBalance, f64)>,
+    pub diverged: bool,
+    pub hydraulics: Option<Hydraulics>,
     pub instructions: &'static str,
 }
-
-/// Longest stretch of string that one contact is taken to carry on either side of it, m.
-const LONGEST_REACH_M: f64 = 10.0;
 
 /// The answer.
 pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
@@ -61,19 +68,34 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
             &nodes.side_force_N_per_m,
         ),
     };
+    let indicators = Indicators::of(&Motion {
+        mesh: s.mesh,
+        nodes: &nodes,
+        series,
+        from,
+        rotates: s.operation.kind.rotates(),
+        rated_torque_N_m: s.model.rig.top_drive_torque_N_m,
+    });
     DynamicOutcome {
         scalars,
         statistics,
+        hydraulics: s.hydraulics,
         numerics: Numerics {
             elements: s.mesh.elements.len(),
             time_step_s: s.plan.dt_s,
             steps: s.steps,
             added_axial_mass_fraction: s.plan.added_axial_mass_fraction,
             max_penetration_m: s.record.max_penetration_m,
-            energy_residual: s.energy_residual,
+            energy_residual: match s.energy {
+                Some((_, residual)) => residual,
+                None => f64::from(u8::from(s.diverged)),
+            },
+            energy: s.energy.map(|(parts, _)| parts),
             instructions: s.instructions,
         },
+        indicators,
         nodes,
+        wear: hole_wear(s, from),
         series: series.clone(),
     }
 }
@@ -107,14 +129,25 @@ fn profile(s: &Sources<'_>, from: usize) -> NodeProfile {
     });
     let record = s.record;
     // Tension and torque live in elements, everything else at nodes.
-    let at_node = |i: usize, of: &dyn Fn(usize) -> super::record::Spread| {
-        let below = of(i.min(n - 2));
-        let above = of(i.saturating_sub(1));
+    let ends = |i: usize| [i.saturating_sub(1), i.min(n - 2)];
+    let at_node = |i: usize, of: &dyn Fn(usize) -> Spread| {
+        let [above, below] = ends(i).map(of);
         (
             0.5 * (above.mean + below.mean),
             0.5 * (above.std + below.std),
         )
     };
+    let of_elements = |quantity: Quantity| -> Vec<[f64; 3]> {
+        (0..n - 1)
+            .map(|e| record.percentiles(quantity, e))
+            .collect()
+    };
+    let percentiles = |of_elements: &[[f64; 3]], i: usize| {
+        let [above, below] = ends(i).map(|e| of_elements[e]);
+        [0, 1, 2].map(|k| 0.5 * (above[k] + below[k]))
+    };
+    let tensions = of_elements(Quantity::Tension);
+    let torques = of_elements(Quantity::Torque);
     let mut p = NodeProfile::default();
     for i in 0..n {
         let (tension, tension_std) = at_node(i, &|e| record.tension(e));
@@ -123,14 +156,24 @@ fn profile(s: &Sources<'_>, from: usize) -> NodeProfile {
         p.md_m.push(s.anchors[i].md_m - back_m);
         p.tension_N.push(tension);
         p.tension_std_N.push(tension_std);
+        p.tension_percentiles_N.push(percentiles(&tensions, i));
         p.torque_N_m.push(-torque);
         p.torque_std_N_m.push(torque_std);
+        // The chain's torque has the other sign: its low percentile is the high one here.
+        let [low, middle, high] = percentiles(&torques, i);
+        p.torque_percentiles_N_m.push([-high, -middle, -low]);
         p.contact_force_N.push(normal.mean);
         p.contact_force_std_N.push(normal.std);
         p.contact_force_max_N.push(record.normal_max(i));
+        p.contact_force_percentiles_N
+            .push(record.percentiles(Quantity::Contact, i));
         p.contact_fraction.push(record.touched(i));
         p.climb_rad.push(record.climb_rad(i));
         p.lateral_offset_m.push(record.offset(i));
+        p.lateral_speed_rms_m_per_s.push(record.lateral_speed(i));
+        let circling = record.circling(i);
+        p.whirl_rate_rad_per_s.push(circling.rate_rad_per_s);
+        p.whirl_coherence.push(circling.coherence);
     }
     // At the ends the neighbours are half an element off; hoist and bit are there.
     let end =
@@ -138,73 +181,65 @@ fn profile(s: &Sources<'_>, from: usize) -> NodeProfile {
     let (hook, hook_std) = end(&s.record.series.hook_load_N);
     let (weight, weight_std) = end(&s.record.series.weight_on_bit_N);
     (p.tension_N[0], p.tension_std_N[0]) = (hook, hook_std);
-    (p.tension_N[n - 1], p.tension_std_N[n - 1]) = (-weight, weight_std);
-    let carries = carried_lengths(s);
-    p.side_force_N_per_m = spread(&carries, n, |i| record.signed(i));
-    p.axial_friction_N_per_m = spread(&carries, n, |i| -record.axial(i));
-    p.friction_torque_N_m_per_m = spread(&carries, n, |i| record.rub(i));
+    let jet = s.hydraulics.map_or(0.0, |mud| mud.jet_thrust_N);
+    (p.tension_N[n - 1], p.tension_std_N[n - 1]) = (-weight - jet, weight_std);
+    let carries = carry::carried(s.mesh, |i| record.normal(i).mean > 0.0);
+    p.side_force_N_per_m = carry::spread(&carries, n, |i| record.signed(i));
+    p.axial_friction_N_per_m = carry::spread(&carries, n, |i| -record.axial(i));
+    p.friction_torque_N_m_per_m = carry::spread(&carries, n, |i| record.rub(i));
+    p.wear_work_J_per_m = carry::spread(&carries, n, |i| s.wear.string_J(i));
+    load(s, &mut p);
     p
 }
 
-/// A contact and the stretch of string that it carries: the nodes `first..=last` over `length_m`.
-struct Carries {
-    contact: usize,
-    first: usize,
-    last: usize,
-    length_m: f64,
-}
-
-/// Shares the string out among the nodes that touch: each carries half the way to the next contact on
-/// either side, at most [`LONGEST_REACH_M`].
-fn carried_lengths(s: &Sources<'_>) -> Vec<Carries> {
-    let at = |i: usize| -s.mesh.nodes[i].from_bit_m;
-    let touching: Vec<usize> = (0..s.mesh.nodes.len())
-        .filter(|i| s.record.normal(*i).mean > 0.0)
-        .collect();
-    touching
-        .iter()
-        .enumerate()
-        .map(|(k, &contact)| {
-            let half = |other: Option<&usize>| {
-                other.map_or(LONGEST_REACH_M, |o| {
-                    (0.5 * (at(*o) - at(contact)).abs()).min(LONGEST_REACH_M)
-                })
-            };
-            let above = half(k.checked_sub(1).and_then(|k| touching.get(k)));
-            let below = half(touching.get(k + 1));
-            let low = at(contact) - above - 1e-9;
-            let high = at(contact) + below + 1e-9;
-            let mut first = contact;
-            while first > 0 && at(first - 1) >= low {
-                first -= 1;
-            }
-            let mut last = contact;
-            while last + 1 < s.mesh.nodes.len() && at(last + 1) <= high {
-                last += 1;
-            }
-            Carries {
-                contact,
-                first,
-                last,
-                length_m: above + below,
-            }
-        })
-        .collect()
-}
-
-/// Spreads what contacts carry over the stretches that they carry it for, per metre; a node on the
-/// border between two takes their mean.
-fn spread(carries: &[Carries], nodes: usize, force: impl Fn(usize) -> f64) -> Vec<f64> {
-    let mut sum = vec![0.0; nodes];
-    let mut count = vec![0u32; nodes];
-    for c in carries {
-        for i in c.first..=c.last {
-            sum[i] += force(c.contact) / c.length_m;
-            count[i] += 1;
-        }
+/// What friction has done to the hole in the time since row `from` of the series.
+fn hole_wear(s: &Sources<'_>, from: usize) -> HoleWear {
+    let work = s.wear.hole_J_per_m(|i| s.anchors[i].md_m);
+    let times = &s.record.series.time_s;
+    // The first sample of the window holds the steps before it, too.
+    let begin = from.checked_sub(1).map_or(0.0, |row| times[row]);
+    let seconds = times.last().map_or(0.0, |end| end - begin);
+    HoleWear {
+        md_m: (0..work.len())
+            .map(|i| (i as f64 + 0.5) * HOLE_STEP_M)
+            .collect(),
+        wear_power_W_per_m: work
+            .iter()
+            .map(|w| if seconds > 0.0 { w / seconds } else { 0.0 })
+            .collect(),
+        wear_work_J_per_m: work,
     }
-    sum.iter()
-        .zip(&count)
-        .map(|(s, c)| if *c > 1 { s / f64::from(*c) } else { *s })
-        .collect()
+}
+
+/// What the metal and the joints bear.
+fn load(s: &Sources<'_>, p: &mut NodeProfile) {
+    let record = s.record;
+    let strength = record.strength();
+    let mud = s.model.mud_column();
+    let last = s.mesh.nodes.len() - 1;
+    for (i, node) in s.mesh.nodes.iter().enumerate() {
+        let (_, component) = s.model.string.component_at(node.from_bit_m);
+        let pressure_Pa = mud.pressure_Pa(s.model.well.path.at(p.md_m[i]).position_m.z);
+        p.true_tension_N
+            .push(p.tension_N[i] - pressure_Pa * component.area_m2());
+        p.side_force_per_joint_N.push(
+            component
+                .joints
+                .map(|joints| p.side_force_N_per_m[i] * joints.spacing_m),
+        );
+        let bending = record.bending(i);
+        p.bending_moment_N_m.push(bending);
+        p.bending_moment_max_N_m.push(record.bending_max(i));
+        p.bending_moment_percentiles_N_m
+            .push(record.percentiles(Quantity::Bending, i));
+        p.bending_stress_Pa
+            .push(bending * strength.per_modulus_m3(i));
+        // Below the bit there is no element: it bears what the node above it does.
+        let bearing = i.min(last - 1);
+        let stress_max = record.stress_max(bearing);
+        p.von_mises_stress_Pa.push(record.stress(bearing));
+        p.von_mises_stress_max_Pa.push(stress_max);
+        p.yield_use
+            .push(strength.yield_Pa(bearing).map(|yields| stress_max / yields));
+    }
 }

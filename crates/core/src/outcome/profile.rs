@@ -18,20 +18,42 @@ const SLACK: f64 = 1e-3;
 /// point: its tension reaches zero at the bit, but does not pass it. Nor has a string that lies
 /// slack in a horizontal hole: tensions below a thousandth of the largest one are passed over.
 pub fn neutral_point_m(md_m: &[f64], tension_N: &[f64]) -> Option<f64> {
-    let largest = tension_N
+    let count = md_m.len().min(tension_N.len());
+    let largest_N = tension_N
         .iter()
         .fold(0.0_f64, |largest, tension| largest.max(tension.abs()));
-    let mut previous: Option<(f64, f64)> = None;
-    for (&md, &tension) in md_m.iter().zip(tension_N) {
-        if tension.abs() <= SLACK * largest {
+    neutral_point_among(
+        count,
+        largest_N,
+        |index| md_m[index],
+        |index| tension_N[index],
+    )
+}
+
+/// [`neutral_point_m`] of a profile that is read place by place and whose largest magnitude is known.
+pub(crate) fn neutral_point_among(
+    count: usize,
+    largest_N: f64,
+    md_m: impl Fn(usize) -> f64,
+    tension_N: impl Fn(usize) -> f64,
+) -> Option<f64> {
+    let mut previous: Option<(usize, f64)> = None;
+    for index in 0..count {
+        let tension = tension_N(index);
+        if tension.abs() <= SLACK * largest_N {
             continue;
         }
-        if let Some((md_above, tension_above)) = previous
+        if let Some((above, tension_above)) = previous
             && (tension > 0.0) != (tension_above > 0.0)
         {
-            return Some(zero_between(md_above, tension_above, md, tension));
+            return Some(zero_between(
+                md_m(above),
+                tension_above,
+                md_m(index),
+                tension,
+            ));
         }
-        previous = Some((md, tension));
+        previous = Some((index, tension));
     }
     None
 }

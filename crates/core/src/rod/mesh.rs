@@ -1,7 +1,7 @@
 //! Where the nodes stand.
 
 use super::section::Section;
-use crate::string::{Component, DrillString};
+use crate::string::{Blades, Component, DrillString, NEAREST_BEND_M};
 
 /// A node of the string.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,11 +35,15 @@ pub struct Mesh {
 struct Mark {
     from_bit_m: f64,
     contact_radius_m: f64,
-    /// The ends and the stabilisers never give way; joints do, where they crowd.
+    /// The ends, the stabilisers and the bends never give way; joints do, where they crowd.
     fixed: bool,
 }
 
-/// A component that stands out over both its neighbours and is no longer than this touches as one
+/// Blades that are shorter than this touch at their middle, m: the tilt that they allow in their clearance
+/// is more than a string bends over their length.
+const SHORT_BLADE_M: f64 = 0.5;
+
+/// A component without blades of its own that stands out over both its neighbours and is no longer than this touches as one
 /// point, at its middle, m.
 const LONGEST_BLADE_M: f64 = 4.0;
 
@@ -57,12 +61,18 @@ const SLACK: f64 = 0.2;
 /// How much longer than asked an element may be.
 const LONGEST: f64 = 1.25;
 
+/// A blade's edge nearer than this to another one or to an end of the string shares its node, m.
+const SAME_M: f64 = 0.05;
+
 /// How far a blade stands out over its neighbours, m.
 const BLADE_HEIGHT_M: f64 = 1e-3;
 
 impl Mesh {
     /// Cuts `string` into elements of about `element_length_m`, with a node at the bit, at the top, on
-    /// every stabiliser and on every tool joint that is not crowded by another.
+    /// every stabiliser, at every bend of a body and on every tool joint that is not crowded by another.
+    ///
+    /// Blades touch at both edges where they are longer than half a metre and half an element, so that a
+    /// stabiliser resists tilting in its hole; shorter ones touch at their middle.
     pub fn new(string: &DrillString, element_length_m: f64) -> Self {
         let marks = marks(string, element_length_m);
         let mut nodes = Vec::new();
@@ -98,6 +108,17 @@ impl Mesh {
         Self { nodes, elements }
     }
 
+    /// The node nearest to a place between the ends, the ends left out.
+    ///
+    /// # Panics
+    /// Where the mesh has no node but the ends.
+    pub fn nearest_inner_node(&self, from_bit_m: f64) -> usize {
+        let off = |i: &usize| (self.nodes[*i].from_bit_m - from_bit_m).abs();
+        (1..self.nodes.len() - 1)
+            .min_by(|a, b| off(a).total_cmp(&off(b)))
+            .expect("a bend has a node between the ends")
+    }
+
     /// Length of the unloaded string, m.
     pub fn length_m(&self) -> f64 {
         self.nodes[0].from_bit_m
@@ -115,8 +136,29 @@ impl Mesh {
     }
 }
 
+/// What touches between marks: the blades, where they are, or the body.
 fn body_radius_m(string: &DrillString, from_bit_m: f64) -> f64 {
-    string.component_at(from_bit_m).1.od_m / 2.0
+    let (index, component) = string.component_at(from_bit_m);
+    if let Some(blades) = component.blades
+        && let Some(span) = string.spans().nth(index)
+    {
+        let middle = 0.5 * (span.from_bit_m + span.to_bit_m);
+        if (from_bit_m - middle).abs() <= 0.5 * blades.length_m {
+            return 0.5 * blades.od_m;
+        }
+    }
+    component.od_m / 2.0
+}
+
+/// Where the blades of a component touch that reaches from `bottom` to `top`: distances from the bit, m.
+fn blade_places_m(blades: &Blades, bottom: f64, top: f64, element_length_m: f64) -> Vec<f64> {
+    let middle = 0.5 * (bottom + top);
+    let half = 0.5 * blades.length_m;
+    if blades.length_m > SHORT_BLADE_M.max(CROWDED * element_length_m) {
+        vec![middle - half, middle + half]
+    } else {
+        vec![middle]
+    }
 }
 
 fn marks(string: &DrillString, element_length_m: f64) -> Vec<Mark> {
@@ -148,6 +190,18 @@ fn marks(string: &DrillString, element_length_m: f64) -> Vec<Mark> {
                 });
                 from_bit_m += joints.spacing_m;
             }
+        } else if let Some(blades) = &component.blades {
+            for from_bit_m in blade_places_m(blades, bottom, top, element_length_m) {
+                let near = |m: &&mut Mark| (m.from_bit_m - from_bit_m).abs() < SAME_M;
+                match marks.iter_mut().filter(|m| m.fixed).find(near) {
+                    Some(mark) => mark.contact_radius_m = mark.contact_radius_m.max(radius),
+                    None => marks.push(Mark {
+                        from_bit_m,
+                        contact_radius_m: radius,
+                        fixed: true,
+                    }),
+                }
+            }
         } else if is_blade(components, index) {
             let from_bit_m = 0.5 * (bottom + top);
             marks.push(Mark {
@@ -157,6 +211,21 @@ fn marks(string: &DrillString, element_length_m: f64) -> Vec<Mark> {
             });
         }
         bottom = top;
+    }
+    // A bend takes the node of a bit or a blade that is next to it.
+    for span in string.spans() {
+        let Some(bend) = span.component.bend else {
+            continue;
+        };
+        let from_bit_m = span.from_bit_m + bend.from_lower_end_m;
+        let taken = |m: &Mark| m.fixed && (m.from_bit_m - from_bit_m).abs() < NEAREST_BEND_M;
+        if !marks.iter().any(taken) {
+            marks.push(Mark {
+                from_bit_m,
+                contact_radius_m: body_radius_m(string, from_bit_m),
+                fixed: true,
+            });
+        }
     }
     marks.sort_by(|a, b| a.from_bit_m.total_cmp(&b.from_bit_m));
     thin(marks, element_length_m)

@@ -3,10 +3,12 @@
 //! One element serves every solver. Its forces come from one energy ([`element`]), written once over
 //! a [`number::Number`]: an `f64` with or without fused multiply-add.
 
+pub mod bent;
 pub mod element;
 pub mod lanes;
 pub mod mesh;
 pub mod number;
 pub mod section;
 pub mod stability;
+pub mod torsion;
 pub mod vector;

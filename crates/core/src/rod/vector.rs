@@ -5,7 +5,7 @@ use std::ops::{Add, Neg, Sub};
 use super::number::Number;
 
 /// A vector: north, east, down.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, serde::Serialize, serde::Deserialize)]
 pub struct Vector<N>(pub N, pub N, pub N);
 
 impl<N: Number> Vector<N> {

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use super::{BodyBend, Eccentricity};
 use crate::GRAVITY_M_PER_S2;
 
 /// Elastic and inertial properties of a component's metal.
@@ -34,6 +35,16 @@ pub struct ToolJoints {
     pub spacing_m: f64,
 }
 
+/// Blades of a stabiliser, a reamer, a centraliser: a short stretch at the middle of its component that
+/// stands out, and the only part of it that usually touches the wall.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Blades {
+    /// Diameter over the blades, m: the gauge.
+    pub od_m: f64,
+    /// Length along the string, m.
+    pub length_m: f64,
+}
+
 /// A uniform stretch of the string.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Component {
@@ -49,10 +60,16 @@ pub struct Component {
     pub mass_per_length_kg_per_m: f64,
     /// Tool joints, if it has any. Without them the contact radius is `od_m / 2`.
     pub joints: Option<ToolJoints>,
+    /// Blades, if it has any: instead of joints.
+    pub blades: Option<Blades>,
     /// What it is made of.
     pub material: Material,
     /// Minimum yield strength, Pa, where known.
     pub yield_strength_Pa: Option<f64>,
+    /// A bend of its body.
+    pub bend: Option<BodyBend>,
+    /// Steel off the axis.
+    pub eccentricity: Option<Eccentricity>,
 }
 
 /// Area of a ring, m².
@@ -76,8 +93,11 @@ impl Component {
             id_m,
             mass_per_length_kg_per_m: material.density_kg_per_m3 * ring_area_m2(od_m, id_m),
             joints: None,
+            blades: None,
             material,
             yield_strength_Pa: None,
+            bend: None,
+            eccentricity: None,
         }
     }
 
@@ -117,10 +137,12 @@ impl Component {
         self.material.shear_modulus_Pa * self.polar_moment_m4()
     }
 
-    /// Radius on which the component touches the wall, m: the joints' where it has joints, the
-    /// body's otherwise.
+    /// Radius on which the component touches the wall, m: that of the blades or of the joints where it has
+    /// either, the body's otherwise.
     pub fn contact_radius_m(&self) -> f64 {
-        self.joints.map_or(self.od_m, |joints| joints.od_m) / 2.0
+        let joints = self.joints.map(|joints| joints.od_m);
+        let blades = self.blades.map(|blades| blades.od_m);
+        blades.or(joints).unwrap_or(self.od_m) / 2.0
     }
 
     /// Weight per length in mud inside and outside, `m g (1 - ρ_mud/ρ_metal)`, N/m.

@@ -1,10 +1,12 @@
 //! The drill string: components from the bit up.
 
+mod body;
 pub mod catalogue;
 mod component;
 mod drill_string;
 mod spec;
 
-pub use component::{Component, Material, ToolJoints};
+pub use body::{BodyBend, Cavity, Eccentricity, MOST_ECCENTRIC, NEAREST_BEND_M};
+pub use component::{Blades, Component, Material, ToolJoints};
 pub use drill_string::{DrillString, Span};
 pub use spec::{AssemblyError, ComponentLength, ComponentSpec, StringSpec};

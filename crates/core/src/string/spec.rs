@@ -1,6 +1,9 @@
 //! The string as a list of parts, before it is known how deep the bit is.
 
-use super::{Component, DrillString, Material, ToolJoints, component::ring_area_m2};
+use super::{
+    Blades, BodyBend, Component, DrillString, Eccentricity, Material, ToolJoints, body,
+    component::ring_area_m2,
+};
 
 /// How long a component of a [`StringSpec`] is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,10 +29,16 @@ pub struct ComponentSpec {
     pub mass_per_length_kg_per_m: f64,
     /// Tool joints, if it has any.
     pub joints: Option<ToolJoints>,
+    /// Blades, if it has any: instead of joints.
+    pub blades: Option<Blades>,
     /// What it is made of.
     pub material: Material,
     /// Minimum yield strength, Pa, where known.
     pub yield_strength_Pa: Option<f64>,
+    /// A bend of its body.
+    pub bend: Option<BodyBend>,
+    /// Steel off the axis.
+    pub eccentricity: Option<Eccentricity>,
 }
 
 impl ComponentSpec {
@@ -48,8 +57,11 @@ impl ComponentSpec {
             id_m,
             mass_per_length_kg_per_m: material.density_kg_per_m3 * ring_area_m2(od_m, id_m),
             joints: None,
+            blades: None,
             material,
             yield_strength_Pa: None,
+            bend: None,
+            eccentricity: None,
         }
     }
 
@@ -61,8 +73,11 @@ impl ComponentSpec {
             id_m: self.id_m,
             mass_per_length_kg_per_m: self.mass_per_length_kg_per_m,
             joints: self.joints,
+            blades: self.blades,
             material: self.material,
             yield_strength_Pa: self.yield_strength_Pa,
+            bend: self.bend,
+            eccentricity: self.eccentricity,
         }
     }
 
@@ -120,12 +135,70 @@ impl ComponentSpec {
                 POSITIVE,
             ));
         }
+        if let Some(blades) = self.blades {
+            fields.push((
+                "blade_od",
+                blades.od_m,
+                blades.od_m.is_finite() && blades.od_m >= self.od_m && self.joints.is_none(),
+                "at least od, without joints",
+            ));
+            let longest_m = match self.length {
+                ComponentLength::Metres(length_m) => length_m,
+                ComponentLength::ToSurface => f64::MAX,
+            };
+            fields.push((
+                "blade_length",
+                blades.length_m,
+                positive(blades.length_m) && blades.length_m <= longest_m,
+                "more than zero, and no more than length",
+            ));
+        }
         if let Some(yield_strength_Pa) = self.yield_strength_Pa {
             fields.push((
                 "yield_strength",
                 yield_strength_Pa,
                 positive(yield_strength_Pa),
                 POSITIVE,
+            ));
+        }
+        if let Some(bend) = self.bend {
+            let length_m = match self.length {
+                ComponentLength::Metres(length_m) => length_m,
+                ComponentLength::ToSurface => f64::INFINITY,
+            };
+            let at = bend.from_lower_end_m;
+            fields.push((
+                "bend",
+                bend.angle_rad,
+                bend.angle_rad.abs() <= MOST_BEND_RAD,
+                "10 deg at most",
+            ));
+            fields.push((
+                "bend_at",
+                at,
+                at.is_finite() && (0.0..=length_m).contains(&at),
+                "a place on the component",
+            ));
+            fields.push((
+                "bend_toolface",
+                bend.toolface_rad,
+                bend.toolface_rad.is_finite(),
+                "an angle",
+            ));
+        }
+        if let Some(eccentricity) = self.eccentricity {
+            let most = body::MOST_ECCENTRIC * self.od_m;
+            fields.push((
+                "eccentricity",
+                eccentricity.offset_m,
+                (0.0..=most).contains(&eccentricity.offset_m),
+                "a tenth of od at most",
+            ));
+            fields.push((
+                "eccentricity_phase",
+                eccentricity.phase_rad,
+                eccentricity.phase_rad.is_finite(),
+                "an angle",
             ));
         }
         fields
@@ -215,6 +288,30 @@ pub enum AssemblyError {
 /// the millimetre at best.
 const LENGTH_TOLERANCE_M: f64 = 1e-3;
 
+/// Largest bend of a body, rad: adjustable housings have 3° at most, bent subs as much.
+const MOST_BEND_RAD: f64 = 0.175;
+
+/// Refuses a bend that is no bend between two parts of the string: at the bit or at the surface.
+fn bends_inside(string: DrillString) -> Result<DrillString, AssemblyError> {
+    let length_m = string.length_m();
+    for (index, span) in string.spans().enumerate() {
+        let Some(bend) = span.component.bend else {
+            continue;
+        };
+        let at = span.from_bit_m + bend.from_lower_end_m;
+        if at < body::NEAREST_BEND_M || at > length_m - body::NEAREST_BEND_M {
+            return Err(AssemblyError::Dimension {
+                index,
+                name: span.component.name.clone(),
+                field: "bend_at",
+                value: bend.from_lower_end_m,
+                expected: "0.3 m from both ends of the string",
+            });
+        }
+    }
+    Ok(string)
+}
+
 impl StringSpec {
     /// Checks every component and assembles the string for a depth of the bit, m.
     ///
@@ -238,7 +335,7 @@ impl StringSpec {
                     let left_m = bit_depth_m - fixed_m;
                     if left_m > LENGTH_TOLERANCE_M {
                         components.push(spec.with_length(left_m));
-                        return Ok(DrillString::new(components));
+                        return bends_inside(DrillString::new(components));
                     }
                     if components.is_empty() {
                         return Err(AssemblyError::BitDepth(bit_depth_m));
@@ -264,7 +361,7 @@ impl StringSpec {
         if let Some(top) = components.last_mut() {
             top.length_m += difference_m;
         }
-        Ok(DrillString::new(components))
+        bends_inside(DrillString::new(components))
     }
 
     /// What can be checked without the depth of the bit.

@@ -4,4 +4,4 @@ mod bore;
 pub mod contact;
 pub mod friction;
 
-pub use bore::Bore;
+pub use bore::{Bore, BorePoint};

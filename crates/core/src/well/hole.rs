@@ -1,5 +1,7 @@
 //! Sections of the hole: casing and open hole.
 
+use super::Roughness;
+
 /// What the wall is made of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HoleKind {
@@ -10,12 +12,28 @@ pub enum HoleKind {
 }
 
 /// Coulomb friction of a wall.
+///
+/// Along the hole and around it the coefficient may differ: a pipe that turns rolls over cuttings that it
+/// ploughs when it slides.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Friction {
-    /// Coefficient while sliding.
+    /// Coefficient while sliding along the hole.
     pub kinetic: f64,
-    /// Coefficient at rest; at least the kinetic one.
+    /// Coefficient at rest along the hole; at least the kinetic one.
     pub at_rest: f64,
+    /// What both are multiplied by around the hole.
+    pub around: f64,
+}
+
+impl Friction {
+    /// The same coefficient at rest and sliding, along the hole and around it.
+    pub const fn uniform(coefficient: f64) -> Self {
+        Self {
+            kinetic: coefficient,
+            at_rest: coefficient,
+            around: 1.0,
+        }
+    }
 }
 
 /// One stretch of hole with the same diameter, wall and friction.
@@ -35,13 +53,19 @@ pub struct HoleSection {
     pub youngs_modulus_Pa: f64,
     /// Poisson's ratio of the wall.
     pub poisson_ratio: f64,
+    /// What the hole's [`Roughness`] is multiplied by here.
+    pub roughness: f64,
 }
 
 /// The hole's sections, from the surface down, without gaps or overlaps.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Hole {
     sections: Vec<HoleSection>,
+    roughness: Option<Roughness>,
 }
+
+/// Least ratio of the longest wavelength of a wall to the shortest.
+pub const NARROWEST_BAND: f64 = 1.2;
 
 /// Ends that differ by less than this meet, m.
 const MEETING_M: f64 = 1e-6;
@@ -58,6 +82,16 @@ pub enum HoleError {
     OutOfRange {
         /// Which section.
         index: usize,
+        /// Which of its numbers.
+        quantity: &'static str,
+        /// What it is, SI.
+        value: f64,
+        /// What it may be.
+        expected: &'static str,
+    },
+    /// The roughness of the wall has a number out of its range.
+    #[error("roughness of the wall: {quantity} is {value}, expected {expected}")]
+    Roughness {
         /// Which of its numbers.
         quantity: &'static str,
         /// What it is, SI.
@@ -113,7 +147,61 @@ impl Hole {
                 });
             }
         }
-        Ok(Self { sections })
+        Ok(Self {
+            sections,
+            roughness: None,
+        })
+    }
+
+    /// The same hole with a rough wall, or with a smooth one.
+    ///
+    /// # Errors
+    /// A root mean square that is negative or not finite; wavelengths that are not positive, or of which
+    /// the longest is less than 1.2 times the shortest: waves of one length would add up to a single one of
+    /// any height.
+    pub fn with_roughness(self, roughness: Option<Roughness>) -> Result<Self, HoleError> {
+        if let Some(r) = roughness {
+            for (quantity, value, sound, expected) in [
+                (
+                    "rms of the radius",
+                    r.radius_rms_m,
+                    r.radius_rms_m.is_finite() && r.radius_rms_m >= 0.0,
+                    "zero or more",
+                ),
+                (
+                    "rms of the tortuosity",
+                    r.tortuosity_rms_m,
+                    r.tortuosity_rms_m.is_finite() && r.tortuosity_rms_m >= 0.0,
+                    "zero or more",
+                ),
+                (
+                    "shortest wavelength",
+                    r.shortest_m,
+                    r.shortest_m.is_finite() && r.shortest_m > 0.0,
+                    "more than zero",
+                ),
+                (
+                    "longest wavelength",
+                    r.longest_m,
+                    r.longest_m.is_finite() && r.longest_m >= NARROWEST_BAND * r.shortest_m,
+                    "at least 1.2 times the shortest",
+                ),
+            ] {
+                if !sound {
+                    return Err(HoleError::Roughness {
+                        quantity,
+                        value,
+                        expected,
+                    });
+                }
+            }
+        }
+        Ok(Self { roughness, ..self })
+    }
+
+    /// Roughness of the wall, where it has any.
+    pub fn roughness(&self) -> Option<&Roughness> {
+        self.roughness.as_ref()
     }
 
     /// The sections, from the surface down.
@@ -130,8 +218,9 @@ impl Hole {
         &self.sections[index.min(self.sections.len() - 1)]
     }
 
-    /// The same hole with one kinetic coefficient of friction everywhere. Coefficients at rest keep
-    /// their ratio to the kinetic one (where that was zero, both become `kinetic`).
+    /// The same hole with one kinetic coefficient of friction everywhere. Coefficients at rest and around
+    /// the hole keep their ratios to the kinetic one along it (where that was zero, the one at rest
+    /// becomes `kinetic`).
     ///
     /// # Errors
     /// A coefficient that is negative or not finite.
@@ -147,17 +236,22 @@ impl Hole {
                 friction: Friction {
                     kinetic,
                     at_rest: kinetic * ratio,
+                    ..old
                 },
                 ..*section
             }
         });
-        Self::new(sections.collect())
+        Self::new(sections.collect())?.with_roughness(self.roughness)
     }
 }
 
 impl HoleSection {
     fn check(&self, index: usize) -> Result<(), HoleError> {
-        let Friction { kinetic, at_rest } = self.friction;
+        let Friction {
+            kinetic,
+            at_rest,
+            around,
+        } = self.friction;
         let positive = |value: f64| value > 0.0 && value.is_finite();
         for (quantity, value, sound, expected) in [
             (
@@ -191,6 +285,12 @@ impl HoleSection {
                 "at least the kinetic one",
             ),
             (
+                "ratio of friction around the hole to that along it",
+                around,
+                around >= 0.0 && around.is_finite(),
+                "zero or more",
+            ),
+            (
                 "Young's modulus",
                 self.youngs_modulus_Pa,
                 positive(self.youngs_modulus_Pa),
@@ -201,6 +301,12 @@ impl HoleSection {
                 self.poisson_ratio,
                 (0.0..0.5).contains(&self.poisson_ratio),
                 "from 0 to below 0.5",
+            ),
+            (
+                "roughness",
+                self.roughness,
+                self.roughness >= 0.0 && self.roughness.is_finite(),
+                "zero or more",
             ),
         ] {
             if !sound {

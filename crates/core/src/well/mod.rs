@@ -4,11 +4,13 @@ mod curve;
 mod hole;
 mod landmarks;
 mod path;
+mod roughness;
 mod station;
 mod vertical;
 
-pub use hole::{Friction, Hole, HoleError, HoleKind, HoleSection};
+pub use hole::{Friction, Hole, HoleError, HoleKind, HoleSection, NARROWEST_BAND};
 pub use path::{Interpolation, Path, PathError, PathPoint, TieIn};
+pub use roughness::{Relief, ReliefPoint, Roughness};
 pub use station::Station;
 
 /// A well: where the hole runs and how wide it is and how it rubs.

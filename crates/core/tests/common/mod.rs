@@ -80,12 +80,10 @@ pub fn hole_of(frictions: &[(f64, f64)]) -> Hole {
             from_md_m,
             to_md_m,
             diameter_m: 0.3,
-            friction: Friction {
-                kinetic: friction,
-                at_rest: friction,
-            },
+            friction: Friction::uniform(friction),
             youngs_modulus_Pa: 50e9,
             poisson_ratio: 0.3,
+            roughness: 1.0,
         };
         from_md_m = to_md_m;
         section
@@ -99,6 +97,7 @@ pub fn mud(density_kg_per_m3: f64) -> Mud {
         density_kg_per_m3,
         linear_drag_Pa_s: 0.0,
         drag_coefficient: 0.0,
+        rheology: None,
     }
 }
 
@@ -152,6 +151,8 @@ pub fn operation(kind: OperationKind, bit_depth_m: f64) -> Operation {
         bit_torque_N_m: 0.0,
         rate_of_penetration_m_per_s: 0.0,
         trip_speed_m_per_s: 0.3,
+        flow_rate_m3_per_s: 0.0,
+        bit_pressure_drop_Pa: 0.0,
     }
 }
 

@@ -29,6 +29,7 @@ fn case() -> Case {
             friction: Friction {
                 kinetic: KINETIC,
                 at_rest: AT_REST,
+                around: 1.0,
             },
             ..*s
         })

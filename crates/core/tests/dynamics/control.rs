@@ -1,7 +1,7 @@
 //! The three ways in which the hoist is controlled, on a string whose answer is known in closed form.
 
 use wholestring::{
-    dynamics::{HoistControl, RodDamping},
+    dynamics::{Autodriller, BitLaw, HoistControl, RodDamping},
     operation::{Operation, OperationKind},
 };
 
@@ -40,7 +40,10 @@ fn stiffness_N_per_m(case: &Case) -> f64 {
         .map(|c| c.length_m / c.axial_stiffness_N())
         .sum();
     let line = 1.0 / case.settings.hoist_line.stiffness_N_per_m;
-    let rock = 1.0 / case.settings.bit.rock_stiffness_N_per_m;
+    let BitLaw::Rate(law) = case.settings.bit.law else {
+        panic!("the rate law is the default")
+    };
+    let rock = 1.0 / law.rock_stiffness_N_per_m;
     1.0 / (pipe + line + rock)
 }
 
@@ -111,7 +114,7 @@ fn the_autodriller_recovers_its_weight() {
     let hook = mean_between(&series.time_s, &series.hook_load_N, 8.0, 10.0);
     simulation.set_hoist(HoistControl::HookLoad(hook + 5e3));
     go(&mut simulation, 20.0);
-    simulation.set_hoist(HoistControl::AUTODRILLER);
+    simulation.set_hoist(HoistControl::Autodriller);
     go(&mut simulation, 60.0);
     let series = simulation.outcome().series;
     let time = between(&series.time_s, &series.time_s, 38.0, 52.0);
@@ -120,13 +123,11 @@ fn the_autodriller_recovers_its_weight() {
         .map(|w| (WEIGHT_N - w).ln())
         .collect();
     let found = -line(&time, &missing).0;
-    let HoistControl::Autodriller {
+    let Autodriller {
         gain_m_per_s_per_N: gain,
         filter_s: tau,
-    } = HoistControl::AUTODRILLER
-    else {
-        panic!("an autodriller")
-    };
+        ..
+    } = case.settings.autodriller;
     let k = stiffness_N_per_m(&case);
     let open = k * RATE_M_PER_S / WEIGHT_N;
     // τ s² + (1 + open τ) s + open + k g = 0.

@@ -7,16 +7,22 @@
 mod common;
 mod wells;
 
+mod bending;
+mod bit;
 mod break_away;
+mod buckling;
 mod centred;
 mod checkpoint;
 mod climb;
 mod control;
 mod energy;
+mod friction;
 mod hold;
 mod independent;
+mod mud;
 mod np13;
 mod numerics;
 mod operations;
+mod rough;
 mod steadiness;
 mod surroundings;

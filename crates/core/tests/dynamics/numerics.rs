@@ -1,21 +1,31 @@
 //! What a run says about itself.
 
+use nalgebra::Vector3;
 use wholestring::{
-    dynamics::{DynamicOutcome, FrictionLaw},
+    dynamics::{DynamicOutcome, FrictionLaw, HoistControl},
     operation::OperationKind,
 };
 
-use crate::wells::{Case, each, moderate, np13};
+use crate::wells::{Case, MODERATE_M, each, go, moderate, np13};
 
 /// Every number of an outcome, by a name that finds it again.
 fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
     let DynamicOutcome {
         scalars: s,
         statistics,
+        hydraulics: h,
         numerics: n,
+        indicators: i,
         nodes: p,
         series: t,
+        wear: w,
     } = outcome;
+    let stick_slip = i.stick_slip.map(|of| {
+        let rare = [of.severity, of.torque_severity, of.period_s].into_iter();
+        let always = [of.stuck_fraction, of.bit_speed_max_rad_per_s];
+        rare.flatten().chain(always).collect()
+    });
+    let whirl = [i.backward_whirl, i.forward_whirl].into_iter().flatten();
     let mut all = vec![
         ("hook load", vec![s.hook_load_N]),
         ("surface torque", vec![s.surface_torque_N_m]),
@@ -33,7 +43,44 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         ("penetration", vec![n.max_penetration_m]),
         ("energy residual", vec![n.energy_residual]),
         ("climb", p.climb_rad.iter().copied().flatten().collect()),
+        ("stick-slip", stick_slip.unwrap_or_default()),
+        (
+            "whirl",
+            whirl
+                .flat_map(|of| [of.rate_rad_per_s, of.ratio, of.length_fraction])
+                .collect(),
+        ),
+        (
+            "force of a joint",
+            p.side_force_per_joint_N.iter().copied().flatten().collect(),
+        ),
+        (
+            "use of the yield",
+            p.yield_use.iter().copied().flatten().collect(),
+        ),
+        (
+            "neutral point in time",
+            t.neutral_point_m.iter().copied().flatten().collect(),
+        ),
+        (
+            "cut-off in time",
+            t.cutoff_depth_m.iter().copied().flatten().collect(),
+        ),
     ];
+    if let Some(h) = h {
+        all.push((
+            "hydraulics",
+            vec![
+                h.mud_drag_N,
+                h.mud_torque_N_m,
+                h.jet_thrust_N,
+                h.pump_pressure_Pa,
+            ],
+        ));
+    }
+    if let Some(e) = n.energy {
+        all.push(("energy", vec![e.work_J(), e.loss_J(), e.change_J()]));
+    }
     for (name, x) in statistics {
         all.push((name, vec![x.mean, x.std, x.min, x.max, x.p05, x.p95]));
     }
@@ -51,6 +98,22 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         ("axial friction of a node", &p.axial_friction_N_per_m),
         ("friction torque of a node", &p.friction_torque_N_m_per_m),
         ("offset", &p.lateral_offset_m),
+        ("wear of a node", &p.wear_work_J_per_m),
+        ("wear of the hole", &w.wear_work_J_per_m),
+        ("power of wear", &w.wear_power_W_per_m),
+        ("low tension", &p.tension_percentiles_N.p05),
+        ("middle torque", &p.torque_percentiles_N_m.p50),
+        ("high contact force", &p.contact_force_percentiles_N.p95),
+        ("high moment", &p.bending_moment_percentiles_N_m.p95),
+        ("true tension", &p.true_tension_N),
+        ("moment", &p.bending_moment_N_m),
+        ("largest moment", &p.bending_moment_max_N_m),
+        ("bending stress", &p.bending_stress_Pa),
+        ("stress", &p.von_mises_stress_Pa),
+        ("largest stress", &p.von_mises_stress_max_Pa),
+        ("rate of whirl", &p.whirl_rate_rad_per_s),
+        ("coherence of whirl", &p.whirl_coherence),
+        ("lateral speed", &p.lateral_speed_rms_m_per_s),
         ("time", &t.time_s),
         ("bit depth", &t.bit_depth_m),
         ("hook load in time", &t.hook_load_N),
@@ -121,4 +184,41 @@ fn the_same_case_gives_the_same_bits() {
     let (a, b) = (found[0].scalars, found[2].scalars);
     assert!((a.hook_load_N - b.hook_load_N).abs() < 10.0);
     assert!((a.surface_torque_N_m / b.surface_torque_N_m - 1.0).abs() < 1e-3);
+}
+
+/// Absurd set points end a run within a sample of where it left its range, by name and place, and what was
+/// sampled before stays finite: a lift of ten thousand tonnes, and a blow that makes a node spin at ten million rad/s.
+#[test]
+fn what_diverges_is_named_and_leaves_numbers() {
+    let mut lifted = moderate(OperationKind::TripOut, 0.3);
+    lifted.settings.settle_s = 0.0;
+    lifted.settings.hoist_control = Some(HoistControl::HookLoad(1e8));
+    let mut struck = moderate(OperationKind::RotateOffBottom, 0.3);
+    struck.settings.settle_s = 0.0;
+    for (case, quantity) in [(lifted, "velocity (m/s)"), (struck, "spin (rad/s)")] {
+        let mut simulation = case.start();
+        if quantity.starts_with("spin") {
+            go(&mut simulation, 0.1);
+            simulation.strike(|node| {
+                let there = (node.from_bit_m - 700.0).abs() < 5.0;
+                (Vector3::zeros(), if there { 1e7 } else { 0.0 })
+            });
+        }
+        let error = simulation.advance(5.0).expect_err("it diverges");
+        assert_eq!(error.quantity, quantity);
+        // The lifted string leaves the hole.
+        assert!((-1000.0..=MODERATE_M).contains(&error.md_m), "{error}");
+        let outcome = simulation.outcome();
+        let last_s = outcome.series.time_s.last().copied().unwrap_or(0.0);
+        let late_s = error.time_s - last_s;
+        let interval_s = case.settings.sample_interval_s;
+        assert!((0.0..1.1 * interval_s).contains(&late_s), "{late_s} s late");
+        assert_eq!(
+            (outcome.numerics.energy_residual, outcome.numerics.energy),
+            (1.0, None)
+        );
+        for (name, values) in numbers(&outcome) {
+            assert!(values.iter().all(|x| x.is_finite()), "{name}");
+        }
+    }
 }

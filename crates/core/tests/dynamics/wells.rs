@@ -121,6 +121,7 @@ pub fn mud() -> Mud {
         density_kg_per_m3: 1200.0,
         linear_drag_Pa_s: 5.0,
         drag_coefficient: 1.0,
+        rheology: None,
     }
 }
 
@@ -165,12 +166,10 @@ pub fn section(
         from_md_m,
         to_md_m,
         diameter_m,
-        friction: Friction {
-            kinetic: mu,
-            at_rest: mu,
-        },
+        friction: Friction::uniform(mu),
         youngs_modulus_Pa,
         poisson_ratio,
+        roughness: 1.0,
     }
 }
 

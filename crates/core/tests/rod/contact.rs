@@ -232,7 +232,7 @@ const PHASES: u32 = 20;
 
 /// At the step of a run with default elements a blow is over within a few steps, and the implicit law
 /// takes most of it, whatever the dissipation: with the default 0.5 s/m a node of 120 kg on rock is given back
-/// 0.47 of 0.01 m/s and 0.12 of 2 m/s, where the law gives 0.997 and 0.59.
+/// 0.47 of 0.01 m/s and 0.13 of 2 m/s, where the law gives 0.997 and 0.59.
 /// That is the implicit law, not its solution: bisection gives the same.
 #[test]
 fn at_the_default_step_a_blow_hardly_rebounds() {

@@ -4,6 +4,8 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod article;
+mod bent;
 mod bore;
 mod contact;
 mod element;
@@ -11,5 +13,6 @@ mod friction;
 mod mesh;
 mod plane;
 mod random;
+mod space;
 mod stability;
 mod statics;

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use wholestring::{
     rod::mesh::Mesh,
-    string::{ComponentLength, ComponentSpec, DrillString, StringSpec, ToolJoints},
+    string::{Blades, ComponentLength, ComponentSpec, DrillString, StringSpec, ToolJoints},
 };
 
 use crate::common::{assert_close, steel};
@@ -253,5 +253,90 @@ proptest! {
 fn the_shipped_string_is_cut_soundly() {
     for element_length in [0.8, 1.6, 3.2, 4.8, 9.6, 1e4] {
         is_sound(&np13(), element_length).unwrap();
+    }
+}
+
+/// Blades touch at both edges where the mesh resolves them, at their middle where it does not; between the
+/// edges, and only there, a node carries their radius.
+#[test]
+fn blades_touch_at_their_edges() {
+    let stabiliser = |blade_m: f64, length_m: f64| ComponentSpec {
+        blades: Some(Blades {
+            od_m: 0.2127,
+            length_m: blade_m,
+        }),
+        ..tube(0.165, Metres(length_m))
+    };
+    let string_of = |blade_m: f64| {
+        string(
+            vec![
+                tube(0.2159, Metres(0.4)),
+                tube(0.172, Metres(9.6)),
+                stabiliser(blade_m, 2.0),
+                tube(0.165, Metres(18.0)),
+                tube(0.127, ToSurface),
+            ],
+            200.0,
+        )
+    };
+    let blades = |mesh: &Mesh| -> Vec<f64> {
+        let mut places: Vec<f64> = mesh
+            .nodes
+            .iter()
+            .filter(|n| n.contact_radius_m == 0.10635)
+            .map(|n| (n.from_bit_m * 1e6).round() / 1e6)
+            .collect();
+        places.reverse();
+        places
+    };
+    assert_eq!(blades(&Mesh::new(&string_of(1.2), 3.2)), [11.0]);
+    assert_eq!(blades(&Mesh::new(&string_of(0.4), 0.5)), [11.0]);
+    assert_eq!(blades(&Mesh::new(&string_of(1.2), 1.6)), [10.4, 11.6]);
+    assert_eq!(
+        blades(&Mesh::new(&string_of(1.2), 0.4)),
+        [10.4, 10.8, 11.2, 11.6]
+    );
+    // Two stabilisers on each other: their blades' edges are one node.
+    let double = string(
+        vec![
+            tube(0.2159, Metres(0.4)),
+            tube(0.172, Metres(9.6)),
+            stabiliser(2.0, 2.0),
+            stabiliser(2.0, 2.0),
+            tube(0.127, ToSurface),
+        ],
+        200.0,
+    );
+    let mesh = Mesh::new(&double, 3.2);
+    assert_eq!(blades(&mesh), [10.0, 12.0, 14.0]);
+    assert!(mesh.elements.iter().all(|e| e.length_m > 0.3));
+}
+
+#[test]
+fn blades_belong_into_their_component() {
+    let spec = |blades: Blades, joints: Option<ToolJoints>| StringSpec {
+        components: vec![ComponentSpec {
+            blades: Some(blades),
+            joints,
+            ..tube(0.165, Metres(2.0))
+        }],
+    };
+    let blades = |od_m: f64, length_m: f64| Blades { od_m, length_m };
+    assert!(spec(blades(0.2127, 2.0), None).assemble(2.0).is_ok());
+    for (blades, joints) in [
+        (blades(0.16, 1.0), None),
+        (blades(0.2127, 2.1), None),
+        (blades(0.2127, 0.0), None),
+        (blades(f64::NAN, 1.0), None),
+        (
+            blades(0.2127, 1.0),
+            Some(ToolJoints {
+                od_m: 0.18,
+                spacing_m: 1.0,
+            }),
+        ),
+    ] {
+        let error = spec(blades, joints).assemble(2.0).unwrap_err();
+        assert!(error.to_string().contains("blade_"), "{error}");
     }
 }

@@ -11,9 +11,11 @@ fn section(from_md_m: f64, to_md_m: f64) -> HoleSection {
         friction: Friction {
             kinetic: 0.2,
             at_rest: 0.3,
+            around: 1.0,
         },
         youngs_modulus_Pa: 210e9,
         poisson_ratio: 0.3,
+        roughness: 1.0,
     }
 }
 

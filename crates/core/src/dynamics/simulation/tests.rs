@@ -27,9 +27,11 @@ fn model(at_rest: f64) -> Model {
         friction: Friction {
             kinetic: 0.25,
             at_rest,
+            around: 1.0,
         },
         youngs_modulus_Pa: 51.5e9,
         poisson_ratio: 0.33,
+        roughness: 1.0,
     };
     let steel = Material {
         density_kg_per_m3: 7860.0,
@@ -51,6 +53,7 @@ fn model(at_rest: f64) -> Model {
             density_kg_per_m3: 1200.0,
             linear_drag_Pa_s: 5.0,
             drag_coefficient: 1.0,
+            rheology: None,
         },
         rig: Rig::default(),
     }
@@ -77,6 +80,8 @@ fn every_instruction_set_moves_the_string_alike() {
             bit_torque_N_m: 0.0,
             rate_of_penetration_m_per_s: 0.0,
             trip_speed_m_per_s: 0.2,
+            flow_rate_m3_per_s: 0.0,
+            bit_pressure_drop_Pa: 0.0,
         };
         let mut settings = DynamicsSettings {
             settle_s: 3.0,
@@ -119,5 +124,41 @@ fn every_instruction_set_moves_the_string_alike() {
                 "{name}: {hook:e}, {torque:e}"
             );
         }
+    }
+}
+
+/// What the nodes have rubbed is what the ledger says that friction took, to rounding, with either law.
+#[test]
+fn wear_is_the_loss_to_friction() {
+    for friction_law in [FrictionLaw::Vector, FrictionLaw::Independent] {
+        let operation = Operation {
+            kind: OperationKind::Ream,
+            bit_depth_m: DEPTH_M,
+            rotary_speed_rad_per_s: 7.0,
+            weight_on_bit_N: 0.0,
+            bit_torque_N_m: 0.0,
+            rate_of_penetration_m_per_s: 0.0,
+            trip_speed_m_per_s: 0.2,
+            flow_rate_m3_per_s: 0.0,
+            bit_pressure_drop_Pa: 0.0,
+        };
+        let settings = DynamicsSettings {
+            friction_law,
+            ..Default::default()
+        };
+        let mut run = Simulation::new(&model(0.3), &operation, &settings).unwrap();
+        let input = run.step_input(0.0, operation.rotary_speed_rad_per_s);
+        let mut lost = 0.0;
+        run.chain.clear_sums();
+        for _ in 0..2000 {
+            lost += run.stepper.step(&mut run.chain, &input).friction;
+        }
+        run.wear.sample(&run.chain, |i| run.anchors[i].md_m);
+        let nodes: f64 = (0..run.chain.nodes()).map(|i| run.wear.string_J(i)).sum();
+        let hole: f64 = run.wear.hole_J_per_m(|i| run.anchors[i].md_m).iter().sum();
+        assert!(lost > 1000.0, "{lost}");
+        assert!((nodes / lost - 1.0).abs() < 1e-12, "{nodes} {lost}");
+        let hole = hole * super::super::wear::HOLE_STEP_M;
+        assert!((hole / lost - 1.0).abs() < 1e-12, "{hole} {lost}");
     }
 }

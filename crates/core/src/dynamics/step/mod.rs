@@ -58,13 +58,6 @@ pub struct StepLosses {
     pub damping: f64,
 }
 
-impl StepLosses {
-    /// All of them, J.
-    pub fn total(&self) -> f64 {
-        self.friction + self.contact + self.mud + self.damping
-    }
-}
-
 /// What the stepper must be able to do; less is faster.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Abilities {

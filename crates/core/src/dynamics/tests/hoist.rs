@@ -4,8 +4,8 @@ use crate::{
     GRAVITY_M_PER_S2,
     dynamics::{
         chain::{Chain, node},
-        hoist::{Hoist, HoistStep},
-        settings::{HoistControl, HoistLine},
+        hoist::{Hoist, HoistStep, Target},
+        settings::{Autodriller, HoistControl, HoistLine},
     },
     rod::vector::Vector,
 };
@@ -14,6 +14,12 @@ const MASS_KG: f64 = 5e3;
 const LINE: HoistLine = HoistLine {
     stiffness_N_per_m: 1e7,
     damping_N_s_per_m: 1e5,
+    block_mass_kg: 0.0,
+};
+
+const TARGET: Target = Target {
+    weight_N: 60e3,
+    velocity_m_per_s: 0.003,
 };
 
 /// A mass that hangs on the hoist.
@@ -25,10 +31,20 @@ struct Load {
 
 impl Load {
     fn new(line: HoistLine, control: HoistControl, gravity: f64) -> Self {
+        Self::under(line, control, Autodriller::default(), gravity)
+    }
+
+    fn under(
+        line: HoistLine,
+        control: HoistControl,
+        autodriller: Autodriller,
+        gravity: f64,
+    ) -> Self {
         let mut chain = Chain::new(1);
         node!(chain, 0, mass_axial = MASS_KG);
         node!(chain, 0, inv_mass_axial = 1.0 / MASS_KG);
-        let hoist = Hoist::new(line, control, 60e3, 0.003, 100.0, MASS_KG * gravity);
+        let weight = MASS_KG * gravity;
+        let hoist = Hoist::new(line, control, autodriller, TARGET, 100.0, weight);
         Self {
             chain,
             hoist,
@@ -182,12 +198,8 @@ fn a_hook_load_lifts_as_newton_says() {
 /// `v = v₀ + K (W₀ − W)(1 − e^(−t/τ))`; it never lifts.
 #[test]
 fn an_autodriller_follows_its_filter() {
-    let control = HoistControl::Autodriller {
-        gain_m_per_s_per_N: 1e-7,
-        filter_s: 1.0,
-    };
-    let (target, nominal, weight) = (60e3, 0.003, 40e3);
-    let mut load = Load::new(LINE, control, GRAVITY_M_PER_S2);
+    let (target, nominal, weight) = (TARGET.weight_N, TARGET.velocity_m_per_s, 40e3);
+    let mut load = Load::new(LINE, HoistControl::Autodriller, GRAVITY_M_PER_S2);
     let dt = 1e-4;
     for i in 1..=30_000 {
         load.step(weight, dt);
@@ -200,4 +212,94 @@ fn an_autodriller_follows_its_filter() {
         load.step(500e3, 1e-3);
     }
     assert_eq!(load.hoist.velocity_m_per_s(), 0.0);
+}
+
+/// With an integral, `v = v₀ + K e (1 − e^(−t/τ) + (t − τ(1 − e^(−t/τ)))/T_i)` for a weight that stays `e` too
+/// small. Against a limit the integral waits: once the weight is right again the speed is back at once, but
+/// for what the filter holds.
+#[test]
+fn an_autodriller_integrates_and_keeps_to_its_limits() {
+    let autodriller = Autodriller {
+        integral_time_s: 20.0,
+        min_speed_m_per_s: -0.001,
+        max_speed_m_per_s: 0.006,
+        ..Autodriller::default()
+    };
+    let control = HoistControl::Autodriller;
+    let mut load = Load::under(LINE, control, autodriller, GRAVITY_M_PER_S2);
+    let (nominal, missing, dt) = (TARGET.velocity_m_per_s, 10e3, 1e-4);
+    for i in 1..=50_000 {
+        load.step(TARGET.weight_N - missing, dt);
+        let t = f64::from(i) * dt;
+        let seen = 1.0 - (-t).exp();
+        let exact = nominal + 1e-7 * missing * (seen + (t - seen) / 20.0);
+        assert!((load.hoist.velocity_m_per_s() - exact).abs() < 2e-3 * dt);
+    }
+    let before = load.hoist.velocity_m_per_s();
+    for (weight, limit) in [(0.0, 0.006), (500e3, -0.001)] {
+        for _ in 0..60_000 {
+            load.step(weight, 1e-3);
+        }
+        assert_eq!(load.hoist.velocity_m_per_s(), limit);
+    }
+    for _ in 0..30_000 {
+        load.step(TARGET.weight_N, 1e-3);
+    }
+    // The minute at each limit would have moved an integral that runs on by 0.02 m/s; what is left of the
+    // way there and back moves it by less than a filter's time at each side.
+    let after = load.hoist.velocity_m_per_s();
+    assert!(
+        (after - before).abs() < 1e-7 * 300e3 / 20.0,
+        "{before} {after}"
+    );
+}
+
+/// A block of its own mass swings with the load on the line: `ω² = k/(m + M)`, and the hook feels the load's
+/// part of it, `m/(m + M)` of the line's force. Within `π` steps per period, by the first order of the implicit step.
+#[test]
+fn a_block_swings_with_its_load() {
+    let block = 20e3;
+    let line = HoistLine {
+        damping_N_s_per_m: 0.0,
+        block_mass_kg: block,
+        ..LINE
+    };
+    let mut load = Load::new(line, HoistControl::BlockVelocity(0.0), GRAVITY_M_PER_S2);
+    let omega = (line.stiffness_N_per_m / (MASS_KG + block)).sqrt();
+    let steps = 40_000;
+    let dt = std::f64::consts::TAU / omega / f64::from(steps);
+    let amplitude = 2e-3;
+    load.chain.set_displacement(0, Vector(0.0, 0.0, amplitude));
+    let weight = MASS_KG * GRAVITY_M_PER_S2;
+    let swing = MASS_KG / (MASS_KG + block) * line.stiffness_N_per_m * amplitude;
+    for i in 1..=steps {
+        let step = load.step(0.0, dt);
+        let exact = (omega * dt * f64::from(i)).cos();
+        let (place, pull) = (load.down() / amplitude, (step.hook_load_N - weight) / swing);
+        let tolerance = std::f64::consts::TAU * std::f64::consts::PI / f64::from(steps);
+        assert!((place - exact).abs() < tolerance, "{place} {exact}");
+        assert!((pull - exact).abs() < tolerance, "{pull} {exact}");
+    }
+}
+
+/// With a block or without, work is the change of the load's kinetic energy.
+#[test]
+fn work_does_not_count_the_block() {
+    let line = HoistLine {
+        block_mass_kg: 20e3,
+        ..LINE
+    };
+    for control in [
+        HoistControl::BlockVelocity(0.2),
+        HoistControl::HookLoad(7e4),
+    ] {
+        let mut load = Load::new(line, control, 0.0);
+        load.chain.set_velocity(0, Vector(0.0, 0.0, 0.5));
+        let energy = |load: &Load| 0.5 * MASS_KG * load.velocity().powi(2);
+        let (start, mut work) = (energy(&load), 0.0);
+        for _ in 0..500 {
+            work += load.step(0.0, 5e-4).work_J;
+        }
+        assert!((energy(&load) - start - work).abs() < 1e-9 * start.max(work.abs()));
+    }
 }

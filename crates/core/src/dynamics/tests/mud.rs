@@ -4,7 +4,11 @@ use super::{
     beams::swing,
     bench::{Bench, PIPE_M, Support},
 };
-use crate::{dynamics::chain::node, mud::Mud, rod::vector::Vector};
+use crate::{
+    dynamics::{assembly, chain::node},
+    mud::Mud,
+    rod::vector::Vector,
+};
 
 const HOLE_M: f64 = 0.2159;
 const LENGTH_M: f64 = 30.0;
@@ -14,6 +18,7 @@ const STILL: Mud = Mud {
     density_kg_per_m3: 1200.0,
     linear_drag_Pa_s: 0.0,
     drag_coefficient: 0.0,
+    rheology: None,
 };
 
 fn rod(mud: Mud) -> Bench {
@@ -180,5 +185,34 @@ fn mud_takes_part_in_lateral_motion_only() {
         );
         let (wet, dry) = (axial(mud), axial(air));
         assert!((wet / dry - 1.0).abs() < 1e-4, "{wet} for {dry} Hz");
+    }
+}
+
+/// The mud carried along outside is the concentric annulus's up to a pipe that fills 82 % of its hole, and five times what the
+/// pipe displaces in any tighter one.
+#[test]
+fn added_mass_is_confined_up_to_a_cap() {
+    let outside_kg_per_m = |od: f64| {
+        let parts = [([od, 0.05], 10.0)];
+        let bench = Bench::in_mud(&parts, 1.0, 0.0, STILL, HOLE_M);
+        let section = &bench.mesh.elements[0].section;
+        let mass = assembly::lateral_mass_kg_per_m(&bench.model, &bench.mesh, 10.0)[0];
+        mass - section.steel_kg_per_m - STILL.density_kg_per_m3 * section.bore_m2
+    };
+    for (od, expected) in [
+        (
+            0.08,
+            (0.2159f64.powi(2) + 0.0064) / (0.2159f64.powi(2) - 0.0064),
+        ),
+        (0.80 * HOLE_M, 1.64 / 0.36),
+        (0.83 * HOLE_M, 5.0),
+        (HOLE_M, 5.0),
+    ] {
+        let displaced = STILL.density_kg_per_m3 * std::f64::consts::FRAC_PI_4 * od * od;
+        let found = outside_kg_per_m(od) / displaced;
+        assert!(
+            (found / expected - 1.0).abs() < 1e-9,
+            "{od}: {found} for {expected}"
+        );
     }
 }

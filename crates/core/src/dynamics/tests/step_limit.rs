@@ -4,7 +4,7 @@ use nalgebra::DMatrix;
 
 use super::bench::{Bench, COLLAR_M, PIPE_M};
 use crate::{
-    dynamics::{assembly, chain::node},
+    dynamics::{chain::node, energy},
     rod::{
         element::react,
         stability::{self, SAFETY},
@@ -100,11 +100,11 @@ fn growth(rod: &mut Bench, dt: f64, steps: usize) -> f64 {
         rod.chain.set_turning(i, Vector(random(), random(), 0.0));
         node!(rod.chain, i, spin = random());
     }
-    let before = assembly::kinetic_energy_J(&rod.chain);
+    let before = energy::kinetic_J(&rod.chain);
     let mut most: f64 = 0.0;
     for _ in 0..steps {
         rod.step();
-        let now = assembly::kinetic_energy_J(&rod.chain) / before;
+        let now = energy::kinetic_J(&rod.chain) / before;
         most = most.max(now);
         if now.is_nan() || now > 1e6 {
             return f64::INFINITY;

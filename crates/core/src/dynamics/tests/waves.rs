@@ -9,7 +9,7 @@ use crate::{
     rod::vector::Vector,
 };
 
-fn file(name: &str) -> Value {
+pub fn file(name: &str) -> Value {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../../verification")
         .join(name);

@@ -4,9 +4,14 @@ use std::ops::{Add, Mul};
 
 use nalgebra::Vector3;
 
-use super::{SoftError, SoftSettings, motion::Sliding};
+use super::{
+    SoftError, SoftSettings,
+    circulation::{self, Circulating, Passage},
+    motion::Sliding,
+};
 use crate::{
     model::{Model, MudColumn},
+    mud::Hydraulics,
     operation::Operation,
     string::Component,
     well::{Path, PathPoint},
@@ -58,7 +63,8 @@ struct Stretch {
     to_md_m: f64,
     weight_N_per_m: f64,
     contact_radius_m: f64,
-    friction: f64,
+    /// Coefficients of friction along and around.
+    friction: (f64, f64),
     /// Parts of the sliding direction along and around.
     sliding: (f64, f64),
     axial_stiffness_N: f64,
@@ -66,6 +72,10 @@ struct Stretch {
     /// `(1 - 2ν)/E`, 1/Pa.
     pressure_strain_per_Pa: f64,
     mud: MudColumn,
+    outer_diameter_m: f64,
+    bore_m2: f64,
+    hole_diameter_m: f64,
+    circulating: Circulating,
 }
 
 /// Load on the wall at one point.
@@ -90,13 +100,16 @@ impl Stretch {
         let across = down - point.tangent * point.tangent.z;
         let q_N_per_m = point.curvature_per_m * tension_N + across * self.weight_N_per_m;
         let side_force_N_per_m = q_N_per_m.norm();
-        let friction_N_per_m = self.friction * side_force_N_per_m;
+        let (mu_along, mu_around) = self.friction;
         let (along, around) = self.sliding;
         Load {
             q_N_per_m,
             side_force_N_per_m,
-            axial_friction_N_per_m: -friction_N_per_m * along,
-            friction_torque_N_m_per_m: friction_N_per_m * around * self.contact_radius_m,
+            axial_friction_N_per_m: -mu_along * side_force_N_per_m * along,
+            friction_torque_N_m_per_m: mu_around
+                * side_force_N_per_m
+                * around
+                * self.contact_radius_m,
         }
     }
 
@@ -105,12 +118,15 @@ impl Stretch {
         let load = self.load(point, at.tension_N);
         let pressure_Pa = self.mud.pressure_Pa(point.position_m.z);
         Totals {
-            tension_N: self.weight_N_per_m * point.tangent.z + load.axial_friction_N_per_m,
-            torque_N_m: load.friction_torque_N_m_per_m,
+            tension_N: self.weight_N_per_m * point.tangent.z
+                + load.axial_friction_N_per_m
+                + self.circulating.pull_N_per_m,
+            torque_N_m: load.friction_torque_N_m_per_m + self.circulating.torque_N_m_per_m,
             axial_friction_N: load.axial_friction_N_per_m,
             side_force_N: load.side_force_N_per_m,
             stretch_m: at.tension_N / self.axial_stiffness_N
-                - self.pressure_strain_per_Pa * pressure_Pa,
+                - self.pressure_strain_per_Pa * pressure_Pa
+                + self.circulating.strain,
             twist_rad: at.torque_N_m / self.torsional_stiffness_N_m2,
         }
     }
@@ -164,20 +180,38 @@ fn stretch(
 ) -> Stretch {
     let middle_m = 0.5 * (from_md_m + to_md_m);
     let (_, component): (_, &Component) = model.string.component_at(bit_depth_m - middle_m);
+    let friction = model.well.hole.at(middle_m).friction;
     let mud_density = model.mud.density_kg_per_m3;
     let contact_radius_m = component.contact_radius_m();
     let material = &component.material;
+    let hole = model.well.hole.at(middle_m);
     Stretch {
         from_md_m,
         to_md_m,
         weight_N_per_m: component.buoyed_weight_per_length_N_per_m(mud_density),
         contact_radius_m,
-        friction: model.well.hole.at(middle_m).friction.kinetic,
+        friction: (friction.kinetic, friction.kinetic * friction.around),
         sliding: sliding.direction(contact_radius_m),
         axial_stiffness_N: component.axial_stiffness_N(),
         torsional_stiffness_N_m2: component.torsional_stiffness_N_m2(),
         pressure_strain_per_Pa: (1.0 - 2.0 * material.poisson_ratio()) / material.youngs_modulus_Pa,
         mud: model.mud_column(),
+        outer_diameter_m: component.od_m,
+        bore_m2: component.inner_area_m2(),
+        hole_diameter_m: hole.diameter_m,
+        circulating: Circulating::default(),
+    }
+}
+
+impl Stretch {
+    fn passage(&self) -> Passage {
+        Passage {
+            length_m: self.to_md_m - self.from_md_m,
+            od_m: self.outer_diameter_m,
+            bore_m2: self.bore_m2,
+            hole_diameter_m: self.hole_diameter_m,
+            pressure_strain_per_Pa: self.pressure_strain_per_Pa,
+        }
     }
 }
 
@@ -191,17 +225,27 @@ fn step(stretch: &Stretch, points: [&PathPoint; 3], step_m: f64, at: Totals) -> 
     at + (k1 + (k2 + k3) * 2.0 + k4) * (step_m / 6.0)
 }
 
-/// The rows from the bit up, at least two, and the totals at the surface.
+/// The rows from the bit up, at least two, the totals at the surface, and what the mud does if it flows.
 pub(super) fn from_bit(
     model: &Model,
     operation: &Operation,
     sliding: Sliding,
     settings: &SoftSettings,
-) -> Result<(Vec<Row>, Totals), SoftError> {
+) -> Result<(Vec<Row>, Totals, Option<Hydraulics>), SoftError> {
     let bit_depth_m = operation.bit_depth_m;
     let path = &model.well.path;
+    let mut stretches: Vec<Stretch> = ends(model, bit_depth_m)
+        .windows(2)
+        .map(|pair| stretch(model, sliding, bit_depth_m, pair[0], pair[1]))
+        .collect();
+    let passages: Vec<Passage> = stretches.iter().map(Stretch::passage).collect();
+    let (circulating, hydraulics) = circulation::along(model, operation, &passages);
+    for (stretch, circulating) in stretches.iter_mut().zip(circulating) {
+        stretch.circulating = circulating;
+    }
     let mut totals = Totals {
-        tension_N: -operation.weight_on_bit_now_N(),
+        tension_N: -operation.weight_on_bit_now_N()
+            - hydraulics.map_or(0.0, |mud| mud.jet_thrust_N),
         torque_N_m: operation.bit_torque_now_N_m(),
         axial_friction_N: 0.0,
         side_force_N: 0.0,
@@ -209,9 +253,7 @@ pub(super) fn from_bit(
         twist_rad: 0.0,
     };
     let mut rows = Vec::new();
-    let ends = ends(model, bit_depth_m);
-    for pair in ends.windows(2) {
-        let stretch = stretch(model, sliding, bit_depth_m, pair[0], pair[1]);
+    for stretch in &stretches {
         let length_m = stretch.to_md_m - stretch.from_md_m;
         let count = (length_m / settings.step_m).ceil().max(1.0);
         let step_m = length_m / count;
@@ -227,7 +269,7 @@ pub(super) fn from_bit(
             rows.push(stretch.row(path, lower_md_m, &lower, &totals));
             let middle = path.at(0.5 * (lower_md_m + upper_md_m));
             let upper = path.at(upper_md_m);
-            totals = step(&stretch, [&lower, &middle, &upper], step_m, totals);
+            totals = step(stretch, [&lower, &middle, &upper], step_m, totals);
             if !(totals.tension_N.is_finite()
                 && totals.torque_N_m.is_finite()
                 && totals.stretch_m.is_finite()
@@ -241,5 +283,5 @@ pub(super) fn from_bit(
             rows.push(stretch.row(path, 0.0, &lower, &totals));
         }
     }
-    Ok((rows, totals))
+    Ok((rows, totals, hydraulics))
 }

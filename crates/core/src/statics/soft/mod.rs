@@ -14,9 +14,11 @@
 //! bit) and `Ω r` around it, `r` the contact radius; with `V = hypot(v, Ω r)`
 //!
 //! ```text
-//! dF/ds = −w (k·t) + μ N v/V,      dM/ds = −μ N r (Ω r)/V
+//! dF/ds = −w (k·t) + μ N v/V,      dM/ds = −μ' N r (Ω r)/V
 //! ```
 //!
+//! with `μ` the coefficient along the hole and `μ'` the one around it, the same unless the hole says
+//! otherwise: friction lies on an ellipse, as in the dynamics.
 //! from `F = −WOB` and `M = M_bit` at the bit. Drilling at 70 rev/min and 10 m/h therefore keeps a
 //! drag of 0.5 % of `μ N`. Without rotation `V` drops out: a tripping or sliding string drags with all
 //! of `μ N`, however slow; its torque is the motor's, carried unchanged to the surface.
@@ -29,13 +31,18 @@
 //! ```
 //!
 //! The real tension is `F − p A`; the hoop and radial stresses `−p` give the `2ν`. The reference is the
-//! unloaded string, in air and untwisted. Pressure of circulation and buckling are not counted: a string
-//! in compression beyond its buckling load drags more than this model says.
+//! unloaded string, in air and untwisted. Buckling is not counted: a string in compression beyond its buckling
+//! load drags more than this model says.
+//!
+//! A mud with a rheology drags besides ([`crate::mud::annulus`]): `dF/ds` gains the pull of the mud and `dM/ds` its
+//! torque at the operation's speeds and flow rate, the bit's jets lift with their thrust, and `p` becomes two
+//! pressures, with the losses of the annulus outside and those of annulus, bit and bore inside.
 //!
 //! The model was introduced by Johancsik, Friesen and Dawson, *Torque and Drag in Directional Wells:
 //! Prediction and Measurement*, Journal of Petroleum Technology 36 (1984); the effective tension and
 //! the vector form are standard.
 
+mod circulation;
 mod error;
 mod integrate;
 mod motion;
@@ -76,6 +83,8 @@ pub fn solve(
 ) -> Result<SoftProfile, SoftError> {
     error::check(model, operation, settings)?;
     let sliding = Sliding::of(operation);
-    let (rows, totals) = integrate::from_bit(model, operation, sliding, settings)?;
-    Ok(SoftProfile::new(model, operation, rows, &totals))
+    let (rows, totals, hydraulics) = integrate::from_bit(model, operation, sliding, settings)?;
+    Ok(SoftProfile::new(
+        model, operation, rows, &totals, hydraulics,
+    ))
 }

@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use super::integrate::{Row, Totals};
 use crate::{
     model::Model,
+    mud::Hydraulics,
     operation::Operation,
     outcome::{Scalars, cutoff_in_build_m, neutral_point_m},
 };
@@ -38,6 +39,8 @@ pub struct SoftProfile {
     pub twist_rad: Vec<f64>,
     /// The operation's scalars.
     pub scalars: Scalars,
+    /// What the mud does; none without a rheology.
+    pub hydraulics: Option<Hydraulics>,
 }
 
 impl SoftProfile {
@@ -47,6 +50,7 @@ impl SoftProfile {
         operation: &Operation,
         mut rows: Vec<Row>,
         totals: &Totals,
+        hydraulics: Option<Hydraulics>,
     ) -> Self {
         rows.reverse();
         let column = |of: fn(&Row) -> f64| rows.iter().map(of).collect::<Vec<f64>>();
@@ -60,7 +64,9 @@ impl SoftProfile {
         let scalars = Scalars {
             hook_load_N: totals.tension_N,
             surface_torque_N_m: totals.torque_N_m,
-            friction_torque_N_m: totals.torque_N_m - bit_torque_N_m,
+            friction_torque_N_m: totals.torque_N_m
+                - bit_torque_N_m
+                - hydraulics.map_or(0.0, |mud| mud.mud_torque_N_m),
             axial_friction_N: totals.axial_friction_N,
             side_force_total_N: totals.side_force_N,
             weight_on_bit_N: operation.weight_on_bit_now_N(),
@@ -92,6 +98,7 @@ impl SoftProfile {
             tension_N,
             side_force_N_per_m,
             scalars,
+            hydraulics,
         }
     }
 

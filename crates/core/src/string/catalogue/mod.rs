@@ -145,11 +145,14 @@ impl CatalogueEntry {
             od_m: self.od_m,
             id_m: self.id_m,
             mass_per_length_kg_per_m: self.mass_per_length_kg_per_m(material.density_kg_per_m3),
+            blades: None,
             joints: self.joints.map(|joint| ToolJoints {
                 od_m: joint.od_m,
                 spacing_m: joint.spacing_m,
             }),
             material,
+            bend: None,
+            eccentricity: None,
             yield_strength_Pa: Some(self.yield_strength_Pa),
         }
     }

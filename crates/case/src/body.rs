@@ -1,0 +1,138 @@
+//! What a component has that turns with it: a bend, steel off the axis.
+
+use wholestring::string::{
+    BodyBend, Cavity, ComponentLength, ComponentSpec, Eccentricity, MOST_ECCENTRIC,
+};
+use wholestring_units::Dimension;
+
+use crate::{
+    diagnostic::Diagnostic,
+    quantity::Quantity,
+    range::{Range, number_text},
+    reader::Reader,
+    rule::{At, Choice},
+    string::{ComponentTable, mm},
+};
+
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+pub(crate) fn bend_angle() -> Quantity {
+    Quantity::si(
+        Dimension::Angle,
+        Range::from_to(0.0, 10.0 * DEGREE),
+        "1.5 deg",
+    )
+    .bare("deg", DEGREE)
+}
+
+pub(crate) fn direction(example: &'static str) -> Quantity {
+    Quantity::si(
+        Dimension::Angle,
+        Range::from_to(-360.0 * DEGREE, 360.0 * DEGREE),
+        example,
+    )
+    .bare("deg", DEGREE)
+}
+
+pub(crate) fn cavity() -> Choice<Cavity> {
+    Choice {
+        noun: "what fills the missing steel's place",
+        words: &[("mud", Cavity::Mud), ("sealed", Cavity::Sealed)],
+    }
+}
+
+impl ComponentTable {
+    /// Gives `component` its bend and its eccentricity.
+    pub(crate) fn body(&self, component: &mut ComponentSpec, reader: &mut Reader) -> Option<()> {
+        component.bend = self.bend(component, reader)?;
+        component.eccentricity = self.eccentricity(component, reader)?;
+        Some(())
+    }
+
+    fn bend(&self, component: &ComponentSpec, reader: &mut Reader) -> Option<Option<BodyBend>> {
+        let (at, toolface) = (self.bend_at.optional()?, self.bend_toolface.optional()?);
+        let Some(bend) = self.bend.optional()? else {
+            alone(at, "bend_at", "bend", reader);
+            alone(toolface, "bend_toolface", "bend", reader);
+            return Some(None);
+        };
+        let from_lower_end_m = match (at, component.length) {
+            (Some(at), ComponentLength::Metres(length_m)) if at.value > length_m => {
+                let length = self.length.at()?;
+                reader.report(
+                    Diagnostic::error("the bend is not on its component")
+                        .at(
+                            at.place,
+                            format!("expected {} m at most", number_text(length_m)),
+                        )
+                        .at(length.place, "the component's length"),
+                );
+                return None;
+            }
+            (Some(at), _) => at.value,
+            (None, ComponentLength::Metres(length_m)) => 0.5 * length_m,
+            (None, ComponentLength::ToSurface) => {
+                reader.report(
+                    Diagnostic::error("`bend` needs `bend_at`")
+                        .at(bend.place, "`bend_at` is missing")
+                        .help(
+                            "the middle of a component that runs to the surface moves with the bit",
+                        ),
+                );
+                return None;
+            }
+        };
+        Some(Some(BodyBend {
+            angle_rad: bend.value,
+            from_lower_end_m,
+            toolface_rad: toolface.map_or(0.0, |at| at.value),
+        }))
+    }
+
+    fn eccentricity(
+        &self,
+        component: &ComponentSpec,
+        reader: &mut Reader,
+    ) -> Option<Option<Eccentricity>> {
+        let phase = self.eccentricity_phase.optional()?;
+        let cavity = self.eccentricity_cavity.optional()?;
+        let Some(offset) = self.eccentricity.optional()? else {
+            alone(phase, "eccentricity_phase", "eccentricity", reader);
+            alone(cavity, "eccentricity_cavity", "eccentricity", reader);
+            return Some(None);
+        };
+        let most = MOST_ECCENTRIC * component.od_m;
+        if offset.value > most {
+            let mut diagnostic = Diagnostic::error(format!(
+                "the steel's centre of mass is {} off the axis",
+                mm(offset.value)
+            ))
+            .at(
+                offset.place,
+                format!("expected {} at most, a tenth of od", mm(most)),
+            );
+            if let Some(od) = self.od.given() {
+                diagnostic = diagnostic.at(od.place, "the outside diameter");
+            }
+            reader.report(diagnostic);
+            return None;
+        }
+        Some(Some(Eccentricity {
+            offset_m: offset.value,
+            phase_rad: phase.map_or(0.0, |at| at.value),
+            cavity: cavity.map_or_else(Cavity::default, |at| at.value),
+        }))
+    }
+}
+
+/// A key that means nothing without another one.
+fn alone<T>(given: Option<&At<T>>, name: &str, partner: &str, reader: &mut Reader) {
+    if let Some(given) = given {
+        reader.report(
+            Diagnostic::warning(format!("`{name}` has no effect here")).at(
+                given.place,
+                format!("used with `{partner}`, which is not given"),
+            ),
+        );
+    }
+}

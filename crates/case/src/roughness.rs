@@ -1,0 +1,204 @@
+//! `[well.roughness]`: what the wall has that neither survey nor caliper shows.
+
+use std::f64::consts::TAU;
+
+use wholestring::{
+    string::DrillString,
+    well::{Hole, Roughness},
+};
+use wholestring_units::Dimension;
+
+use crate::{
+    diagnostic::Diagnostic,
+    hole::HoleTable,
+    names::short,
+    quantity::Quantity,
+    range::{Range, Whole, number_text},
+    reader::Reader,
+    rule::At,
+    source::Place,
+    string::mm,
+    table::{Field, default, table},
+};
+
+/// Slope beyond which a wall is no roughness, rad: steps follow it to the first order.
+const STEEPEST: f64 = 0.3;
+
+/// Peaks of the wall that a tool should pass, in root mean squares.
+const PEAK: f64 = 3.0;
+
+table! {
+    /// Roughness and micro-tortuosity of the wall, random but the same for the same seed. The dynamic
+    /// model meets it; the soft string lies on a smooth wall.
+    RoughnessTable in "[well.roughness]" {
+        /// Root mean square of the radius about the nominal one, m unless a unit is given. Raising it
+        /// makes contact forces vary more while the string moves along.
+        rms: f64 = default(amplitude("1 mm"), 0.0);
+        /// Root mean square distance of the hole's axis from the surveyed path, m unless a unit is
+        /// given. Raising it bends the string more between its contacts.
+        tortuosity: f64 = default(amplitude("5 mm"), 0.0);
+        /// Shortest wavelength along the hole. Waves shorter than two elements are met at the nodes, but
+        /// not followed; shorter waves make a string that moves along slower to compute.
+        shortest_wavelength: f64 = default(wavelength("2 m"), 2.0);
+        /// Longest wavelength, at least 1.2 times the shortest. Each octave between holds as much of the
+        /// roughness.
+        longest_wavelength: f64 = default(wavelength("30 m"), 30.0);
+        /// Seed: another one makes another wall with the same statistics.
+        seed: u64 = default(Whole, 1);
+    }
+}
+
+fn amplitude(example: &'static str) -> Quantity {
+    Quantity::si(Dimension::Diameter, Range::from_to(0.0, 0.5), example)
+}
+
+fn wavelength(example: &'static str) -> Quantity {
+    Quantity::si(Dimension::Length, Range::from_to(0.2, 10_000.0), example)
+}
+
+impl RoughnessTable {
+    pub(crate) fn build(&self, reader: &mut Reader) -> Option<Roughness> {
+        let roughness = Roughness {
+            radius_rms_m: *self.rms.get()?,
+            tortuosity_rms_m: *self.tortuosity.get()?,
+            shortest_m: *self.shortest_wavelength.get()?,
+            longest_m: *self.longest_wavelength.get()?,
+            seed: *self.seed.get()?,
+        };
+        self.check_band(&roughness, reader)?;
+        for field in [&self.rms, &self.tortuosity] {
+            check_slope(field, &roughness, reader)?;
+        }
+        self.warn_of_no_effect(&roughness, reader);
+        Some(roughness)
+    }
+
+    /// Whether it makes any wall rough.
+    pub(crate) fn is_rough(&self) -> bool {
+        [&self.rms, &self.tortuosity]
+            .iter()
+            .any(|field| field.get().is_some_and(|rms| *rms > 0.0))
+    }
+
+    fn check_band(&self, roughness: &Roughness, reader: &mut Reader) -> Option<()> {
+        let least_m = wholestring::well::NARROWEST_BAND * roughness.shortest_m;
+        if roughness.longest_m >= least_m {
+            return Some(());
+        }
+        let given = self.longest_wavelength.given();
+        let place = given.or(self.shortest_wavelength.given())?.place;
+        let mut diagnostic = Diagnostic::error("the band of wavelengths is too narrow").at(
+            place,
+            match given {
+                Some(_) => format!("expected {} m or more", number_text(least_m)),
+                None => format!("the longest is {} m", number_text(roughness.longest_m)),
+            },
+        );
+        if let (Some(_), Some(shortest)) = (given, self.shortest_wavelength.given()) {
+            diagnostic = diagnostic.at(shortest.place, "the shortest wavelength");
+        }
+        reader.report(diagnostic.help("the longest wavelength is at least 1.2 times the shortest"));
+        None
+    }
+
+    fn warn_of_no_effect(&self, roughness: &Roughness, reader: &mut Reader) {
+        if roughness.radius_rms_m > 0.0 || roughness.tortuosity_rms_m > 0.0 {
+            return;
+        }
+        let others = [
+            self.shortest_wavelength.given().map(|at| at.place),
+            self.longest_wavelength.given().map(|at| at.place),
+            self.seed.given().map(|at| at.place),
+        ];
+        if let Some(place) = others.into_iter().flatten().next() {
+            reader.report(
+                Diagnostic::warning("[well.roughness] has no effect here")
+                    .at(place, "used with `rms` or `tortuosity`"),
+            );
+        }
+    }
+}
+
+/// Waves that are too high for their length.
+fn check_slope(field: &Field<f64>, roughness: &Roughness, reader: &mut Reader) -> Option<()> {
+    let Some(given) = field.given() else {
+        return Some(());
+    };
+    let highest_m = STEEPEST * roughness.shortest_m / TAU;
+    if given.value <= highest_m {
+        return Some(());
+    }
+    reader.report(
+        Diagnostic::error("the waves of the wall are too steep")
+            .at(
+                given.place,
+                format!("expected {} or less", mm((highest_m * 1e5).floor() / 1e5)),
+            )
+            .help(format!(
+                "waves of {} m and more may be 1/20 as high; for higher ones raise shortest_wavelength",
+                number_text(roughness.shortest_m)
+            )),
+    );
+    None
+}
+
+/// A section's share of a roughness that there is none of.
+pub(crate) fn warn_of_sections(
+    roughness: Option<&RoughnessTable>,
+    sections: &[At<HoleTable>],
+    reader: &mut Reader,
+) {
+    if roughness.is_some_and(RoughnessTable::is_rough) {
+        return;
+    }
+    for section in sections {
+        if let Some(given) = section.value.roughness.given() {
+            reader.report(Diagnostic::warning("`roughness` has no effect here").at(
+                given.place,
+                "used with `rms` or `tortuosity` of [well.roughness]",
+            ));
+        }
+    }
+}
+
+/// Tools that the wall's peaks close in on.
+pub(crate) fn check_clearance(
+    string: &DrillString,
+    hole: &Hole,
+    rms_place: Option<Place>,
+    reader: &mut Reader,
+) {
+    let (Some(roughness), Some(place)) = (hole.roughness(), rms_place) else {
+        return;
+    };
+    for span in string.spans().skip(1) {
+        let bottom_md_m = string.length_m() - span.from_bit_m;
+        let radius_m = span.component.contact_radius_m();
+        let tight = hole.sections().iter().find(|section| {
+            let peak_m = PEAK * section.roughness * roughness.radius_rms_m;
+            let clearance_m = 0.5 * section.diameter_m - radius_m;
+            section.from_md_m < bottom_md_m && clearance_m > 0.0 && clearance_m < peak_m
+        });
+        let Some(section) = tight else { continue };
+        let clearance_m = 0.5 * section.diameter_m - radius_m;
+        reader.report(
+            Diagnostic::warning(format!(
+                "the rough wall closes in on `{}`",
+                short(&span.component.name)
+            ))
+            .at(
+                place,
+                format!(
+                    "peaks of {} and more",
+                    mm(PEAK * section.roughness * roughness.radius_rms_m)
+                ),
+            )
+            .help(format!(
+                "it has {} of radial clearance below {} m; where the wall leaves none, the tool is held on the hole's axis",
+                mm((clearance_m * 1e5).round() / 1e5),
+                number_text(section.from_md_m)
+            )),
+        );
+        return;
+    }
+}

@@ -1,0 +1,237 @@
+//! `[[operation.schedule]]`: set points against time.
+
+use std::f64::consts::PI;
+
+use wholestring::{
+    dynamics::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep},
+    operation::OperationKind,
+    outcome::ModelKind,
+};
+use wholestring_units::Dimension;
+
+use crate::{
+    diagnostic::Diagnostic,
+    quantity::Quantity,
+    range::{Range, number_text},
+    reader::Reader,
+    rule::{At, Text},
+    source::Place,
+    table::{default, optional, required, table},
+};
+
+table! {
+    /// A line of the plan: what changes, when, and how fast. What it does not name stays as it is.
+    StepTable in "[[operation.schedule]]" {
+        /// When it begins, from time zero of the run (`settle` and `duration` count from there, too). Set points of
+        /// lines at 0 s without a ramp hold from the start: the string is laid as it moves then.
+        at: f64 = required(Quantity::si(
+            Dimension::Time,
+            Range::from_to(0.0, 172_800.0),
+            "30 s",
+        ));
+        /// Time in which the set points go to their new values, in proportion to it. Raising it starts and
+        /// stops more gently.
+        ramp: f64 = default(
+            Quantity::si(Dimension::Time, Range::from_to(0.0, 86_400.0), "10 s"),
+            0.0,
+        );
+        /// Rotary speed at surface; a bare number is in rev/min.
+        rpm: f64 = optional(
+            Quantity::si(
+                Dimension::RotarySpeed,
+                Range::from_to(0.0, 1000.0 * PI / 30.0),
+                "60 rpm",
+            )
+            .bare("rev/min", PI / 30.0),
+        );
+        /// Speed of the block, positive downwards.
+        block_velocity: f64 = optional(Quantity::si(
+            Dimension::TripSpeed,
+            Range::from_to(-10.0, 10.0),
+            "-0.3 m/s",
+        ));
+        /// Weight on bit that the autodriller holds, with the gain, filter and limits of [hoist].
+        wob: f64 = optional(Quantity::si(
+            Dimension::Force,
+            Range::from_to(0.0, 5e6),
+            "80 kN",
+        ));
+        /// What the line is called in the table against time.
+        note: String = optional(Text);
+    }
+}
+
+/// What a schedule is checked against.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Around<'a> {
+    /// The operations that it might belong to.
+    pub(crate) kinds: &'a [At<OperationKind>],
+    /// The models that solve them.
+    pub(crate) models: &'a [ModelKind],
+    /// The operation's weight on bit, N.
+    pub(crate) wob_N: Option<f64>,
+    /// Where the run ends, s.
+    pub(crate) end_s: Option<f64>,
+}
+
+/// The plan that the lines make.
+pub(crate) fn build(
+    lines: &At<Vec<At<StepTable>>>,
+    around: &Around<'_>,
+    reader: &mut Reader,
+) -> Option<Schedule> {
+    let mut sound = true;
+    let mut steps = Vec::new();
+    for line in &lines.value {
+        match step(line, around, reader) {
+            Some(step) => steps.push(step),
+            None => sound = false,
+        }
+    }
+    if let [_, second, ..] = around.kinds {
+        reader.report(
+            Diagnostic::error("a schedule belongs to one operation")
+                .at(second.place, "this is another one")
+                .at(lines.value[0].place, "the schedule")
+                .help("put each operation with its schedule into a case of its own"),
+        );
+        sound = false;
+    }
+    if !sound {
+        return None;
+    }
+    let schedule = Schedule { steps };
+    if let Some((index, fault)) = schedule.fault() {
+        reader.report(fault_at(index, fault, &lines.value));
+        return None;
+    }
+    if !around.models.contains(&ModelKind::Dynamic) {
+        reader.report(
+            Diagnostic::warning("the schedule has no effect here")
+                .at(lines.value[0].place, "used by the dynamic model")
+                .help("the soft string solves the operation with its own set points"),
+        );
+    } else if around.models.contains(&ModelKind::Soft) {
+        reader.report(
+            Diagnostic::warning("the soft string does not follow the schedule")
+                .at(lines.value[0].place, "used by the dynamic model")
+                .help("the soft string solves the operation with its own set points"),
+        );
+    }
+    warn_of_late_lines(&lines.value, around.end_s, reader);
+    Some(schedule)
+}
+
+fn step(line: &At<StepTable>, around: &Around<'_>, reader: &mut Reader) -> Option<ScheduleStep> {
+    let table = &line.value;
+    let rpm = table.rpm.optional()?;
+    let velocity = table.block_velocity.optional()?;
+    let wob = table.wob.optional()?;
+    let note = table.note.optional()?.map(|at| at.value.clone());
+    if let (Some(velocity), Some(wob)) = (velocity, wob) {
+        reader.report(
+            Diagnostic::error("the hoist cannot hold a weight and a speed at once")
+                .at(wob.place, "the autodriller holds this weight")
+                .at(velocity.place, "the block moves at this speed")
+                .help("give one of `wob` and `block_velocity`"),
+        );
+        return None;
+    }
+    if rpm.is_none() && velocity.is_none() && wob.is_none() && note.is_none() {
+        reader.report(
+            Diagnostic::error("this line of the schedule changes nothing")
+                .at(line.place, "expected rpm, block_velocity, wob or a note"),
+        );
+        return None;
+    }
+    if let (Some(rpm), Some(kind)) = (rpm, around.kinds.first())
+        && !kind.value.rotates()
+        && rpm.value > 0.0
+    {
+        reader.report(
+            Diagnostic::error(format!("`{}` does not turn the string", kind.value.name()))
+                .at(rpm.place, "expected no rpm, or 0")
+                .at(kind.place, "the operation")
+                .help("what turns is \"rotate_off_bottom\", \"drill\", \"ream\" or \"back_ream\"; its schedule may begin with rpm = 0"),
+        );
+        return None;
+    }
+    if let (Some(wob), Some(kind)) = (wob, around.kinds.first())
+        && (!kind.value.on_bottom() || around.wob_N == Some(0.0))
+    {
+        reader.report(
+            Diagnostic::error(format!("`{}` has no weight on its bit", kind.value.name()))
+                .at(wob.place, "the autodriller would have nothing to hold")
+                .at(kind.place, "the operation")
+                .help("what stands on bottom is \"drill\" or \"slide\", with a `wob` of its own; its schedule may begin with a block_velocity"),
+        );
+        return None;
+    }
+    Some(ScheduleStep {
+        at_s: *table.at.get()?,
+        ramp_s: *table.ramp.get()?,
+        rotary_speed_rad_per_s: rpm.map(|at| at.value),
+        hoist: velocity
+            .map(|at| HoistSetPoint::BlockVelocity(at.value))
+            .or(wob.map(|at| HoistSetPoint::WeightOnBit(at.value))),
+        note,
+    })
+}
+
+fn fault_at(index: usize, fault: ScheduleFault, lines: &[At<StepTable>]) -> Diagnostic {
+    let line = &lines[index];
+    let at = line.value.at.at().map_or(line.place, |at| at.place);
+    let above = index
+        .checked_sub(1)
+        .and_then(|above| lines[above].value.at.at());
+    match (fault, above) {
+        (ScheduleFault::Order, Some(above)) => {
+            Diagnostic::error("the lines of the schedule must go on in time")
+                .at(
+                    at,
+                    format!("expected {} s or later", number_text(above.value)),
+                )
+                .at(above.place, "the line above begins here")
+        }
+        (ScheduleFault::Ramping(what), _) => {
+            let ramp = lines[..index]
+                .iter()
+                .rev()
+                .find(|line| names(&line.value, what))
+                .and_then(|line| line.value.ramp.at());
+            let diagnostic = Diagnostic::error(format!("two lines set {what} at the same time"))
+                .at(at, "begins before the line that set it last has ended");
+            match ramp {
+                Some(ramp) => {
+                    diagnostic.at(ramp.place, format!("{} s of ramp", number_text(ramp.value)))
+                }
+                None => diagnostic,
+            }
+        }
+        _ => Diagnostic::error(fault.to_string()).at(at, "this line"),
+    }
+}
+
+/// Whether a line sets what a fault speaks of.
+fn names(line: &StepTable, what: &str) -> bool {
+    match what {
+        "rpm" => line.rpm.given().is_some(),
+        _ => line.block_velocity.given().is_some() || line.wob.given().is_some(),
+    }
+}
+
+fn warn_of_late_lines(lines: &[At<StepTable>], end_s: Option<f64>, reader: &mut Reader) {
+    let Some(end_s) = end_s else { return };
+    let late = lines
+        .iter()
+        .filter_map(|line| line.value.at.at())
+        .find(|at| at.value >= end_s);
+    if let Some(at) = late {
+        let place: Place = at.place;
+        reader.report(
+            Diagnostic::warning("the run ends before this line of the schedule begins")
+                .at(place, format!("the run ends at {} s", number_text(end_s)))
+                .help("it lasts for settle and duration of [dynamics]"),
+        );
+    }
+}

@@ -1,0 +1,172 @@
+//! `[top_drive]`.
+
+use wholestring::dynamics::{SpeedController, TopDriveSettings};
+use wholestring_units::Dimension;
+
+use crate::{
+    diagnostic::Diagnostic,
+    quantity::Quantity,
+    range::{Number, Range},
+    reader::Reader,
+    rule::{At, Choice},
+    source::Place,
+    table::{default, optional, table},
+};
+
+/// The controls, without their numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Control {
+    Constant,
+    Pi,
+    SoftTorque,
+    ZTorque,
+}
+
+const WORDS: &[(&str, Control)] = &[
+    ("constant", Control::Constant),
+    ("pi", Control::Pi),
+    ("soft-torque", Control::SoftTorque),
+    ("z-torque", Control::ZTorque),
+];
+
+/// Impedance over the pipe's where the case does not say: SoftTorque sends 0.6 of a wave of its frequency back and
+/// keeps its speed; Z-Torque fits the pipe.
+const SOFT_RATIO: f64 = 4.0;
+const MATCHED_RATIO: f64 = 1.0;
+
+table! {
+    /// What turns the top of the string in the dynamic model.
+    TopDriveTable in "[top_drive]" {
+        /// "constant" (the speed is its set point, whatever torque that takes), "pi" (a drive with inertia under a
+        /// stiff speed control), "soft-torque" (one tuned to take the energy of one torsional frequency) or
+        /// "z-torque" (one that shows the pipe's impedance over a band).
+        control: Control = default(
+            Choice { noun: "a control of the top drive", words: WORDS },
+            Control::Constant,
+        );
+        /// Moment of inertia of what turns with the string at its speed: motors, gear and quill. Raising it makes
+        /// the drive stiffer to fast waves. Used by every control but "constant".
+        inertia: f64 = default(
+            Quantity::si(Dimension::MomentOfInertia, Range::positive_to(1e6), "2900 kg.m2"),
+            2900.0,
+        );
+        /// Torque per speed that is missing. Raising it stiffens the drive. Used by "pi" and "z-torque".
+        proportional: f64 = default(
+            Quantity::si(Dimension::RotaryDamping, Range::positive_to(1e9), "38 kN.m.s"),
+            38e3,
+        );
+        /// Torque per radian that is missing. Raising it brings the mean speed back sooner. Used by "pi" and
+        /// "z-torque".
+        integral: f64 = default(
+            Quantity::si(Dimension::Torque, Range::from_to(0.0, 1e9), "100 kN.m"),
+            100e3,
+        );
+        /// Impedance that the drive shows over that of the uppermost pipe: at 1 it takes all of a wave, above it sends
+        /// more of it back and keeps its speed better. Default: 4 with "soft-torque", 1 with "z-torque".
+        impedance_ratio: f64 = optional(Number { unit: "", range: Range::from_to(0.01, 1000.0) });
+        /// "soft-torque": the frequency that it is tuned to. Default: the lowest torsional frequency of the
+        /// string, held at the top and free at the bit. "z-torque": the lower edge of its band. Default: a fifth of
+        /// that frequency.
+        frequency: f64 = optional(Quantity::si(
+            Dimension::Frequency,
+            Range::from_to(1e-3, 100.0),
+            "0.2 Hz",
+        ));
+        /// Largest torque that the drive gives: it stalls where the string asks for more. Default: none. Used by
+        /// every control but "constant".
+        torque_limit: f64 = optional(Quantity::si(
+            Dimension::Torque,
+            Range::positive_to(1e7),
+            "60 kN.m",
+        ));
+    }
+}
+
+impl TopDriveTable {
+    pub(crate) fn build(&self, reader: &mut Reader) -> Option<TopDriveSettings> {
+        use Control::{Constant, Pi, SoftTorque, ZTorque};
+        let control = self.control.get()?;
+        let uses: [(&str, Option<Place>, &[Control]); 6] = [
+            (
+                "inertia",
+                self.inertia.given().map(place),
+                &[Pi, SoftTorque, ZTorque],
+            ),
+            (
+                "proportional",
+                self.proportional.given().map(place),
+                &[Pi, ZTorque],
+            ),
+            ("integral", self.integral.given().map(place), &[Pi, ZTorque]),
+            (
+                "impedance_ratio",
+                self.impedance_ratio.given().map(place),
+                &[SoftTorque, ZTorque],
+            ),
+            (
+                "frequency",
+                self.frequency.given().map(place),
+                &[SoftTorque, ZTorque],
+            ),
+            (
+                "torque_limit",
+                self.torque_limit.given().map(place),
+                &[Pi, SoftTorque, ZTorque],
+            ),
+        ];
+        for (name, given, owners) in uses {
+            if let Some(place) = given
+                && !owners.contains(control)
+            {
+                self.warn(name, place, owners, reader);
+            }
+        }
+        let impedance_ratio = self.impedance_ratio.optional()?.map(|at| at.value);
+        let frequency_Hz = self.frequency.optional()?.map(|at| at.value);
+        let (proportional_N_m_s, integral_N_m) = (*self.proportional.get()?, *self.integral.get()?);
+        let controller = match control {
+            Constant => return Some(TopDriveSettings::Constant),
+            Pi => SpeedController::Pi {
+                proportional_N_m_s,
+                integral_N_m,
+            },
+            SoftTorque => SpeedController::SoftTorque {
+                impedance_ratio: impedance_ratio.unwrap_or(SOFT_RATIO),
+                frequency_Hz,
+            },
+            ZTorque => SpeedController::ZTorque {
+                impedance_ratio: impedance_ratio.unwrap_or(MATCHED_RATIO),
+                frequency_Hz,
+                proportional_N_m_s,
+                integral_N_m,
+            },
+        };
+        Some(TopDriveSettings::Driven {
+            inertia_kg_m2: *self.inertia.get()?,
+            controller,
+            torque_limit_N_m: self.torque_limit.optional()?.map(|at| at.value),
+        })
+    }
+
+    fn warn(&self, name: &str, place: Place, owners: &[Control], reader: &mut Reader) {
+        let words: Vec<String> = owners
+            .iter()
+            .map(|owner| format!("\"{}\"", word_of(*owner)))
+            .collect();
+        let diagnostic = Diagnostic::warning(format!("`{name}` has no effect here"))
+            .at(place, format!("used with control = {}", words.join(", ")));
+        reader.report(match self.control.given() {
+            Some(control) => diagnostic.at(control.place, "the control"),
+            None => diagnostic.help("the control is \"constant\" where none is given"),
+        });
+    }
+}
+
+fn place<T>(at: &At<T>) -> Place {
+    at.place
+}
+
+fn word_of(control: Control) -> &'static str {
+    let found = WORDS.iter().find(|(_, one)| *one == control);
+    found.map_or("", |(word, _)| word)
+}

@@ -1,0 +1,239 @@
+//! The whole string at one moment.
+
+use super::{
+    assembly::Anchor,
+    chain::{Chain, element, node},
+    record::{Look, Strength},
+};
+use crate::rod::lanes::LANES;
+
+/// A group of quantities that a frame holds of every node.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Channel {
+    /// Offset from the hole's axis towards the high side and to the right of it.
+    Position,
+    /// North, east and vertical depth.
+    Coordinates,
+    /// Lateral and axial velocity.
+    Velocity,
+    /// Rotary speed and turn against the bit.
+    Rotation,
+    /// Angle of the pipe's axis with the hole's.
+    Tilt,
+    /// Contact force.
+    Contact,
+    /// Friction on the wall.
+    Friction,
+    /// Tension and torque.
+    Force,
+    /// Bending moment and von Mises stress.
+    Stress,
+}
+
+impl Channel {
+    /// Every channel.
+    pub const ALL: [Self; 9] = [
+        Self::Position,
+        Self::Coordinates,
+        Self::Velocity,
+        Self::Rotation,
+        Self::Tilt,
+        Self::Contact,
+        Self::Friction,
+        Self::Force,
+        Self::Stress,
+    ];
+
+    /// Those that are kept where nobody chooses.
+    pub const USUAL: [Self; 5] = [
+        Self::Position,
+        Self::Velocity,
+        Self::Rotation,
+        Self::Contact,
+        Self::Force,
+    ];
+
+    /// Name in case files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Position => "position",
+            Self::Coordinates => "coordinates",
+            Self::Velocity => "velocity",
+            Self::Rotation => "rotation",
+            Self::Tilt => "tilt",
+            Self::Contact => "contact",
+            Self::Friction => "friction",
+            Self::Force => "force",
+            Self::Stress => "stress",
+        }
+    }
+}
+
+/// The whole string at one moment: one number a node in each vector, from the surface down. High and right
+/// are those of a person who looks down the hole; contact and friction are averages over the sample
+/// that ends at this moment.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Frame {
+    /// Time since the start, s.
+    pub time_s: f64,
+    /// Measured depth, m.
+    pub md_m: Vec<f64>,
+    /// Offset of the pipe's axis from the hole's towards the high side, m.
+    pub offset_high_m: Vec<f64>,
+    /// Offset to the right, m.
+    pub offset_right_m: Vec<f64>,
+    /// North, m.
+    pub north_m: Vec<f64>,
+    /// East, m.
+    pub east_m: Vec<f64>,
+    /// True vertical depth, m.
+    pub tvd_m: Vec<f64>,
+    /// Velocity towards the high side, m/s.
+    pub velocity_high_m_per_s: Vec<f64>,
+    /// Velocity to the right, m/s.
+    pub velocity_right_m_per_s: Vec<f64>,
+    /// Velocity down the hole, m/s.
+    pub axial_velocity_m_per_s: Vec<f64>,
+    /// Rotary speed, rad/s.
+    pub rotary_speed_rad_per_s: Vec<f64>,
+    /// Turn of the node against the bit, rad, positive where it leads.
+    pub twist_rad: Vec<f64>,
+    /// Angle of the pipe's axis with the hole's towards the high side, rad.
+    pub tilt_high_rad: Vec<f64>,
+    /// Angle to the right, rad.
+    pub tilt_right_rad: Vec<f64>,
+    /// Contact force of the node, N; positive on the high side.
+    pub contact_force_N: Vec<f64>,
+    /// Axial friction on the node, N; positive adds to hook load.
+    pub axial_friction_N: Vec<f64>,
+    /// Friction torque on the node, N·m.
+    pub friction_torque_N_m: Vec<f64>,
+    /// Effective tension, N.
+    pub tension_N: Vec<f64>,
+    /// Torque, N·m.
+    pub torque_N_m: Vec<f64>,
+    /// Bending moment, N·m.
+    pub bending_moment_N_m: Vec<f64>,
+    /// Von Mises stress where the surface of the body bears most, Pa.
+    pub von_mises_stress_Pa: Vec<f64>,
+}
+
+impl Frame {
+    /// The vectors of a channel by their names in results.
+    pub fn channel(&self, channel: Channel) -> Vec<(&'static str, &[f64])> {
+        match channel {
+            Channel::Position => vec![
+                ("offset_high_m", &self.offset_high_m),
+                ("offset_right_m", &self.offset_right_m),
+            ],
+            Channel::Coordinates => vec![
+                ("north_m", &self.north_m),
+                ("east_m", &self.east_m),
+                ("tvd_m", &self.tvd_m),
+            ],
+            Channel::Velocity => vec![
+                ("velocity_high_m_per_s", &self.velocity_high_m_per_s),
+                ("velocity_right_m_per_s", &self.velocity_right_m_per_s),
+                ("axial_velocity_m_per_s", &self.axial_velocity_m_per_s),
+            ],
+            Channel::Rotation => vec![
+                ("rotary_speed_rad_per_s", &self.rotary_speed_rad_per_s),
+                ("twist_rad", &self.twist_rad),
+            ],
+            Channel::Tilt => vec![
+                ("tilt_high_rad", &self.tilt_high_rad),
+                ("tilt_right_rad", &self.tilt_right_rad),
+            ],
+            Channel::Contact => vec![("contact_force_N", &self.contact_force_N)],
+            Channel::Friction => vec![
+                ("axial_friction_N", &self.axial_friction_N),
+                ("friction_torque_N_m", &self.friction_torque_N_m),
+            ],
+            Channel::Force => vec![
+                ("tension_N", &self.tension_N),
+                ("torque_N_m", &self.torque_N_m),
+            ],
+            Channel::Stress => vec![
+                ("bending_moment_N_m", &self.bending_moment_N_m),
+                ("von_mises_stress_Pa", &self.von_mises_stress_Pa),
+            ],
+        }
+    }
+}
+
+/// What a frame is read from.
+pub(super) struct Scene<'a> {
+    pub chain: &'a Chain,
+    pub anchors: &'a [Anchor],
+    pub high: &'a [[f64; 3]],
+    pub strength: &'a Strength,
+    pub time_s: f64,
+    /// Steps that the chain's sums hold.
+    pub summed_steps: u64,
+}
+
+impl Scene<'_> {
+    pub(super) fn frame(&self) -> Frame {
+        let chain = self.chain;
+        let last = chain.nodes() - 1;
+        let mut frame = Frame {
+            time_s: self.time_s,
+            ..Frame::default()
+        };
+        let mut look = self.look(0);
+        let mut above = None;
+        for i in 0..=last {
+            let lane = i % LANES;
+            if lane == 0 {
+                look = self.look(i / LANES);
+            }
+            let anchor = &self.anchors[i];
+            let tangent = chain.tangent(i);
+            let high = anchor.high_side.into();
+            let right = tangent.cross(high);
+            let moved = chain.displacement(i);
+            let velocity = chain.velocity(i);
+            let along = moved.dot(tangent);
+            // The hole's own direction where the node is, not at its anchor.
+            let tilt = chain.director(i).minus(chain.curvature(i), along);
+            frame.md_m.push(anchor.md_m + along);
+            frame.offset_high_m.push(look.offset[lane] * look.up[lane]);
+            frame
+                .offset_right_m
+                .push(look.offset[lane] * look.right[lane]);
+            frame.north_m.push(anchor.position_m.x + moved.0);
+            frame.east_m.push(anchor.position_m.y + moved.1);
+            frame.tvd_m.push(anchor.position_m.z + moved.2);
+            frame.velocity_high_m_per_s.push(velocity.dot(high));
+            frame.velocity_right_m_per_s.push(velocity.dot(right));
+            frame.axial_velocity_m_per_s.push(velocity.dot(tangent));
+            frame.rotary_speed_rad_per_s.push(node!(chain, i, spin));
+            frame.tilt_high_rad.push(tilt.dot(high));
+            frame.tilt_right_rad.push(tilt.dot(right));
+            let side = if look.up[lane] < 0.0 { -1.0 } else { 1.0 };
+            frame.contact_force_N.push(side * look.normal[lane]);
+            frame.axial_friction_N.push(-look.axial[lane]);
+            frame.friction_torque_N_m.push(look.rub[lane]);
+            frame.bending_moment_N_m.push(look.bending[lane]);
+            frame.von_mises_stress_Pa.push(look.stress[lane]);
+            // At the ends there is but one element.
+            let below = (i < last).then(|| (look.tension[lane], -look.torque[lane]));
+            let (upper, lower) = (above.or(below), below.or(above));
+            let ((t1, m1), (t2, m2)) = upper.zip(lower).unwrap_or_default();
+            frame.tension_N.push(0.5 * (t1 + t2));
+            frame.torque_N_m.push(0.5 * (m1 + m2));
+            above = below;
+        }
+        frame.von_mises_stress_Pa[last] = frame.von_mises_stress_Pa[last - 1];
+        frame.twist_rad = vec![0.0; last + 1];
+        for i in (0..last).rev() {
+            frame.twist_rad[i] = frame.twist_rad[i + 1] - element!(chain, i, twist);
+        }
+        frame
+    }
+
+    fn look(&self, block: usize) -> Look {
+        let per_step = 1.0 / self.summed_steps as f64;
+        Look::at(self.chain, self.high, self.strength, block, per_step)
+    }
+}

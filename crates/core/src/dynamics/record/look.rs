@@ -1,0 +1,166 @@
+//! What eight nodes, and the elements below them, show at a moment: the one place that reads the chain
+//! for the record.
+
+use super::strength::Strength;
+use crate::{
+    dynamics::chain::{Chain, Row},
+    rod::{lanes::LANES, vector::Vector},
+};
+
+/// One number for each of eight neighbours.
+pub type Lane = [f64; LANES];
+
+const NONE: Lane = [0.0; LANES];
+
+/// Eight nodes as they are; contact quantities are averages over the steps since the last sample.
+#[derive(Debug, Clone, Copy)]
+pub struct Look {
+    /// Effective tension of the element below, N.
+    pub tension: Lane,
+    /// Torque of the element below, N·m, in the sign of the chain.
+    pub torque: Lane,
+    /// Bending moment, N·m.
+    pub bending: Lane,
+    /// Von Mises stress of the weakest body around, Pa.
+    pub stress: Lane,
+    /// Contact force, N.
+    pub normal: Lane,
+    /// Axial friction on the wall, N, along the hole.
+    pub axial: Lane,
+    /// Friction torque, N·m.
+    pub rub: Lane,
+    /// Distance from the hole's axis, m.
+    pub offset: Lane,
+    /// Cosine of the direction of the offset with the high side.
+    pub up: Lane,
+    /// Cosine of the direction of the offset with the right side, looking down the hole.
+    pub right: Lane,
+    /// How deep the node is in the wall, m; zero where no wall acts.
+    pub penetration: Lane,
+    /// Moment of the lateral velocity about the hole's axis, m²/s, clockwise looking down the hole.
+    pub circling: Lane,
+    /// Square of the lateral speed, m²/s².
+    pub speed_square: Lane,
+}
+
+impl Look {
+    const EMPTY: Self = Self {
+        tension: NONE,
+        torque: NONE,
+        bending: NONE,
+        stress: NONE,
+        normal: NONE,
+        axial: NONE,
+        rub: NONE,
+        offset: NONE,
+        up: NONE,
+        right: NONE,
+        penetration: NONE,
+        circling: NONE,
+        speed_square: NONE,
+    };
+
+    /// Looks at a block. `high` holds each node's high side, padded to whole blocks, `per_step` the inverse of the number of
+    /// steps since the last sample.
+    #[inline(always)]
+    pub fn at(
+        chain: &Chain,
+        high: &[[f64; 3]],
+        strength: &Strength,
+        block: usize,
+        per_step: f64,
+    ) -> Self {
+        let mut look = Self::EMPTY;
+        look.across_the_hole(chain, high, block, per_step);
+        look.along_the_string(chain, strength, block);
+        look
+    }
+
+    /// How the nodes lie and move in the hole, and what the wall does to them.
+    #[inline(always)]
+    fn across_the_hole(&mut self, chain: &Chain, high: &[[f64; 3]], block: usize, per_step: f64) {
+        let nodes = &chain.node_blocks[block];
+        let [ux, uy, uz] = &chain.state.u;
+        let u = [ux.nine(block), uy.nine(block), uz.nine(block)];
+        let [vx, vy, vz] = &chain.state.v;
+        let v = [vx.nine(block), vy.nine(block), vz.nine(block)];
+        let high = eight(high, block);
+        for lane in 0..LANES {
+            let u = Vector(u[0][lane], u[1][lane], u[2][lane]);
+            let v = Vector(v[0][lane], v[1][lane], v[2][lane]);
+            let h = Vector(high[lane][0], high[lane][1], high[lane][2]);
+            let tangent = of(&nodes.tangent, lane);
+            let curvature = of(&nodes.curvature, lane);
+            let z = u.dot(tangent);
+            let across = u.minus(tangent, z).minus(curvature, 0.5 * z * z);
+            let offset = across.dot(across).sqrt();
+            let lateral = v.minus(tangent, v.dot(tangent));
+            let touchable = nodes.stiffness.0[lane] > 0.0;
+            let clearance = nodes.clearance.0[lane] + nodes.clearance_slope.0[lane] * z;
+            let penetration = offset - clearance;
+            let per_offset = 1.0 / offset.max(f64::MIN_POSITIVE);
+            self.offset[lane] = offset;
+            self.penetration[lane] = if touchable { penetration } else { 0.0 };
+            self.up[lane] = across.dot(h) * per_offset;
+            self.right[lane] = across.dot(tangent.cross(h)) * per_offset;
+            self.circling[lane] = tangent.dot(across.cross(lateral));
+            self.speed_square[lane] = lateral.dot(lateral);
+            self.normal[lane] = nodes.sum_normal.0[lane] * per_step;
+            self.axial[lane] = nodes.sum_axial.0[lane] * per_step;
+            self.rub[lane] = nodes.sum_torque.0[lane] * per_step;
+        }
+    }
+
+    /// What the string carries at the nodes. The bending moment is the elastic one that the element
+    /// below has at its upper end; the bit, below which there is none, carries none.
+    #[inline(always)]
+    fn along_the_string(&mut self, chain: &Chain, strength: &Strength, block: usize) {
+        let elements = &chain.element_blocks[block];
+        let [ux, uy, uz] = &chain.state.u;
+        let u = [ux.nine(block), uy.nine(block), uz.nine(block)];
+        let [dx, dy, dz] = &chain.state.d;
+        let d = [dx.nine(block), dy.nine(block), dz.nine(block)];
+        let body = strength.block(block);
+        for lane in 0..LANES {
+            let next = lane + 1;
+            let u1 = Vector(u[0][lane], u[1][lane], u[2][lane]);
+            let u2 = Vector(u[0][next], u[1][next], u[2][next]);
+            let d1 = Vector(d[0][lane], d[1][lane], d[2][lane]);
+            let d2 = Vector(d[0][next], d[1][next], d[2][next]);
+            let chord = of(&elements.chord, lane) + (u2 - u1);
+            // Newton's step from the rest length to the inverse of the chord's: a stretch of 1e-3 leaves
+            // 1.5e-6, and no root is drawn.
+            let rest = elements.inverse_length.0[lane];
+            let t = chord.scaled(rest * (1.5 - 0.5 * chord.dot(chord) * rest * rest));
+            let tension = elements.tension.0[lane];
+            let torque = elements.torque.0[lane];
+            // The gradient of the element's energy on its upper director: `rod::element`.
+            let near = elements.bending_near.0[lane] + elements.bow_near.0[lane] * tension;
+            let far = elements.bending_far.0[lane] - elements.bow_far.0[lane] * tension;
+            let pull = near * t.dot(d1) + far * t.dot(d2);
+            let moment = d2.scaled(far).minus(t, pull).cross(d1);
+            let bending = moment.dot(moment).sqrt();
+            let normal_stress =
+                tension.abs() * body.per_area[lane] + bending * body.per_modulus[lane];
+            let shear_stress = 0.5 * torque * body.per_modulus[lane];
+            self.tension[lane] = tension;
+            self.torque[lane] = torque;
+            self.bending[lane] = bending;
+            self.stress[lane] =
+                (normal_stress * normal_stress + 3.0 * shear_stress * shear_stress).sqrt();
+        }
+    }
+}
+
+/// The high sides of a block's nodes.
+#[inline(always)]
+fn eight(high: &[[f64; 3]], block: usize) -> &[[f64; 3]; LANES] {
+    high[block * LANES..]
+        .first_chunk()
+        .expect("high sides are padded to whole blocks")
+}
+
+#[inline(always)]
+fn of(rows: &[Row; 3], lane: usize) -> Vector<f64> {
+    Vector(rows[0].0[lane], rows[1].0[lane], rows[2].0[lane])
+}

@@ -1,0 +1,405 @@
+//! One node in its hole: whirl, oscillation on the low side, blows.
+
+use serde_json::Value;
+
+use crate::{
+    dynamics::{
+        chain::{Chain, node},
+        step::{Abilities, StepInput, Stepper},
+    },
+    rod::vector::Vector,
+    wall::contact::{contact_modulus_Pa, hertz_stiffness},
+};
+
+/// Step of a string in elements of 3.2 m, s.
+const USUAL_STEP_S: f64 = 5.5e-4;
+
+fn rows(name: &str) -> Vec<Value> {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../verification")
+        .join(name);
+    let file: Value =
+        serde_json::from_str(&std::fs::read_to_string(path).expect(name)).expect("JSON");
+    file["rows"].as_array().expect("rows").clone()
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
+#[track_caller]
+fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
+    let error = (found / expected - 1.0).abs();
+    println!("{what}: {found:.6} for {expected:.6}, {error:.1e} of {tolerance:.0e}");
+    assert!(error <= tolerance, "{what}: {found} for {expected}");
+}
+
+/// A node of 50 kg in a straight hole along the third axis, as Hertz's steel on rock.
+struct Pipe {
+    chain: Chain,
+    stepper: Stepper,
+    input: StepInput,
+    clearance_m: f64,
+    steps: u64,
+}
+
+const MASS_KG: f64 = 50.0;
+
+impl Pipe {
+    fn new(hole_radius_m: f64, radius_m: f64, friction: f64, dt: f64) -> Self {
+        let clearance_m = hole_radius_m - radius_m;
+        let modulus = contact_modulus_Pa(210e9, 0.3, 51.5e9, 0.33);
+        let mut chain = Chain::new(1);
+        node!(chain, 0, mass_axial = MASS_KG);
+        node!(chain, 0, mass_lateral = MASS_KG);
+        node!(chain, 0, inv_mass_lateral = 1.0 / MASS_KG);
+        node!(chain, 0, clearance = clearance_m);
+        node!(chain, 0, radius = radius_m);
+        node!(chain, 0, friction = friction);
+        node!(
+            chain,
+            0,
+            stiffness = hertz_stiffness(modulus, hole_radius_m, radius_m)
+        );
+        Self {
+            chain,
+            stepper: Stepper::new(Abilities {
+                hertz: true,
+                vector: true,
+                full: false,
+            }),
+            input: StepInput {
+                dt,
+                stiffness_damping: 0.0,
+                mass_damping: 0.0,
+                rigid_velocity: 0.0,
+                rigid_spin: 0.0,
+                dissipation: 0.5,
+                stribeck_speed: 0.1,
+            },
+            clearance_m,
+            steps: 0,
+        }
+    }
+
+    /// Lays it where it is pressed on the wall by `force_N`, at an angle, moving along the wall.
+    fn lay(&mut self, angle: f64, force_N: f64, speed_m_per_s: f64) {
+        let sunk = (force_N / node!(self.chain, 0, stiffness)).powf(2.0 / 3.0);
+        let (sin, cos) = angle.sin_cos();
+        let offset = self.clearance_m + sunk;
+        self.chain
+            .set_displacement(0, Vector(offset * cos, offset * sin, 0.0));
+        self.chain
+            .set_velocity(0, Vector(-speed_m_per_s * sin, speed_m_per_s * cos, 0.0));
+    }
+
+    fn step(&mut self) {
+        self.stepper.step(&mut self.chain, &self.input);
+        self.steps += 1;
+    }
+
+    fn angle(&self) -> f64 {
+        let u = self.chain.displacement(0);
+        u.1.atan2(u.0)
+    }
+
+    /// Goes on for `seconds`; the mean rate at which it goes round, rad/s, and the mean contact force, N.
+    fn round(&mut self, seconds: f64, mut push: impl FnMut(&mut Chain, f64)) -> (f64, f64) {
+        let steps = (seconds / self.input.dt) as u64;
+        self.chain.clear_sums();
+        let (mut turned, mut before) = (0.0, self.angle());
+        for _ in 0..steps {
+            push(&mut self.chain, self.steps as f64 * self.input.dt);
+            self.step();
+            let now = self.angle();
+            let turn = now - before;
+            turned += turn - std::f64::consts::TAU * (turn / std::f64::consts::TAU).round();
+            before = now;
+        }
+        let rate = turned / (steps as f64 * self.input.dt);
+        (rate, node!(self.chain, 0, sum_normal) / steps as f64)
+    }
+}
+
+/// E03: a turning pipe that touches the wall lightly is driven backwards along it by friction until it rolls
+/// without slip, at `−Ω r/(R − r)`, pressed by `m (R − r) ω²`.
+///
+/// The file asks for 1 % after the transient; 1e-3 is held, and 2e-3 for the force. Found is up to 6e-4 at either
+/// step: the pipe sinks into the rock, by 1e-5 m of 0.025 m.
+#[test]
+fn a_pipe_that_rolls_whirls_backwards() {
+    for row in rows("E03_whirl_in_clearance.json") {
+        let (hole, radius) = (number(&row["R_hole"]), number(&row["r_pipe"]));
+        let omega = number(&row["rpm"]) * std::f64::consts::TAU / 60.0;
+        let expected = &row["expected"];
+        for dt in [USUAL_STEP_S, 1e-4] {
+            let mut pipe = Pipe::new(hole, radius, 0.3, dt);
+            node!(pipe.chain, 0, spin = omega);
+            // A third of its final speed, which v' = μ v²/(R − r) then triples.
+            let surface = omega * radius;
+            pipe.lay(0.0, 0.0, -surface / 3.0);
+            let transient = 3.0 * pipe.clearance_m / (0.3 * surface);
+            pipe.round(2.0 * transient, |_, _| ());
+            let (rate, force) = pipe.round(2.0, |_, _| ());
+            let what = row["geom"].as_str().expect("a name");
+            close(what, rate, number(&expected["backward_whirl_rad_s"]), 1e-3);
+            close(
+                what,
+                (omega - rate) / std::f64::consts::TAU,
+                number(&expected["bending_cycles_per_s_in_pipe"]),
+                1e-3,
+            );
+            close(
+                what,
+                force / MASS_KG,
+                number(&expected["normal_force_per_kg_N"]),
+                2e-3,
+            );
+        }
+    }
+}
+
+/// E03's condition: the whirl lasts where friction can give what slows it, `μ N` or more, and dies where it
+/// cannot. A drag `c v` slows it here; `μ m (Ω r)²/(R − r) = c Ω r` is the limit, and 2 % on either side decide: what
+/// a whirl lacks or has over it grows e-fold in `(R − r)/(μ Ω r)`, a quarter of a second.
+#[test]
+fn backward_whirl_needs_its_friction() {
+    for row in rows("E03_whirl_in_clearance.json") {
+        let (hole, radius) = (number(&row["R_hole"]), number(&row["r_pipe"]));
+        let surface = number(&row["rpm"]) * std::f64::consts::TAU / 60.0 * radius;
+        for (part, lasts) in [(0.98, true), (1.02, false)] {
+            let mut pipe = Pipe::new(hole, radius, 0.3, 1e-4);
+            node!(pipe.chain, 0, spin = surface / radius);
+            let limit = 0.3 * MASS_KG * surface / pipe.clearance_m;
+            node!(pipe.chain, 0, drag_linear = part * limit);
+            let pressed = MASS_KG * surface * surface / pipe.clearance_m;
+            pipe.lay(0.0, pressed, -surface);
+            pipe.round(5.0, |_, _| ());
+            let (rate, _) = pipe.round(1.0, |_, _| ());
+            let rolling = -surface / pipe.clearance_m;
+            if lasts {
+                close("whirl", rate, rolling, 1e-3);
+            } else {
+                assert!((rate / rolling).abs() < 0.1, "{rate} of {rolling}");
+            }
+        }
+    }
+}
+
+/// E03: an unbalanced pipe that slides round its hole forwards, in step with its rotation. The imbalance `F`
+/// runs ahead of the contact by `φ`, `F sin φ = μ N`, `N = m (R − r) Ω² + F cos φ`.
+///
+/// Rate and force are held to 1e-3 and 2e-3 as above; found is 6e-6 and 4e-4.
+#[test]
+fn an_unbalanced_pipe_whirls_in_step() {
+    for row in rows("E03_whirl_in_clearance.json") {
+        let (hole, radius) = (number(&row["R_hole"]), number(&row["r_pipe"]));
+        let omega = number(&row["rpm"]) * std::f64::consts::TAU / 60.0;
+        let mu = 0.2;
+        let mut pipe = Pipe::new(hole, radius, mu, USUAL_STEP_S);
+        node!(pipe.chain, 0, spin = omega);
+        let inward = MASS_KG * pipe.clearance_m * omega * omega;
+        let force = 3.0 * inward;
+        // (N − inward)² + (μ N)² = F².
+        let square = 1.0 + mu * mu;
+        let normal = (inward
+            + (inward * inward - square * (inward * inward - force * force)).sqrt())
+            / square;
+        let ahead = (mu * normal / force).asin();
+        pipe.lay(0.0, normal, omega * pipe.clearance_m);
+        let kick = force / MASS_KG * pipe.input.dt;
+        let push = |chain: &mut Chain, time: f64| {
+            let (sin, cos) = (omega * time + ahead).sin_cos();
+            let v = chain.velocity(0);
+            chain.set_velocity(0, v + Vector(kick * cos, kick * sin, 0.0));
+        };
+        pipe.round(2.0, push);
+        let (rate, found) = pipe.round(6.0, push);
+        close("synchronous whirl", rate, omega, 1e-3);
+        close("its force", found, normal, 2e-3);
+    }
+}
+
+/// E04: a pipe that swings across the low side of its hole by 2°: it slides where there is no friction, and
+/// rolls where there is enough, which its rotary inertia makes slower. In mud the weight is less and the
+/// mass more.
+///
+/// The file asks for 1 %; 5e-4 is held. A swing of 2° is 8e-5 slower than a small one, and the pipe has sunk into
+/// the rock, which lengthens the pendulum by as much; found is 2e-4 at either step.
+#[test]
+fn a_pipe_swings_across_the_low_side() {
+    for row in rows("E04_pipe_in_trough_small_oscillation.json") {
+        let [hole, outer, inner, inclination] =
+            ["R_hole", "ro", "ri", "inc"].map(|key| number(&row[key]));
+        for (buoyancy, added) in [(1.0, 0.0), (0.85, 0.4)] {
+            for (rolls, key) in [(false, "slide_rad_s"), (true, "roll_rad_s")] {
+                for dt in [USUAL_STEP_S, 1e-4] {
+                    let friction = if rolls { 1.0 } else { 0.0 };
+                    let mut pipe = Pipe::new(hole, outer, friction, dt);
+                    let chain = &mut pipe.chain;
+                    let lateral = MASS_KG * (1.0 + added);
+                    node!(chain, 0, mass_lateral = lateral);
+                    node!(chain, 0, inv_mass_lateral = 1.0 / lateral);
+                    let polar = 0.5 * MASS_KG * (outer * outer + inner * inner);
+                    node!(chain, 0, polar = polar);
+                    node!(chain, 0, inv_polar = 1.0 / polar);
+                    let weight = MASS_KG * crate::GRAVITY_M_PER_S2 * buoyancy;
+                    let across = weight * inclination.to_radians().sin();
+                    chain.set_weight(0, Vector(across, 0.0, 0.0));
+                    pipe.lay(2f64.to_radians(), across, 0.0);
+                    let found = std::f64::consts::TAU * swings_Hz(&mut pipe);
+                    // The file's own rows are for air; mass and inertia part in mud.
+                    let air = number(&row[key]);
+                    let inertia = if rolls { polar / (outer * outer) } else { 0.0 };
+                    let in_air = MASS_KG + inertia;
+                    let expected = air * (buoyancy * in_air / (lateral + inertia)).sqrt();
+                    close(key, found, expected, 5e-4);
+                }
+            }
+        }
+    }
+}
+
+/// Swings in a second, over five, between interpolated zeros.
+fn swings_Hz(pipe: &mut Pipe) -> f64 {
+    let mut zeros = Vec::new();
+    let mut before = pipe.angle();
+    while zeros.len() < 11 {
+        pipe.step();
+        assert!(pipe.steps < 1_000_000, "it does not swing");
+        let now = pipe.angle();
+        if before * now < 0.0 {
+            zeros.push((pipe.steps as f64 - now / (now - before)) * pipe.input.dt);
+        }
+        before = now;
+    }
+    5.0 / (zeros[10] - zeros[0])
+}
+
+/// A blow against the wall: deepest penetration, duration, largest force and the part of the speed that is
+/// given back. `phase` says where in a step it meets the wall.
+fn blow(
+    mass_kg: f64,
+    speed: f64,
+    stiffness: f64,
+    dt: f64,
+    dissipation: f64,
+    phase: f64,
+) -> [f64; 4] {
+    let mut pipe = Pipe::new(0.10795, 0.06985, 0.0, dt);
+    pipe.input.dissipation = dissipation;
+    let chain = &mut pipe.chain;
+    node!(chain, 0, mass_lateral = mass_kg);
+    node!(chain, 0, inv_mass_lateral = 1.0 / mass_kg);
+    node!(chain, 0, stiffness = stiffness);
+    let clearance = pipe.clearance_m;
+    pipe.chain
+        .set_displacement(0, Vector(clearance - phase * speed * dt, 0.0, 0.0));
+    pipe.chain.set_velocity(0, Vector(speed, 0.0, 0.0));
+    let (mut deepest, mut touched, mut strongest) = (0.0f64, 0.0, 0.0f64);
+    loop {
+        pipe.chain.clear_sums();
+        pipe.step();
+        let force = node!(pipe.chain, 0, sum_normal);
+        let alpha = pipe.chain.displacement(0).0 - clearance;
+        deepest = deepest.max(alpha);
+        strongest = strongest.max(force);
+        if force > 0.0 {
+            touched += dt;
+        }
+        let back = -pipe.chain.velocity(0).0;
+        if alpha < 0.0 && back >= 0.0 {
+            return [deepest, touched, strongest, back / speed];
+        }
+    }
+}
+
+/// E06: a node that strikes the wall is Hertz's impact where the step resolves it: depth, duration and force
+/// within the file's 1 % at a two-thousandth of the blow (the loss is first-order in the step). At the usual
+/// step nothing is resolved: what is given back is stated, and is what the book says.
+#[test]
+fn a_node_strikes_the_wall_as_hertz_says() {
+    const STIFFNESS: f64 = 27_415_000_000.0;
+    for row in rows("E06_hertz_impact.json") {
+        let (mass, speed) = (number(&row["m"]), number(&row["v"]));
+        let time = number(&row["contact_time_s"]);
+        let [depth, duration, force, back] = blow(mass, speed, STIFFNESS, time / 2000.0, 0.0, 0.4);
+        close("depth", depth, number(&row["alpha_max_m"]), 0.01);
+        close("duration", duration, time, 0.01);
+        close("force", force, number(&row["F_max_N"]), 0.01);
+        close("restitution", back, 1.0, 0.01);
+    }
+    for (speed, expected) in [(0.01, 0.47), (0.1, 0.33), (0.5, 0.22), (2.0, 0.125)] {
+        let phases = 20;
+        let back = (0..phases)
+            .map(|i| {
+                let phase = (f64::from(i) + 0.5) / f64::from(phases);
+                blow(120.0, speed, STIFFNESS, USUAL_STEP_S, 0.5, phase)[3]
+            })
+            .sum::<f64>()
+            / f64::from(phases);
+        println!(
+            "at {USUAL_STEP_S} s a node of 120 kg that strikes rock at {speed} m/s gets back {back:.3}"
+        );
+        // The book's digits.
+        assert!((back - expected).abs() < 0.005, "{speed}: {back}");
+    }
+}
+
+/// A heavy node pressed on the wall that slides at a speed which friction does not change in a step: the
+/// friction that it meets, along and around, over the contact force.
+fn friction_of(
+    vector: bool,
+    coefficients: [f64; 3],
+    stribeck_speed: f64,
+    along: f64,
+    around: f64,
+) -> [f64; 2] {
+    let mut pipe = Pipe::new(0.10795, 0.07, coefficients[0], 2e-6);
+    let chain = &mut pipe.chain;
+    node!(chain, 0, inv_mass_axial = 1e-9);
+    node!(chain, 0, inv_polar = 1e-9);
+    node!(chain, 0, friction_rise = coefficients[1]);
+    node!(chain, 0, friction_around = coefficients[2]);
+    chain.set_weight(0, Vector(2000.0, 0.0, 0.0));
+    pipe.input.stribeck_speed = stribeck_speed;
+    pipe.stepper = Stepper::new(Abilities {
+        hertz: true,
+        vector,
+        full: true,
+    });
+    pipe.lay(0.0, 2000.0, 0.0);
+    // Of the spin alone: a node that slides sideways would climb.
+    node!(pipe.chain, 0, spin = around / 0.07);
+    pipe.chain.set_velocity(0, Vector(0.0, 0.0, along));
+    pipe.step();
+    let normal = node!(pipe.chain, 0, sum_normal);
+    [
+        node!(pipe.chain, 0, sum_axial) / normal,
+        node!(pipe.chain, 0, sum_torque) / 0.07 / normal,
+    ]
+}
+
+/// Friction by direction and by speed: on the cone `f = N (μ_a u_a, μ_t u_t)/|u|`, or each in full, with the
+/// coefficient `μ_k + (μ_s − μ_k)/(1 + (|u|/v_s)²)`, `μ_t` in its ratio to `μ_a`.
+///
+/// Within 1e-3: in the step of 2 µs friction moves the node around by 2e-4 of these speeds.
+#[test]
+fn friction_knows_direction_and_speed() {
+    for ratio in [1.0f64, 0.5, 1.4, 0.0] {
+        for (along, around) in [(0.3f64, 0.4f64), (-0.05, 0.12), (0.6, -0.2)] {
+            for stribeck in [0.02, 0.1, 1.0] {
+                let speed = along.hypot(around);
+                let mu = 0.25 + 0.1 / (1.0 + (speed / stribeck).powi(2));
+                let [a, t] = friction_of(true, [0.25, 0.1, ratio], stribeck, along, around);
+                let expected = [mu * along / speed, ratio * mu * around / speed];
+                assert!((a - expected[0]).abs() < 1e-3 * mu, "{a} {expected:?}");
+                assert!((t - expected[1]).abs() < 1e-3 * mu, "{t} {expected:?}");
+                let [a, t] = friction_of(false, [0.25, 0.1, ratio], stribeck, along, around);
+                let expected = [mu.copysign(along), (ratio * mu).copysign(around)];
+                assert!((a - expected[0]).abs() < 1e-3 * mu, "{a} {expected:?}");
+                assert!((t - expected[1]).abs() < 1e-3 * mu, "{t} {expected:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! Mud on its way down the string.
+
+use std::f64::consts::PI;
+
+use super::{Mud, Rheology, turbulence};
+
+/// What friction takes from the pressure on the way through a bore, Pa/m, at a flow rate relative to the pipe;
+/// zero without a rheology.
+///
+/// Laminar by Rabinowitsch's integral: Hagen and Poiseuille, Buckingham and Reiner, Metzner and Reed.
+/// Turbulent where the friction correlation exceeds that, from a Reynolds number of some 1200
+/// on: up to 2100 it is up to 1.4 times too high. The pipe is smooth, without joints.
+pub fn gradient_Pa_per_m(mud: &Mud, bore_m2: f64, flow_m3_per_s: f64) -> f64 {
+    let (Some(rheology), true) = (mud.rheology, bore_m2 > 0.0 && flow_m3_per_s > 0.0) else {
+        return 0.0;
+    };
+    let radius = (bore_m2 / PI).sqrt();
+    let wall_Pa = laminar_wall_stress_Pa(&rheology, radius, flow_m3_per_s);
+    let mean = flow_m3_per_s / bore_m2;
+    // Metzner and Reed: the Reynolds number with which laminar friction is 16/Re.
+    let reynolds = 8.0 * mud.density_kg_per_m3 * mean * mean / wall_Pa;
+    let mixed = turbulence::through_flow(reynolds, rheology.flow_index(), 16.0);
+    2.0 * wall_Pa / radius * mixed
+}
+
+fn laminar_wall_stress_Pa(rheology: &Rheology, radius_m: f64, flow_m3_per_s: f64) -> f64 {
+    let rate = flow_m3_per_s / (PI * radius_m.powi(3));
+    match *rheology {
+        Rheology::Newtonian { viscosity_Pa_s } => 4.0 * viscosity_Pa_s * rate,
+        Rheology::PowerLaw {
+            consistency_Pa_s_n,
+            flow_index: n,
+        } => consistency_Pa_s_n * ((3.0 * n + 1.0) / n * rate).powf(n),
+        Rheology::Bingham {
+            plastic_viscosity_Pa_s,
+            yield_point_Pa,
+        } => {
+            // τ (1 − 4/3 y + y⁴/3) = 4 μ Q/(π r³), y = τ₀/τ: convex, and the start lies above the root.
+            let newtonian = 4.0 * plastic_viscosity_Pa_s * rate;
+            let mut wall = newtonian + 4.0 / 3.0 * yield_point_Pa;
+            for _ in 0..60 {
+                let y = yield_point_Pa / wall;
+                let excess = wall * (1.0 - 4.0 / 3.0 * y + y.powi(4) / 3.0) - newtonian;
+                let step = excess / (1.0 - y.powi(4)).max(1e-9);
+                wall -= step;
+                if step.abs() <= 1e-12 * wall {
+                    break;
+                }
+            }
+            wall
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn mud(rheology: Rheology) -> Mud {
+        Mud {
+            density_kg_per_m3: 1000.0,
+            linear_drag_Pa_s: 0.0,
+            drag_coefficient: 0.0,
+            rheology: Some(rheology),
+        }
+    }
+
+    /// Rabinowitsch's integral by Simpson's rule gives back the flow rate that the closed forms took.
+    #[test]
+    fn laminar_gradients_invert_rabinowitschs_integral() {
+        let radius = 0.05;
+        for (rheology, flow) in [
+            (
+                Rheology::Newtonian {
+                    viscosity_Pa_s: 0.5,
+                },
+                2e-3,
+            ),
+            (
+                Rheology::Bingham {
+                    plastic_viscosity_Pa_s: 0.5,
+                    yield_point_Pa: 8.0,
+                },
+                2e-3,
+            ),
+            (
+                Rheology::PowerLaw {
+                    consistency_Pa_s_n: 2.0,
+                    flow_index: 0.55,
+                },
+                2e-3,
+            ),
+        ] {
+            let gradient = gradient_Pa_per_m(&mud(rheology), PI * radius * radius, flow);
+            let wall = 0.5 * gradient * radius;
+            let n = 20_000;
+            let h = wall / f64::from(n);
+            let sum: f64 = (0..=n)
+                .map(|i| {
+                    let stress = h * f64::from(i);
+                    let weight = match i {
+                        0 => 1.0,
+                        i if i == n => 1.0,
+                        i if i % 2 == 1 => 4.0,
+                        _ => 2.0,
+                    };
+                    weight * stress.powi(3) * rheology.flow(stress.max(1e-12)).fluidity
+                })
+                .sum();
+            let found = PI * (radius / wall).powi(3) * sum * h / 3.0;
+            // The stiff liquid below the yield point lets 1e-4 more through than a solid.
+            assert!((found / flow - 1.0).abs() < 3e-4, "{rheology:?}: {found}");
+        }
+    }
+
+    /// Water in a smooth pipe of 100 mm at 2 m/s: Blasius' 0.0791/Re^0.25 within 1 %.
+    #[test]
+    fn turbulent_water_follows_blasius() {
+        let water = mud(Rheology::Newtonian {
+            viscosity_Pa_s: 1e-3,
+        });
+        let area = PI * 0.05f64.powi(2);
+        let found = gradient_Pa_per_m(&water, area, 2.0 * area);
+        let friction = 0.0791 / 2e5f64.powf(0.25);
+        let expected = friction * 0.5 * 1000.0 * 4.0 * 4.0 / 0.1;
+        assert!((found / expected - 1.0).abs() < 0.01, "{found} {expected}");
+    }
+}

@@ -1,0 +1,56 @@
+//! What circulation costs, and what the mud does to the whole string.
+
+/// Mud forces on a whole string and the pressures that its flow takes.
+#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize, serde::Deserialize)]
+pub struct Hydraulics {
+    /// What the mud's friction adds to the hook load, N: positive where the string is pulled out, negative
+    /// where mud streams up along it.
+    pub mud_drag_N: f64,
+    /// What it adds to the surface torque, N·m.
+    pub mud_torque_N_m: f64,
+    /// Upward thrust of the bit's jets on the string, N.
+    pub jet_thrust_N: f64,
+    /// Friction in the bore, Pa.
+    pub bore_loss_Pa: f64,
+    /// Pressure drop of the bit, Pa.
+    pub bit_loss_Pa: f64,
+    /// Friction in the annulus, Pa: with the mud's weight, the pressure at the bottom.
+    pub annulus_loss_Pa: f64,
+    /// Pressure that the pump delivers at, Pa: the sum of the three.
+    pub pump_pressure_Pa: f64,
+}
+
+impl Hydraulics {
+    /// The sum with another.
+    pub fn plus(&self, other: &Self) -> Self {
+        Self {
+            mud_drag_N: self.mud_drag_N + other.mud_drag_N,
+            mud_torque_N_m: self.mud_torque_N_m + other.mud_torque_N_m,
+            jet_thrust_N: self.jet_thrust_N + other.jet_thrust_N,
+            bore_loss_Pa: self.bore_loss_Pa + other.bore_loss_Pa,
+            bit_loss_Pa: self.bit_loss_Pa + other.bit_loss_Pa,
+            annulus_loss_Pa: self.annulus_loss_Pa + other.annulus_loss_Pa,
+            pump_pressure_Pa: self.pump_pressure_Pa + other.pump_pressure_Pa,
+        }
+    }
+
+    /// Everything times a factor.
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self {
+            mud_drag_N: self.mud_drag_N * factor,
+            mud_torque_N_m: self.mud_torque_N_m * factor,
+            jet_thrust_N: self.jet_thrust_N * factor,
+            bore_loss_Pa: self.bore_loss_Pa * factor,
+            bit_loss_Pa: self.bit_loss_Pa * factor,
+            annulus_loss_Pa: self.annulus_loss_Pa * factor,
+            pump_pressure_Pa: self.pump_pressure_Pa * factor,
+        }
+    }
+}
+
+/// Strain of a closed pipe by pressures outside and inside beyond the mud's weight, of areas `A_o` and `A_i`:
+/// `−(1 − 2ν)/E · (p_o A_o − p_i A_i)/(A_o − A_i)`.
+pub fn pressure_strain(per_Pa: f64, outside: (f64, f64), inside: (f64, f64)) -> f64 {
+    let ((outer_Pa, outer_m2), (inner_Pa, inner_m2)) = (outside, inside);
+    -per_Pa * (outer_Pa * outer_m2 - inner_Pa * inner_m2) / (outer_m2 - inner_m2)
+}

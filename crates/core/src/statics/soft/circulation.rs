@@ -1,0 +1,88 @@
+//! What the mud does to each stretch of the string as it moves and circulates.
+
+use std::f64::consts::FRAC_PI_4;
+
+use crate::{
+    model::Model,
+    mud::{Annulus, Hydraulics, Motion, bore, hydraulics::pressure_strain},
+    operation::Operation,
+};
+
+/// A stretch as the mud meets it.
+pub(super) struct Passage {
+    pub(super) length_m: f64,
+    pub(super) od_m: f64,
+    pub(super) bore_m2: f64,
+    pub(super) hole_diameter_m: f64,
+    /// `(1 − 2ν)/E`, 1/Pa.
+    pub(super) pressure_strain_per_Pa: f64,
+}
+
+/// What the mud does to a stretch.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Circulating {
+    /// Pull along the hole, N/m, positive towards the bit.
+    pub(super) pull_N_per_m: f64,
+    /// Torque against the rotation, N·m/m.
+    pub(super) torque_N_m_per_m: f64,
+    /// Strain by the pressures that flow adds, the mean of the stretch.
+    pub(super) strain: f64,
+}
+
+/// What the mud does to stretches, from the bit up, and to the whole string; nothing without a rheology.
+pub(super) fn along(
+    model: &Model,
+    operation: &Operation,
+    stretches: &[Passage],
+) -> (Vec<Circulating>, Option<Hydraulics>) {
+    if model.mud.rheology.is_none() {
+        return (vec![Circulating::default(); stretches.len()], None);
+    }
+    let flow_m3_per_s = operation.flow_now_m3_per_s();
+    let motion = Motion {
+        axial_m_per_s: operation.axial_velocity_m_per_s(),
+        spin_rad_per_s: operation.rotation_rad_per_s(),
+        flow_m3_per_s,
+    };
+    let drags: Vec<_> = stretches
+        .iter()
+        .map(|s| Annulus::new(s.od_m, s.hole_diameter_m).drag(&model.mud, &motion))
+        .collect();
+    let annulus_loss_Pa: f64 = stretches
+        .iter()
+        .zip(&drags)
+        .map(|(s, drag)| s.length_m * drag.gradient_Pa_per_m)
+        .sum();
+    let bit_loss_Pa = operation.bit_loss_Pa(flow_m3_per_s);
+    let mut total = Hydraulics {
+        jet_thrust_N: model.mud.jet_thrust_N(flow_m3_per_s, bit_loss_Pa),
+        bit_loss_Pa,
+        annulus_loss_Pa,
+        ..Hydraulics::default()
+    };
+    // From the bit up the pressure falls outside and rises inside.
+    let (mut outer_Pa, mut inner_Pa) = (annulus_loss_Pa, annulus_loss_Pa + bit_loss_Pa);
+    let circulating = stretches.iter().zip(&drags).map(|(s, drag)| {
+        let rise = s.length_m * bore::gradient_Pa_per_m(&model.mud, s.bore_m2, flow_m3_per_s);
+        let fall = s.length_m * drag.gradient_Pa_per_m;
+        let strain = pressure_strain(
+            s.pressure_strain_per_Pa,
+            (outer_Pa - 0.5 * fall, FRAC_PI_4 * s.od_m * s.od_m),
+            (inner_Pa + 0.5 * rise, s.bore_m2),
+        );
+        (outer_Pa, inner_Pa) = (outer_Pa - fall, inner_Pa + rise);
+        let pull_N_per_m = drag.axial_N_per_m(motion.axial_m_per_s);
+        let torque_N_m_per_m = -drag.torque_N(motion.spin_rad_per_s);
+        total.mud_drag_N += s.length_m * pull_N_per_m;
+        total.mud_torque_N_m += s.length_m * torque_N_m_per_m;
+        total.bore_loss_Pa += rise;
+        Circulating {
+            pull_N_per_m,
+            torque_N_m_per_m,
+            strain,
+        }
+    });
+    let circulating = circulating.collect();
+    total.pump_pressure_Pa = total.bore_loss_Pa + bit_loss_Pa + annulus_loss_Pa;
+    (circulating, Some(total))
+}

@@ -1,0 +1,185 @@
+//! A mud that flows, against the soft string and closed forms.
+
+use wholestring::{
+    dynamics::HoistControl,
+    mud::{Mud, Rheology},
+    operation::{Operation, OperationKind},
+    string::ComponentLength,
+    well::{HoleKind, Interpolation},
+};
+
+use crate::{
+    common::{assert_close, operation, path, rpm},
+    wells::{Case, each, go, mean_between, model, section, tool},
+};
+
+const LENGTH_M: f64 = 1000.0;
+const OD_M: f64 = 0.127;
+const ID_M: f64 = 0.1086;
+const HOLE_M: f64 = 0.2159;
+
+const BINGHAM: Rheology = Rheology::Bingham {
+    plastic_viscosity_Pa_s: 0.025,
+    yield_point_Pa: 7.2,
+};
+const POWER_LAW: Rheology = Rheology::PowerLaw {
+    consistency_Pa_s_n: 0.6,
+    flow_index: 0.6,
+};
+
+/// Plain pipe in a straight, frictionless hole.
+fn case(kind: OperationKind, mud: Mud) -> Case {
+    let stations = [[0.0, 20.0, 0.0], [LENGTH_M, 20.0, 0.0]];
+    let mut model = model(
+        path(&stations, Interpolation::Spline),
+        vec![section(HoleKind::Open, 0.0, LENGTH_M + 20.0, HOLE_M, 0.0)],
+        vec![tool("pipe", ComponentLength::ToSurface, OD_M, ID_M)],
+        LENGTH_M,
+    );
+    model.mud = mud;
+    let operation = Operation {
+        rotary_speed_rad_per_s: rpm(100.0),
+        weight_on_bit_N: 20e3,
+        bit_torque_N_m: 1000.0,
+        rate_of_penetration_m_per_s: 20.0 / 3600.0,
+        trip_speed_m_per_s: 0.5,
+        flow_rate_m3_per_s: 0.03,
+        bit_pressure_drop_Pa: 8e6,
+        ..operation(kind, LENGTH_M)
+    };
+    let mut case = Case::new(model, operation);
+    case.settings.settle_s = 20.0;
+    case.settings.duration_s = 5.0;
+    case
+}
+
+fn heavy(rheology: Rheology) -> Mud {
+    Mud {
+        density_kg_per_m3: 1200.0,
+        linear_drag_Pa_s: 5.0,
+        drag_coefficient: 1.0,
+        rheology: Some(rheology),
+    }
+}
+
+/// Rotating at constant speed in a weightless Newtonian mud, the string needs Couette's torque,
+/// `4πμ a²R²Ω L/(R² − a²)`.
+///
+/// What differs is what is left of the start after 20 s of rotation: 1e-4 is held.
+#[test]
+fn a_rotating_string_needs_couettes_torque() {
+    let viscosity = 0.5;
+    let mut case = case(
+        OperationKind::RotateOffBottom,
+        Mud {
+            density_kg_per_m3: 0.0,
+            ..heavy(Rheology::Newtonian {
+                viscosity_Pa_s: viscosity,
+            })
+        },
+    );
+    case.operation.flow_rate_m3_per_s = 0.0;
+    let outcome = case.run();
+    let (a2, r2) = (0.25 * OD_M * OD_M, 0.25 * HOLE_M * HOLE_M);
+    let per_m = 4.0 * std::f64::consts::PI * viscosity * a2 * r2 / (r2 - a2) * rpm(100.0);
+    let soft = case.soft();
+    assert_close(
+        "soft",
+        soft.scalars.surface_torque_N_m,
+        per_m * LENGTH_M,
+        1e-12,
+    );
+    let torque = outcome.scalars.surface_torque_N_m;
+    assert_close("dynamic", torque, per_m * LENGTH_M, 1e-4);
+    let mud = outcome.hydraulics.expect("the mud has a rheology");
+    assert_close("mud torque", mud.mud_torque_N_m, per_m * LENGTH_M, 1e-4);
+    assert!(soft.scalars.friction_torque_N_m.abs() < 1e-9);
+}
+
+/// Hook load, torque, stretch and pressures of the dynamics are the soft string's, for tripping, circulating,
+/// rotating and drilling, in a Bingham and a power-law mud.
+///
+/// Both take the mud's forces from the same annulus, the dynamics with each element's own motion, found
+/// anew when it has changed by 1 %. Where nothing rubs what remains is what is left of the start: 0.1 % of the
+/// mud's part of hook load and stretch, of all torque and of the pressure is allowed. The energy balance closes to 1e-5.
+#[test]
+fn dynamics_and_soft_string_agree_in_a_mud_that_flows() {
+    use OperationKind::*;
+    let cases: Vec<Case> = [BINGHAM, POWER_LAW]
+        .into_iter()
+        .flat_map(|rheology| {
+            [TripOut, TripIn, RotateOffBottom, BackReam, Drill]
+                .map(|kind| case(kind, heavy(rheology)))
+        })
+        .collect();
+    let outcomes = each(&cases, |case| {
+        let mut dry = case.clone();
+        dry.model.mud.rheology = None;
+        (case.soft(), dry.soft(), case.run())
+    });
+    for (case, (soft, dry, dynamic)) in cases.iter().zip(&outcomes) {
+        let name = format!("{:?} {:?}", case.operation.kind, case.model.mud.rheology);
+        let (s, d, none) = (&soft.scalars, &dynamic.scalars, &dry.scalars);
+        let mud = soft.hydraulics.expect("the mud has a rheology");
+        let found = dynamic.hydraulics.expect("the mud has a rheology");
+        assert_close(
+            &format!("{name}: hook load by the mud"),
+            d.hook_load_N - none.hook_load_N,
+            s.hook_load_N - none.hook_load_N,
+            1e-3,
+        );
+        assert_close(
+            &format!("{name}: stretch by the mud"),
+            d.stretch_m - none.stretch_m,
+            s.stretch_m - none.stretch_m,
+            1e-3,
+        );
+        assert_close(&name, found.mud_drag_N, mud.mud_drag_N, 1e-3);
+        if case.operation.kind.rotates() {
+            let (found, wanted) = (
+                d.surface_torque_N_m - d.bit_torque_N_m,
+                s.surface_torque_N_m - s.bit_torque_N_m,
+            );
+            let allowed = 1e-3 * s.surface_torque_N_m;
+            assert!(
+                (found - wanted).abs() < allowed,
+                "{name}: torque {found} for {wanted}"
+            );
+        }
+        if mud.pump_pressure_Pa.abs() > 0.0 {
+            assert_close(&name, found.pump_pressure_Pa, mud.pump_pressure_Pa, 1e-3);
+        }
+        assert!(
+            dynamic.numerics.energy_residual.abs() < 1e-5,
+            "{name}: {:?}",
+            dynamic.numerics
+        );
+    }
+}
+
+/// When the pumps start the string becomes lighter by what the soft string says: the stream lifts it, the bit's jets
+/// push it up. The work of both is booked, and the energy balance closes.
+#[test]
+fn the_pumps_lift_the_string() {
+    let mut on = case(OperationKind::RotateOffBottom, heavy(BINGHAM));
+    on.settings.settle_s = 5.0;
+    on.settings.duration_s = 60.0;
+    on.settings.hoist_control = Some(HoistControl::BlockVelocity(0.0));
+    let mut off = on.clone();
+    off.operation.flow_rate_m3_per_s = 0.0;
+    let expected = on.soft().scalars.hook_load_N - off.soft().scalars.hook_load_N;
+    let mut simulation = on.start();
+    simulation.set_flow_rate(0.0);
+    go(&mut simulation, 30.0);
+    simulation.set_flow_rate(on.operation.flow_rate_m3_per_s);
+    go(&mut simulation, 35.0);
+    let outcome = simulation.outcome();
+    let series = &outcome.series;
+    let hook = |from, to| mean_between(&series.time_s, &series.hook_load_N, from, to);
+    let found = hook(55.0, 65.0) - hook(20.0, 30.0);
+    assert!(expected < -1000.0, "{expected}");
+    assert_close("lift", found, expected, 1e-3);
+    let energy = outcome.numerics.energy.expect("the window has begun");
+    assert!(energy.flow_work_J > 0.0, "{energy:?}");
+    assert!(outcome.numerics.energy_residual.abs() < 1e-5, "{energy:?}");
+}

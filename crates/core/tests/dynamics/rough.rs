@@ -1,0 +1,111 @@
+//! A rough wall makes a quiet run noisy, and costs no energy of its own.
+
+use wholestring::{
+    dynamics::DynamicOutcome,
+    operation::OperationKind,
+    well::{Hole, HoleSection, Roughness},
+};
+
+use crate::{
+    common::{assert_close, operation},
+    wells::{Case, each, straight},
+};
+
+const LENGTH_M: f64 = 300.0;
+
+/// Reaming at 0.1 m/s in a wall of this roughness.
+fn reaming(radius_rms_m: f64, tortuosity_rms_m: f64, seed: u64) -> Case {
+    let mut model = straight(LENGTH_M, 0.25);
+    let sections: Vec<HoleSection> = model
+        .well
+        .hole
+        .sections()
+        .iter()
+        .map(|s| HoleSection {
+            to_md_m: s.to_md_m + 10.0,
+            ..*s
+        })
+        .collect();
+    model.well.hole = Hole::new(sections)
+        .and_then(|hole| {
+            hole.with_roughness(Some(Roughness {
+                radius_rms_m,
+                tortuosity_rms_m,
+                shortest_m: 2.0,
+                longest_m: 20.0,
+                seed,
+            }))
+        })
+        .expect("a sound hole");
+    let mut operation = operation(OperationKind::Ream, LENGTH_M);
+    operation.trip_speed_m_per_s = 0.1;
+    let mut case = Case::new(model, operation);
+    case.settings.settle_s = 20.0;
+    case
+}
+
+fn std(outcome: &DynamicOutcome, name: &str) -> f64 {
+    let found = outcome.statistics.iter().find(|(n, _)| *n == name);
+    found.expect("a statistic").1.std
+}
+
+/// Standard deviation of the contact force of a node, over its mean, on average between 50 and 250 m.
+fn swing(outcome: &DynamicOutcome) -> f64 {
+    let nodes = &outcome.nodes;
+    let inside: Vec<usize> = (0..nodes.md_m.len())
+        .filter(|i| (50.0..250.0).contains(&nodes.md_m[*i]))
+        .collect();
+    let sum = |of: &[f64]| inside.iter().map(|i| of[*i]).sum::<f64>();
+    sum(&nodes.contact_force_std_N) / sum(&nodes.contact_force_N)
+}
+
+/// Quiet reaming on a smooth wall varies by nothing; on a rough one every contact does, and torque and hook load
+/// with them, more on the rougher, otherwise with another seed, and the same to the last bit with the same. Means
+/// stay: a string carries its weight. Energy is accounted for as on a smooth wall.
+///
+/// Expected: a smooth run is steady but for what its start leaves, 6e-4 of a contact force. Nodes that climb and
+/// leave asperities of 1 mm in 2 m and more at 0.1 m/s carry half as much or half as much again (found: 0.33 to 0.56);
+/// 94 of them together hardly vary, 1e-3 of the torque. The mean torque stays within 1 %. The balance of
+/// energy closes to 2.4e-5 where the axis winds and to 2e-8 where the radius undulates; 1e-4 is held, a hundredth of
+/// what is asked for.
+#[test]
+fn a_rough_wall_makes_a_quiet_run_noisy() {
+    let cases = [
+        (0.0, 0.0, 1),
+        (0.001, 0.0, 1),
+        (0.003, 0.0, 1),
+        (0.003, 0.0, 1),
+        (0.003, 0.0, 2),
+        (0.0, 0.003, 1),
+        (0.002, 0.005, 3),
+    ];
+    let found = each(&cases, |(radius, tortuosity, seed)| {
+        reaming(*radius, *tortuosity, *seed).run()
+    });
+    let torque = |i: usize| std(&found[i], "friction_torque_N_m");
+    let mean = |i: usize| found[i].scalars.friction_torque_N_m;
+    for (case, outcome) in cases.iter().zip(&found) {
+        println!(
+            "{case:?}: contact varies by {:.4}, torque {:.1} ± {:.2} N·m, hook load {:.1} ± {:.2} N, side force {:.0} ± {:.0} N, energy {:.1e}",
+            swing(outcome),
+            outcome.scalars.friction_torque_N_m,
+            std(outcome, "friction_torque_N_m"),
+            outcome.scalars.hook_load_N,
+            std(outcome, "hook_load_N"),
+            outcome.scalars.side_force_total_N,
+            std(outcome, "side_force_total_N"),
+            outcome.numerics.energy_residual,
+        );
+        assert!(outcome.numerics.energy_residual.abs() < 1e-4);
+    }
+    assert!(swing(&found[0]) < 2e-3);
+    assert!(torque(0) < 1e-4 * mean(0));
+    for i in 1..cases.len() {
+        assert!(swing(&found[i]) > 0.2, "case {i}");
+        assert!(torque(i) > 2.0 * torque(0), "case {i}");
+        assert_close("mean torque", mean(i), mean(0), 0.01);
+    }
+    assert!(torque(2) > 2.0 * torque(1));
+    assert_eq!(found[2].series, found[3].series);
+    assert!(found[2].series != found[4].series);
+}
