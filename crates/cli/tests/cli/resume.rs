@@ -13,12 +13,14 @@ use serde_json::Value;
 
 use crate::desk::{Desk, transcript};
 
-const TABLES: [&str; 5] = [
+const TABLES: [&str; 7] = [
     "nodes.csv",
     "nodes.parquet",
     "profile.svg",
     "time.csv",
     "time.parquet",
+    "wear.csv",
+    "wear.parquet",
 ];
 
 /// All that a run leaves but for the time that it took: the tables and the picture to the byte.
