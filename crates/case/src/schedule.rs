@@ -144,7 +144,9 @@ fn step(line: &At<StepTable>, around: &Around<'_>, reader: &mut Reader) -> Optio
         );
         return None;
     }
-    if [rpm, velocity, wob, flow].iter().all(Option::is_none) && note.is_none() {
+    // A misspelt key is enough to be told of.
+    let empty = [rpm, velocity, wob, flow].iter().all(Option::is_none) && note.is_none();
+    if empty && !reader.has_errors() {
         reader.report(
             Diagnostic::error("this line of the schedule changes nothing").at(
                 line.place,
@@ -204,17 +206,12 @@ fn fault_at(index: usize, fault: ScheduleFault, lines: &[At<StepTable>]) -> Diag
                 .at(above.place, "the line above begins here")
         }
         (ScheduleFault::Ramping(what), _) => {
-            let ramp = lines[..index]
-                .iter()
-                .rev()
-                .find(|line| names(&line.value, what))
-                .and_then(|line| line.value.ramp.at());
+            let before = lines[..index].iter().rev();
+            let before = before.filter(|line| names(&line.value, what));
             let diagnostic = Diagnostic::error(format!("two lines set {what} at the same time"))
                 .at(at, "begins before the line that set it last has ended");
-            match ramp {
-                Some(ramp) => {
-                    diagnostic.at(ramp.place, format!("{} s of ramp", number_text(ramp.value)))
-                }
+            match before.filter_map(|line| line.value.at.at()).next() {
+                Some(before) => diagnostic.at(before.place, "which began here"),
                 None => diagnostic,
             }
         }
