@@ -111,6 +111,19 @@ pub(crate) fn assemble(
         ))
         .at(top, format!("{} m {}", metres((bit_depth_m - string_m).abs()), if string_m > bit_depth_m { "too long" } else { "too short" }))
         .help("length = \"to surface\" in the last component fills the rest")),
+        AssemblyError::Dimension {
+            index,
+            field: "bend_at",
+            ..
+        } => {
+            let table = tables.get(*index);
+            let given = table.and_then(|table| table.value.bend_at.given().map(|at| at.place));
+            let place = given.or(table.map(|table| table.place)).unwrap_or(top);
+            Diagnostic::error("the bend is at the end of the string").at(
+                place,
+                "expected 0.3 m or more from the bit and from the surface",
+            )
+        }
         AssemblyError::Dimension { index, .. } => {
             let place = tables.get(*index).map(|table| table.place).unwrap_or(top);
             Diagnostic::error(short(&error.to_string())).at(place, "this component")

@@ -280,9 +280,8 @@ impl<'a> Quantity<'a> {
         let end = text
             .char_indices()
             .map(|(at, letter)| at + letter.len_utf8())
-            .filter(|end| text[..*end].parse::<f64>().is_ok_and(f64::is_finite))
-            // `5e` of `5e3` is no number, but the way to one.
-            .next_back()?;
+            // The longest: `5e` of `5e3` is no number, but the way to one.
+            .rfind(|end| text[..*end].parse::<f64>().is_ok_and(f64::is_finite))?;
         let rest = &text[end..];
         Some(Self {
             number: text[..end].parse().ok()?,

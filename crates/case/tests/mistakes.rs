@@ -204,6 +204,16 @@ fn of_magnitude() {
         ("elements_too_short", "\"3.2 m\"", "\"3.2 mm\""),
         ("rows_without_end", "\"60 s\"", "\"86400 s\""),
         ("window_without_samples", "\"60 s\"", "\"1 ms\""),
+        (
+            "checkpoints_all_the_time",
+            "duration = \"60 s\"",
+            "duration = \"60 s\"\ncheckpoint_interval = 0",
+        ),
+        (
+            "checkpoints_by_depth",
+            "duration = \"60 s\"",
+            "duration = \"60 s\"\ncheckpoint_interval = \"5 m\"",
+        ),
     ];
     for (name, from, to) in cases {
         refused(name, read(&changed(from, to)));

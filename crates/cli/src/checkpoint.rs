@@ -2,8 +2,8 @@
 //!
 //! A checkpoint holds all that a run knows: what it has solved, and the operation under way as it
 //! stands. The results in the folder are not read, so that it does not matter what was being written
-//! when the run was killed. A file that grows while the run goes on is cut back to the checkpoint's
-//! [`Checkpoint::time_s`] when the run is taken up.
+//! when the run was killed. A file that grows while the run goes on, of frames, would have to be cut back
+//! to the checkpoint's [`Checkpoint::time_s`] when the run is taken up; it begins anew there.
 
 use std::time::{Duration, Instant};
 

@@ -54,10 +54,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         watch: Watch::Screen { quiet: args.quiet },
         interrupt: &Interrupt::listen(),
     };
-    record.frames = Frames::begin(&case, &folder)?;
     let solved = solve(&case, &way, &mut record, &folder, under_way);
-    // However it ended: an interrupted run keeps the frames that it has.
-    let frames = record.frames.take().map_or(Ok(()), Frames::finish);
     if !args.quiet && !record.summary.operations.is_empty() {
         let width = terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
         let title = format!("{}: {}", case.name, record::subtitle(&case, units));
@@ -74,8 +71,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
 "
         ))?;
     }
-    solved.map_err(|stop| stop.failure(&folder))?;
-    Ok(frames?)
+    solved.map_err(|stop| stop.failure(&folder))
 }
 
 /// What the case says about the time between checkpoints.
@@ -177,6 +173,27 @@ impl<E: Into<Failure>> From<E> for Stop {
 /// comes between keeps what was solved. What the record has is solved already, but for one operation that
 /// may be under way.
 pub(crate) fn solve(
+    case: &Case,
+    way: &Way<'_>,
+    record: &mut Record,
+    folder: &ResultsFolder,
+    under_way: Option<UnderWay>,
+) -> Result<(), Stop> {
+    record.frames = Frames::begin(case, folder)?;
+    if let (Some(_), Some(begun)) = (&record.frames, &under_way) {
+        way.watch.tell(&format!(
+            "warning: frames.parquet begins anew, at {:.1} s of the operation under way\n",
+            begun.simulation.time_s()
+        ));
+    }
+    let solved = solve_all(case, way, record, folder, under_way);
+    // However it ended: an interrupted run keeps the frames that it has.
+    let frames = record.frames.take().map_or(Ok(()), Frames::finish);
+    solved?;
+    Ok(frames?)
+}
+
+fn solve_all(
     case: &Case,
     way: &Way<'_>,
     record: &mut Record,
@@ -299,7 +316,8 @@ fn solve_dynamic(
         .as_ref()
         .map(|frames| frames.samples(sample_s));
     let look_samples = ((LOOK_INTERVAL_S / sample_s).round() as u64).max(1);
-    let mut samples = 0;
+    // Frames and looks fall on the same samples wherever the run was taken up.
+    let mut samples = (simulation.time_s() / sample_s).round() as u64;
     let status = loop {
         let time_s = simulation.time_s();
         progress.reach(time_s);

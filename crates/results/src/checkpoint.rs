@@ -13,7 +13,10 @@ use std::{
 
 use serde::{Serialize, de::DeserializeOwned};
 
-use crate::{ResultsError, ResultsFolder, file::write_whole};
+use crate::{
+    ResultsError, ResultsFolder,
+    file::{partial_name, write_whole},
+};
 
 const NAME: &str = "checkpoint.bin";
 
@@ -67,15 +70,17 @@ impl ResultsFolder {
         self.checkpoint_path().exists()
     }
 
-    /// Removes the checkpoint, if there is one: the run is finished, or begins anew.
+    /// Removes the checkpoint and what a killed program left of one: the run is finished, or begins anew.
     pub fn remove_checkpoint(&self) -> Result<(), ResultsError> {
         let path = self.checkpoint_path();
-        match fs::remove_file(&path) {
-            Err(source) if source.kind() != io::ErrorKind::NotFound => {
-                Err(ResultsError::Write { path, source })
+        for path in [partial_name(&path), path] {
+            if let Err(source) = fs::remove_file(&path)
+                && source.kind() != io::ErrorKind::NotFound
+            {
+                return Err(ResultsError::Write { path, source });
             }
-            _ => Ok(()),
         }
+        Ok(())
     }
 }
 

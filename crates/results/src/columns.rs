@@ -251,7 +251,7 @@ pub const TIME: &[ColumnSpec] = &[
     ColumnSpec::number(
         "depth_of_cut_m",
         "m",
-        "Rock that a revolution of the bit takes away; `null` where a motor turns it at a speed that is not given",
+        "Rock that a revolution of the bit takes away; 0 where a motor turns it at a speed that is not given",
     ),
     ColumnSpec::number(
         "hook_load_N",

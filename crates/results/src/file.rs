@@ -34,6 +34,7 @@ pub(crate) fn write_whole(
     })
 }
 
+/// Where [`write_whole`] writes before the file takes its name; a killed program leaves it.
 pub(crate) fn partial_name(path: &Path) -> PathBuf {
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(".partial");

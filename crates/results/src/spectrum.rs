@@ -51,7 +51,7 @@ impl Spectrum {
         let last = density.len() - 1;
         for (index, value) in density.iter_mut().enumerate() {
             // Every frequency but the first, and the last of an even number, stands for two.
-            let alone = index == 0 || (index == last && segment % 2 == 0);
+            let alone = index == 0 || (index == last && segment.is_multiple_of(2));
             *value *= if alone { scale } else { 2.0 * scale };
         }
         let spacing = 1.0 / (segment as f64 * interval_s);

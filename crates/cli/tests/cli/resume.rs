@@ -1,6 +1,7 @@
 //! `run --resume`: a run that was stopped or killed ends as if nothing had happened.
 
 use std::{
+    collections::BTreeSet,
     fs,
     process::{Child, Stdio},
     thread::sleep,
@@ -12,12 +13,14 @@ use serde_json::Value;
 
 use crate::desk::{Desk, transcript};
 
-const TABLES: [&str; 5] = [
+const TABLES: [&str; 7] = [
     "nodes.csv",
     "nodes.parquet",
     "profile.svg",
     "time.csv",
     "time.parquet",
+    "wear.csv",
+    "wear.parquet",
 ];
 
 /// All that a run leaves but for the time that it took: the tables and the picture to the byte.
@@ -94,14 +97,18 @@ fn killed(times: u32, duration: &str) {
     let message = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "after {kills} kills: {message}");
     assert!(kills >= times / 2, "killed {kills} times only");
-    assert!(!desk.path("killed/checkpoint.bin").exists());
+    let files = |folder: &str| -> BTreeSet<_> {
+        let files = fs::read_dir(desk.path(folder)).unwrap();
+        files.map(|entry| entry.unwrap().file_name()).collect()
+    };
+    assert_eq!(files("killed"), files("whole"));
     // Their numbers fill pages.
     assert!(leavings(&desk, "killed") == leavings(&desk, "whole"));
 }
 
 #[test]
 fn a_killed_run_ends_as_if_nothing_had_happened() {
-    killed(4, "dynamics.duration=40 s");
+    killed(4, "dynamics.duration=80 s");
 }
 
 #[test]
@@ -115,7 +122,7 @@ fn a_run_killed_at_twenty_moments_ends_as_if_nothing_had_happened() {
 #[test]
 fn ctrl_c_lays_a_run_aside() {
     let desk = Desk::new();
-    let duration = ["--set", "dynamics.duration=40 s", "--csv"];
+    let duration = ["--set", "dynamics.duration=100 s", "--csv"];
     let whole = desk.run(&[&["run", "slant.toml", "-o", "whole"], &duration[..]].concat());
     assert!(whole.status.success());
     let mut child = begin(

@@ -27,6 +27,7 @@ fn soft_string_side_by_side() {
         "profile.svg",
         "summary.json",
         "time.parquet",
+        "wear.parquet",
     ];
     assert_eq!(
         files(&desk, "out/Straight slant"),
@@ -83,6 +84,8 @@ fn soft_string_and_dynamics_side_by_side() {
         "summary.json",
         "time.csv",
         "time.parquet",
+        "wear.csv",
+        "wear.parquet",
     ];
     assert_eq!(
         files(&desk, "here/and/there"),
@@ -300,15 +303,16 @@ fn diverged() {
     );
     assert!(numerics.max_penetration_m.is_finite());
     let nodes = Table::read_parquet(&desk.path("results/nodes.parquet")).unwrap();
-    for column in time.columns().iter().chain(nodes.columns()) {
-        // A node that never touched has no direction of contact; what the soft string alone knows stays out.
-        let others = ["climb_rad", "twist_rad", "stretch_m"];
-        if let (Data::Number(values), false) =
-            (&column.data, others.contains(&column.name.as_str()))
-        {
-            let dynamic = values.iter().rev().take(time.rows().min(10));
-            assert!(dynamic.into_iter().all(Option::is_some), "{}", column.name);
-        }
+    let last = |table: &Table, name: &str| match table.column(name).map(|column| &column.data) {
+        Some(Data::Number(values)) => values.last().copied().flatten(),
+        _ => None,
+    };
+    for name in ["time_s", "hook_load_N", "surface_torque_N_m", "stretch_m"] {
+        assert!(last(&time, name).is_some(), "{name}");
+    }
+    // The last row is the bit's, by the dynamic model.
+    for name in ["md_m", "tension_N", "torque_N_m", "contact_force_N"] {
+        assert!(last(&nodes, name).is_some(), "{name}");
     }
 }
 
@@ -399,4 +403,94 @@ fn a_profile_without_window() {
     };
     // Ten thousand tonnes at the top.
     assert!(tensions[0].unwrap() > 1e6, "{:?}", tensions[0]);
+}
+
+fn numbers(table: &Table, name: &str) -> Vec<f64> {
+    match &table
+        .column(name)
+        .unwrap_or_else(|| panic!("no `{name}`"))
+        .data
+    {
+        Data::Number(values) => values.iter().copied().flatten().collect(),
+        Data::Text(_) => panic!("`{name}` holds words"),
+    }
+}
+
+/// Frames ten times a second of the two seconds of each operation, and a spectrum of the window: the frames
+/// agree with the table of time, the spectrum with the statistics. A later run without them leaves none.
+#[test]
+fn frames_and_spectra() {
+    let desk = Desk::new();
+    let records = [
+        "--set",
+        "records.frames=10 Hz",
+        "--set",
+        "records.channels=[\"rotation\", \"force\"]",
+        "--set",
+        "records.spectra=hook_load",
+        "--set",
+        "records.spectrum_segment=1 s",
+        "--set",
+        "model=dynamic",
+    ];
+    let output = desk.run(&[&["run", "slant.toml", "-o", "out"], &records[..]].concat());
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{message}");
+
+    let frames = Table::read_parquet(&desk.path("out/frames.parquet")).unwrap();
+    let nodes = Table::read_parquet(&desk.path("out/nodes.parquet"))
+        .unwrap()
+        .rows()
+        / 2;
+    let time = Table::read_parquet(&desk.path("out/time.parquet")).unwrap();
+    // A sample is a whole number of steps, 0.6 ms each, and a frame ten samples.
+    let taken = time.rows() / 2 / 10;
+    assert!((19..=20).contains(&taken), "{taken}");
+    assert_eq!(frames.rows(), 2 * taken * nodes);
+    let names: Vec<&str> = frames.columns().iter().map(|c| c.name.as_str()).collect();
+    let expected = [
+        "operation",
+        "time_s",
+        "node",
+        "md_m",
+        "rotary_speed_rad_per_s",
+        "twist_rad",
+        "tension_N",
+        "torque_N_m",
+    ];
+    assert_eq!(names, expected);
+    let (times, twists) = (numbers(&time, "time_s"), numbers(&time, "twist_rad"));
+    let (frame_times, frame_twists) = (numbers(&frames, "time_s"), numbers(&frames, "twist_rad"));
+    // The last operation, whose rows come last, turns the string.
+    let last = frames.rows() - nodes;
+    let row = times.iter().rposition(|t| *t == frame_times[last]).unwrap();
+    assert!(twists[row] != 0.0);
+    assert!(
+        (frame_twists[last] / twists[row] - 1.0).abs() < 1e-6,
+        "single precision"
+    );
+
+    // One segment over the whole window: Hann's window weighs its middle, the variance comes out roughly.
+    let spectra = Table::read_parquet(&desk.path("out/spectra.parquet")).unwrap();
+    let frequencies = numbers(&spectra, "frequency_Hz");
+    assert!((frequencies[1] - 1.0).abs() < 0.03, "{}", frequencies[1]);
+    let half = spectra.rows() / 2;
+    let density = numbers(&spectra, "density");
+    let variance: f64 = density[..half].iter().sum::<f64>() * frequencies[1];
+    let summary = desk.summary("out");
+    let std = summary.operations[0].statistics.as_ref().unwrap()["hook_load_N"].std;
+    assert!(
+        (0.2..5.0).contains(&(variance.sqrt() / std)),
+        "{variance} for {std}²"
+    );
+
+    let output = desk.run(&[&["run", "slant.toml", "-o", "out"], &SOFT[..]].concat());
+    assert!(output.status.success());
+    let expected = [
+        "nodes.parquet",
+        "profile.svg",
+        "summary.json",
+        "time.parquet",
+    ];
+    assert_eq!(files(&desk, "out"), expected.map(String::from).into());
 }

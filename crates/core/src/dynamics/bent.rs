@@ -108,8 +108,8 @@ impl Bend {
         let force = bent.force - straight.force;
         let above = moment_above(&bent, pose.d1) - moment_above(&straight, straight_pose.d1);
         let below = moment_below(&bent, pose.d2) - moment_below(&straight, pose.d2);
-        loads.add(upper, -force, above);
-        loads.add(lower, force, below);
+        loads.add(chain, upper, -force, above);
+        loads.add(chain, lower, force, below);
         self.element = [bent.tension, bent.torque, bent.twist];
         step.loss_J = (bent.damping_power - straight.damping_power) * input.dt;
         step

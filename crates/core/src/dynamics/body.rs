@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::{
     assembly::Anchor,
     bent::Bend,
-    chain::{Chain, node},
+    chain::{Chain, element, node},
     imbalance::Imbalance,
     step::StepInput,
 };
@@ -16,51 +16,92 @@ use crate::{
     rod::{bent::transported, element::Pose, mesh::Mesh, vector::Vector},
 };
 
-/// Forces and moments on single nodes beside those of the step.
+/// Forces and moments on single nodes beside those of the step, all at the positions before it.
 ///
 /// A force is added to the node's weight for one step, so that the step itself shares it out between wall,
-/// friction and motion and books its losses right; a moment is a kick.
+/// friction and motion and books its losses right. A moment about the director is a kick of the spin before the step, so
+/// that friction can take it back within it; one across the director a kick after it, for the moments of bends are
+/// large and would show as turning in the twist and the damping of the neighbours.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(super) struct Loads {
-    loads: Vec<(usize, Vector<f64>, Vector<f64>)>,
-    /// Weights to give back, in the order in which they were taken.
-    weights: Vec<(usize, Vector<f64>)>,
+    loads: Vec<Load>,
+}
+
+#[derive(Debug, Clone, Serialize, Deserialize)]
+struct Load {
+    index: usize,
+    force: Vector<f64>,
+    moment: Vector<f64>,
+    /// Before the step: the node's weight, its director, its sum of friction torque, and the spin that it was given.
+    weight: Vector<f64>,
+    director: Vector<f64>,
+    friction: f64,
+    spun: f64,
 }
 
 impl Loads {
     /// Adds a force (N) and a moment (N·m) on a node.
-    pub(super) fn add(&mut self, index: usize, force: Vector<f64>, moment: Vector<f64>) {
-        self.loads.push((index, force, moment));
+    pub(super) fn add(
+        &mut self,
+        chain: &Chain,
+        index: usize,
+        force: Vector<f64>,
+        moment: Vector<f64>,
+    ) {
+        self.loads.push(Load {
+            index,
+            force,
+            moment,
+            weight: Vector::zero(),
+            director: chain.director(index),
+            friction: 0.0,
+            spun: 0.0,
+        });
     }
 
     fn apply(&mut self, chain: &mut Chain, dt: f64) {
-        for (index, force, moment) in self.loads.drain(..) {
-            let weight = chain.weight(index);
-            self.weights.push((index, weight));
-            chain.set_weight(index, weight + force);
-
-            let d = chain.director(index);
-            let about = moment.dot(d);
-            node!(
-                chain,
-                index,
-                spin += dt * node!(chain, index, inv_polar) * about
-            );
-            // Half of a kick precesses in the step, half does not: the first half is turned back before.
-            let kick = moment
-                .minus(d, about)
-                .scaled(0.5 * dt * node!(chain, index, inv_rotary));
-            let p = 0.5 * dt * node!(chain, index, gyroscopic) * node!(chain, index, spin);
-            let (sine, cosine) = (2.0 * p.atan()).sin_cos();
-            let back = kick.scaled(cosine).plus(kick.cross(d), sine);
-            chain.set_turning(index, chain.turning(index) + kick + back);
+        for load in &mut self.loads {
+            let index = load.index;
+            load.weight = chain.weight(index);
+            chain.set_weight(index, load.weight + load.force);
+            load.spun = dt * node!(chain, index, inv_polar) * load.moment.dot(load.director);
+            load.friction = node!(chain, index, sum_torque);
+            node!(chain, index, spin += load.spun);
+            // The step carries the twist on by the spin that it finds: that of half a step ago, without this kick.
+            if index > 0 {
+                element!(chain, index - 1, twist -= dt * load.spun);
+            }
+            if index < chain.elements() {
+                element!(chain, index, twist += dt * load.spun);
+            }
         }
     }
 
-    fn give_back(&mut self, chain: &mut Chain) {
-        while let Some((index, weight)) = self.weights.pop() {
-            chain.set_weight(index, weight);
+    /// Gives the weights back and turns the directors by the moments across them. What the step booked too much to
+    /// friction, J: it took the kicks for spin that the nodes had before.
+    fn finish(&mut self, chain: &mut Chain, dt: f64) -> f64 {
+        let mut excess = 0.0;
+        // The last first: a node may have been taken twice.
+        for load in self.loads.drain(..).rev() {
+            let index = load.index;
+            chain.set_weight(index, load.weight);
+            excess += 0.5 * dt * (node!(chain, index, sum_torque) - load.friction) * load.spun;
+
+            // Half of a kick precesses, half does not; then the director turns anew by all of it, as in the step.
+            let d = load.director;
+            let across = load.moment.minus(d, load.moment.dot(d));
+            let kick = across.scaled(0.5 * dt * node!(chain, index, inv_rotary));
+            let p = 0.5 * dt * node!(chain, index, gyroscopic) * node!(chain, index, spin);
+            let (sine, cosine) = (2.0 * p.atan()).sin_cos();
+            let w = chain.turning(index) + kick + kick.scaled(cosine).minus(kick.cross(d), sine);
+            let q = 0.25 * dt * dt * w.dot(w);
+            let turned = d
+                .scaled((1.0 - q) / (1.0 + q))
+                .plus(w.cross(d), dt / (1.0 + q));
+            chain.set_turning(index, w);
+            chain.set_director(index, turned);
         }
+        excess
     }
 }
 
@@ -189,14 +230,19 @@ impl Body {
     }
 
     /// Acts after the step and whatever else moves nodes in it.
-    pub fn follow(&mut self, chain: &mut Chain, dt: f64) {
-        self.loads.give_back(chain);
+    pub fn follow(&mut self, chain: &mut Chain, dt: f64) -> BodyStep {
+        let mut sum = BodyStep::default();
+        if self.is_empty() {
+            return sum;
+        }
+        sum.loss_J -= self.loads.finish(chain, dt);
         for imbalance in &mut self.imbalances {
             imbalance.follow(chain, dt);
         }
         for bend in &mut self.bends {
             bend.follow(chain, dt);
         }
+        sum
     }
 
     /// Elastic energy of the bends at the middle of the last step, J.

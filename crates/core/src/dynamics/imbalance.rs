@@ -81,7 +81,7 @@ impl Imbalance {
         self.led = omega.cross(ahead);
         let outwards = (self.led - omega.cross(behind)).scaled(-self.moment_kg_m / dt);
         let moment = q.cross(Vector(0.0, 0.0, self.weight_moment_N_m));
-        loads.add(i, outwards, moment);
+        loads.add(chain, i, outwards, moment);
     }
 
     /// After the step: what its accelerations add, and the direction carried on.

@@ -234,8 +234,8 @@ pub struct TimeSeries {
     pub weight_on_bit_N: Vec<f64>,
     /// Bit torque, N·m.
     pub bit_torque_N_m: Vec<f64>,
-    /// Rock that a revolution of the bit takes away, m; not a number where a motor turns it at a speed that is
-    /// not given.
+    /// Rock that a revolution of the bit takes away, m; zero where a motor turns it at a speed that is not
+    /// given.
     pub depth_of_cut_m: Vec<f64>,
     /// Turn of the top against the bit, rad.
     pub twist_rad: Vec<f64>,

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     assembly::{self, Anchor, Surroundings},
-    bit::{Bit, BitLaw},
+    bit::Bit,
     body::Body,
     chain::{Chain, element, node},
     energy::{self, Energies, EnergyBalance, Ledger, StepWork},
@@ -197,10 +197,7 @@ impl Simulation {
         let top_drive = TopDrive::new(&settings.top_drive, string, &mut chain);
         // The front on which the bit stands with its first weight.
         let lighter_N = operation.weight_on_bit_now_N() - first.weight_on_bit_now_N();
-        let bottom = match settings.bit.law {
-            BitLaw::Rate(law) => bottom + lighter_N / law.rock_stiffness_N_per_m,
-            BitLaw::Regenerative(_) => bottom,
-        };
+        let bottom = bottom + lighter_N / settings.bit.law.stiffness_N_per_m();
         let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
         let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
         let record = Record::new(model, &mesh);
@@ -346,7 +343,7 @@ impl Simulation {
         let bit_before = self.chain.velocity(last);
         let bit_spin_before = node!(self.chain, last, spin);
 
-        let body = self.body.push(&mut self.chain, &input, ramp);
+        let before = self.body.push(&mut self.chain, &input, ramp);
         let mut losses = self.stepper.step(&mut self.chain, &input);
 
         let bit = self.bit.act(
@@ -365,15 +362,15 @@ impl Simulation {
             dt,
         );
         self.clamp_top();
-        self.body.follow(&mut self.chain, dt);
+        let after = self.body.follow(&mut self.chain, dt);
         let drive = self.top_drive.act(&mut self.chain, rotation, dt);
         let work = StepWork {
             top_drive: drive.work_J,
             hoist: hoist.work_J,
             bit: bit.work_J,
-            body: body.work_J,
+            body: before.work_J,
         };
-        losses.damping += body.loss_J;
+        losses.damping += before.loss_J + after.loss_J;
         self.ledger.book(&work, &losses);
 
         let sum = &mut self.since_sample;
@@ -627,6 +624,7 @@ impl Simulation {
 
     /// The answer so far: over the window if it has begun, over everything sampled otherwise.
     pub fn outcome(&self) -> DynamicOutcome {
+        let diverged = self.check_numbers().is_err();
         summary::outcome(&summary::Sources {
             model: &self.model,
             operation: &self.operation,
@@ -636,8 +634,8 @@ impl Simulation {
             record: &self.record,
             wear: &self.wear,
             steps: self.steps,
-            energy: self.energy_balance(),
-            diverged: self.check_numbers().is_err(),
+            energy: self.energy_balance().filter(|_| !diverged),
+            diverged,
             hydraulics: self.viscous.as_ref().map(Viscous::mean),
             instructions: self.stepper.instructions,
         })

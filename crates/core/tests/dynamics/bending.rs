@@ -55,7 +55,8 @@ fn a_pipe_in_an_arc_bends_most_where_it_is_held() {
         close("bending stress", nodes.bending_stress_Pa[i], bending_stress);
         let stress = TENSION_N / area + bending_stress;
         close("stress", nodes.von_mises_stress_Pa[i], stress);
-        close("largest stress", nodes.von_mises_stress_max_Pa[i], stress);
+        // What is left of the start's swinging is in it.
+        assert!(nodes.von_mises_stress_max_Pa[i] >= nodes.von_mises_stress_Pa[i]);
         // As dense as the mud, the pipe hangs in it as if there were none: its metal feels the pressure.
         let path = &case.model.well.path;
         let pressure = case

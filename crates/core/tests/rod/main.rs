@@ -13,6 +13,7 @@ mod friction;
 mod mesh;
 mod plane;
 mod random;
+mod shear;
 mod space;
 mod stability;
 mod statics;

@@ -88,7 +88,7 @@ impl RateCut {
         let depth_of_cut_m = if self.nominal_rad_per_s > 0.0 {
             self.rate_m_per_s_per_N * weight * std::f64::consts::TAU / self.nominal_rad_per_s
         } else {
-            f64::NAN
+            0.0
         };
         Answer {
             weight_N: weight,

@@ -66,6 +66,16 @@ pub enum BitLaw {
     Regenerative(RegenerativeLaw),
 }
 
+impl BitLaw {
+    /// Stiffness of the rock under the bit, N/m.
+    pub fn stiffness_N_per_m(&self) -> f64 {
+        match self {
+            Self::Rate(law) => law.rock_stiffness_N_per_m,
+            Self::Regenerative(law) => law.stiffness_N_per_m(),
+        }
+    }
+}
+
 /// The rate law: on rock that lies where the bit has cut to, pressed with the force `W`, the bit advances
 /// at the rate `v = v₀ (W/W₀)(Ω/Ω₀)`, its torque is `T₀ W/W₀`; `v₀`, `W₀`, `Ω₀`, `T₀` are the operation's.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]

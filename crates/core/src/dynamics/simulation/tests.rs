@@ -1,5 +1,7 @@
 //! Every instruction set moves the string alike.
 
+mod body;
+
 use super::*;
 use crate::{
     dynamics::{settings::FrictionLaw, step::Abilities},

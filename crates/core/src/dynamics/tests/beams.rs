@@ -43,11 +43,12 @@ pub fn swing(rod: &mut Bench, mode: impl Fn(f64) -> (f64, f64)) -> f64 {
         rod.chain.set_velocity(i, Vector(v, 0.0, 0.0));
         rod.chain.set_turning(i, Vector(0.0, w, 0.0));
     }
+    let weights: Vec<f64> = (0..rod.chain.nodes())
+        .map(|i| node!(rod.chain, i, mass_lateral) * mode(rod.z_m(i)).0)
+        .collect();
     rod.frequency_Hz(2, |rod| {
-        (0..rod.chain.nodes())
-            .map(|i| {
-                node!(rod.chain, i, mass_lateral) * mode(rod.z_m(i)).0 * rod.chain.displacement(i).0
-            })
+        let each = weights.iter().enumerate();
+        each.map(|(i, weight)| weight * rod.chain.displacement(i).0)
             .sum()
     })
 }

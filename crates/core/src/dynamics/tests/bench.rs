@@ -5,7 +5,7 @@ use crate::{
         assembly,
         body::Body,
         chain::{Chain, node},
-        step::{Abilities, StepInput, Stepper},
+        step::{Abilities, StepInput, StepLosses, Stepper},
     },
     model::Model,
     mud::Mud,
@@ -279,11 +279,12 @@ impl Bench {
         self.mesh.length_m() - self.mesh.nodes[index].from_bit_m
     }
 
-    /// Goes on by a step.
-    pub fn step(&mut self) {
+    /// Goes on by a step; what the rod lost in it.
+    pub fn step(&mut self) -> StepLosses {
         self.body.push(&mut self.chain, &self.input, 1.0);
-        self.stepper.step(&mut self.chain, &self.input);
+        let losses = self.stepper.step(&mut self.chain, &self.input);
         self.body.follow(&mut self.chain, self.input.dt);
+        losses
     }
 
     /// Frequency, Hz, of what `measure` gives: over `periods` from its first zero. Zeros are

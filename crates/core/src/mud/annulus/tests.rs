@@ -120,7 +120,7 @@ fn a_power_law_of_index_one_is_newtonian() {
 fn bingham_torque_is_that_of_reiner_and_riwlin() {
     let (viscosity, yield_point) = (0.025, 7.2);
     for (torque, tolerance) in [(0.30, 2e-4), (0.45, 2e-4), (0.6, 2e-4), (1.5, 2e-4)] {
-        let reach = (torque / (2.0 * PI * yield_point) as f64).sqrt();
+        let reach = f64::sqrt(torque / (2.0 * PI * yield_point));
         let outer = reach.min(HOLE_M);
         let spin = torque / (4.0 * PI * viscosity) * (PIPE_M.powi(-2) - outer.powi(-2))
             - yield_point / viscosity * (outer / PIPE_M).ln();
