@@ -90,10 +90,9 @@ impl Schedule {
                 HoistSetPoint::BlockVelocity(value) | HoistSetPoint::WeightOnBit(value) => value,
             });
             let values = [step.rotary_speed_rad_per_s, hoist, step.flow_rate_m3_per_s];
-            let sound = |x: f64| x.is_finite();
-            if !(sound(step.at_s) && sound(step.ramp_s) && step.at_s >= 0.0 && step.ramp_s >= 0.0)
-                || !values.iter().flatten().all(|x| sound(*x))
-            {
+            let times = [step.at_s, step.ramp_s];
+            let timely = times.iter().all(|time| time.is_finite() && *time >= 0.0);
+            if !timely || values.iter().flatten().any(|value| !value.is_finite()) {
                 return Some((index, ScheduleFault::Range));
             }
             if step.at_s < above_s {
