@@ -1,7 +1,7 @@
 //! What is kept of a run while it goes on: sums per node, samples of the scalars.
 
 use super::{
-    chain::{Chain, ElementBlock, Field, NodeBlock},
+    chain::{Chain, ElementBlock, NodeBlock, Rows, StateBlock},
     outcome::TimeSeries,
 };
 use crate::rod::lanes::LANES;
@@ -103,14 +103,11 @@ impl Record {
         let mut totals = Totals::default();
         let per_step = 1.0 / steps as f64;
         let first = self.samples == 0;
-        for (block, nodes) in chain.node_blocks.iter_mut().enumerate() {
-            let elements = &chain.element_blocks[block];
-            let place = Placement::of(
-                nodes,
-                &chain.state.u,
-                block,
-                &high[(block * LANES).min(high.len())..],
-            );
+        let rows = self.sums.len();
+        for (row, nodes) in chain.node_blocks.iter_mut().enumerate() {
+            let elements = &chain.element_blocks[row];
+            let high = high.get(row..).unwrap_or_default().iter().step_by(rows);
+            let place = Placement::of(nodes, &chain.states[row], high);
             for lane in 0..LANES {
                 let normal = nodes.sum_normal.0[lane] * per_step;
                 totals.normal_N += normal;
@@ -124,25 +121,29 @@ impl Record {
                 totals.penetration_m = totals.penetration_m.max(deep);
             }
             add(
-                &mut self.sums[block],
+                &mut self.sums[row],
                 nodes,
                 elements,
                 &place,
                 per_step,
                 first,
             );
-            nodes.sum_normal.0.fill(0.0);
-            nodes.sum_axial.0.fill(0.0);
-            nodes.sum_torque.0.fill(0.0);
-            nodes.sum_wear.0.fill(0.0);
+            nodes.clear_sums();
         }
         self.samples += 1;
         self.max_penetration_m = self.max_penetration_m.max(totals.penetration_m);
         totals
     }
 
+    /// The sums of a node, and its lane in them.
+    fn at(&self, index: usize) -> (&SumBlock, usize) {
+        let rows = self.sums.len();
+        (&self.sums[index % rows], index / rows)
+    }
+
     fn mean_of(&self, index: usize, pick: impl Fn(&SumBlock) -> &Lane) -> f64 {
-        pick(&self.sums[index / LANES])[index % LANES] / self.samples.max(1) as f64
+        let (sums, lane) = self.at(index);
+        pick(sums)[lane] / self.samples.max(1) as f64
     }
 
     fn spread_of(
@@ -151,9 +152,10 @@ impl Record {
         about: f64,
         pick: impl Fn(&SumBlock) -> &[Lane; 2],
     ) -> Spread {
-        let [first, second] = pick(&self.sums[index / LANES]);
+        let (sums, lane) = self.at(index);
+        let [first, second] = pick(sums);
         let n = self.samples.max(1) as f64;
-        let (m1, m2) = (first[index % LANES] / n, second[index % LANES] / n);
+        let (m1, m2) = (first[lane] / n, second[lane] / n);
         Spread {
             mean: about + m1,
             std: (m2 - m1 * m1).max(0.0).sqrt(),
@@ -162,12 +164,14 @@ impl Record {
 
     /// Tension of an element, N.
     pub fn tension(&self, index: usize) -> Spread {
-        let about = self.sums[index / LANES].about[0][index % LANES];
+        let (sums, lane) = self.at(index);
+        let about = sums.about[0][lane];
         self.spread_of(index, about, |s| &s.tension)
     }
     /// Torque of an element, N·m, in the sign of the chain.
     pub fn torque(&self, index: usize) -> Spread {
-        let about = self.sums[index / LANES].about[1][index % LANES];
+        let (sums, lane) = self.at(index);
+        let about = sums.about[1][lane];
         self.spread_of(index, about, |s| &s.torque)
     }
     /// Contact force of a node, N.
@@ -176,7 +180,8 @@ impl Record {
     }
     /// Largest contact force of a node, N.
     pub fn normal_max(&self, index: usize) -> f64 {
-        self.sums[index / LANES].normal_max[index % LANES]
+        let (sums, lane) = self.at(index);
+        sums.normal_max[lane]
     }
     /// Part of the samples in which a node touched.
     pub fn touched(&self, index: usize) -> f64 {
@@ -219,7 +224,11 @@ struct Placement {
 }
 
 impl Placement {
-    fn of(nodes: &NodeBlock, u: &[Field; 3], block: usize, high: &[[f64; 3]]) -> Self {
+    fn of<'a>(
+        nodes: &NodeBlock<f64>,
+        state: &StateBlock<f64>,
+        high: impl Iterator<Item = &'a [f64; 3]>,
+    ) -> Self {
         let none = [0.0; LANES];
         let mut place = Self {
             offset: none,
@@ -227,9 +236,9 @@ impl Placement {
             up: none,
             right: none,
         };
-        for (lane, high) in high.iter().enumerate().take(LANES) {
-            let get = |rows: &[super::chain::Row; 3]| [0, 1, 2].map(|axis| rows[axis].0[lane]);
-            let u = u.each_ref().map(|field| field.nine(block)[lane]);
+        for (lane, high) in high.enumerate() {
+            let get = |rows: &Rows<f64>| [0, 1, 2].map(|axis| rows[axis].0[lane]);
+            let u = get(&state.u);
             let (t, k) = (get(&nodes.tangent), get(&nodes.curvature));
             let z = u[0] * t[0] + u[1] * t[1] + u[2] * t[2];
             let across: [f64; 3] =
@@ -256,8 +265,8 @@ impl Placement {
 
 fn add(
     sums: &mut SumBlock,
-    nodes: &NodeBlock,
-    elements: &ElementBlock,
+    nodes: &NodeBlock<f64>,
+    elements: &ElementBlock<f64>,
     place: &Placement,
     per_step: f64,
     first: bool,

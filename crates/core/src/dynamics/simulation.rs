@@ -79,6 +79,7 @@ pub struct Simulation {
     chain: Chain,
     anchors: Vec<Anchor>,
     surroundings: Surroundings,
+    abilities: Abilities,
     stepper: Stepper,
     hoist: Hoist,
     bit: Bit,
@@ -123,13 +124,14 @@ impl Simulation {
         let chain = assembly::chain(model, &mesh, &plan);
         let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
         let sections = model.well.hole.sections();
-        let stepper = Stepper::new(Abilities {
+        let abilities = Abilities {
             hertz: matches!(settings.contact_law, ContactLaw::Hertz { .. }),
             vector: settings.friction_law == FrictionLaw::Vector,
             full: sections
                 .iter()
                 .any(|s| s.friction.at_rest > s.friction.kinetic),
-        });
+        };
+        let stepper = Stepper::new(abilities);
         let input = StepInput {
             dt: plan.dt_s,
             stiffness_damping: settings.damping.stiffness_s,
@@ -179,6 +181,7 @@ impl Simulation {
             chain,
             anchors,
             surroundings,
+            abilities,
             stepper,
             hoist,
             bit: Bit::new(settings.bit, operation, bottom),
@@ -234,6 +237,35 @@ impl Simulation {
             let before = self.chain.velocity(index);
             self.chain.set_velocity(index, before + velocity.into());
             node!(self.chain, index, spin += spin);
+        }
+    }
+
+    /// Names of the instruction sets that this processor can run, the fastest first.
+    pub fn instruction_sets() -> Vec<&'static str> {
+        let any = Abilities {
+            hertz: true,
+            vector: true,
+            full: false,
+        };
+        let all: Vec<Stepper> = Stepper::all(any);
+        all.iter().map(|stepper| stepper.instructions).collect()
+    }
+
+    /// Goes on with one of [`Self::instruction_sets`]; with what it has if there is none of that name.
+    pub fn use_instructions(&mut self, name: &str) {
+        let mut all = Stepper::all(self.abilities).into_iter();
+        if let Some(stepper) = all.find(|stepper| stepper.instructions == name) {
+            self.stepper = stepper;
+        }
+    }
+
+    /// Takes `steps` steps of the inner loop alone, the top held where it is: a measure of speed. The
+    /// simulation is no more than that afterwards.
+    pub fn step_kernel(&mut self, steps: usize) {
+        let input = self.step_input(self.time_s());
+        node!(self.chain, 0, inv_mass_axial = 0.0);
+        for _ in 0..steps {
+            self.stepper.step(&mut self.chain, &input);
         }
     }
 
@@ -351,10 +383,11 @@ impl Simulation {
     fn check_numbers(&self) -> Result<(), Diverged> {
         // Not a number is too fast, too.
         let fast = |x: f64| x.is_nan() || x.abs() >= DIVERGED_M_PER_S;
-        let state = &self.chain.state;
-        let any = state.v.iter().any(|axis| axis.0.iter().any(|v| fast(*v)))
-            || state.spin.0.iter().any(|s| !s.is_finite());
-        if !any {
+        let sound = self.chain.states.iter().all(|state| {
+            !state.v.iter().any(|axis| axis.0.iter().any(|v| fast(*v)))
+                && state.spin.0.iter().all(|s| s.is_finite())
+        });
+        if sound {
             return Ok(());
         }
         let speed = |i: usize| {
