@@ -73,7 +73,13 @@ fn the_shipped_cases_are_sound() {
     for case in shipped() {
         let read = parse(&case.name, case.text.as_bytes(), &case.files, &[]);
         let read = read.unwrap_or_else(|report| panic!("{report}"));
-        assert!(read.warnings.is_empty(), "{}", read.warnings);
+        // Well B's pipe has a shear modulus that makes its torsional stiffness the recorded one.
+        let told = read.warnings.to_string();
+        let known = case.name.starts_with("well-b") && told.matches("warning: ").count() == 1;
+        assert!(
+            told.is_empty() || known && told.contains("Poisson's ratio"),
+            "{told}"
+        );
     }
 }
 

@@ -173,7 +173,7 @@ fn the_keys_are_the_contract() {
         "bit_loss_Pa": 5.0, "annulus_loss_Pa": 6.0, "pump_pressure_Pa": 15.0
     });
     failed["numerics"]["energy"] = json!({
-        "top_drive_work_J": 0.0, "hoist_work_J": 5.0, "bit_work_J": 0.0, "flow_work_J": 0.0,
+        "top_drive_work_J": 0.0, "hoist_work_J": 5.0, "bit_work_J": 0.0, "bend_work_J": 0.0, "flow_work_J": 0.0,
         "friction_loss_J": 1.0, "contact_loss_J": 0.0, "mud_loss_J": 0.0, "damping_loss_J": 0.0,
         "kinetic_change_J": 0.0, "elastic_change_J": 0.0, "gravity_change_J": 4.0, "residual_J": 0.0
     });

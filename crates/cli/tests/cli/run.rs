@@ -491,6 +491,7 @@ fn frames_and_spectra() {
         "profile.svg",
         "summary.json",
         "time.parquet",
+        "wear.parquet",
     ];
     assert_eq!(files(&desk, "out"), expected.map(String::from).into());
 }

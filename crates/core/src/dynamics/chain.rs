@@ -1,320 +1,356 @@
 //! The chain of nodes and elements as the time loop holds it.
 //!
-//! Neighbours stand side by side, so that one instruction works on eight of them; a whole string of thousands of metres fits in the second-level cache. Positions are displacements
-//! from each node's own anchor on the hole's axis.
+//! The chain is cut into as many strands as there are lanes, and the strands lie side by side: node `i` is in row
+//! `i mod rows`, lane `i / rows`. What is next along the string so stands in the same lane of the next row, and
+//! one instruction works on all lanes without moving a number between them; only where a strand ends does its
+//! last element reach for the first node of the next lane. A whole string of thousands of metres fits in the
+//! second-level cache. Positions are displacements from each node's own anchor on the hole's axis.
 
 use serde::{Deserialize, Serialize};
 
 use crate::rod::{
     element::{Pose, Stiffness},
     lanes::LANES,
+    number::Real,
     vector::Vector,
 };
 
-/// One number for each of eight neighbours.
+/// One number for each lane.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[repr(C, align(64))]
-pub struct Row(pub [f64; LANES]);
+pub struct Row<R>(pub [R; LANES]);
 
-/// A vector for each of eight neighbours.
-pub type Rows = [Row; 3];
+impl<R: Real> Row<R> {
+    /// The same number in every lane.
+    pub fn filled(value: f64) -> Self {
+        Self([R::from_f64(value); LANES])
+    }
 
-const ZERO: Row = Row([0.0; LANES]);
-const ONE: Row = Row([1.0; LANES]);
+    /// Moves every number one lane up; zero comes in.
+    pub fn go_on(&mut self) {
+        self.0.copy_within(..LANES - 1, 1);
+        self.0[0] = R::default();
+    }
+}
+
+/// A vector for each lane.
+pub type Rows<R> = [Row<R>; 3];
 
 /// Clearance of a node that no wall is near, m.
 pub const NO_WALL_M: f64 = 1e3;
 
-/// One number for each node, in one piece: an element reads its two ends from neighbouring places.
-/// Padded so that nine numbers can be read at every eighth place.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-pub struct Field(pub Vec<f64>);
-
-impl Field {
-    fn filled(blocks: usize, value: f64) -> Self {
-        Self(vec![value; (blocks + 1) * LANES])
-    }
-
-    /// The eight numbers of a block and the first of the next.
-    #[inline(always)]
-    pub fn nine(&self, block: usize) -> &[f64; LANES + 1] {
-        self.0[block * LANES..]
-            .first_chunk()
-            .expect("every field is padded by a block")
-    }
-
-    /// The eight numbers of a block.
-    #[inline(always)]
-    pub fn eight(&mut self, block: usize) -> &mut [f64; LANES] {
-        self.0[block * LANES..]
-            .first_chunk_mut()
-            .expect("every field is padded by a block")
-    }
-}
-
-/// What moves.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-pub struct State {
+/// A row of nodes: how they move.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[repr(C, align(64))]
+pub struct StateBlock<R> {
     /// Displacement from the anchor, m.
-    pub u: [Field; 3],
+    pub u: Rows<R>,
     /// Velocity, m/s, half a step behind the displacement.
-    pub v: [Field; 3],
+    pub v: Rows<R>,
     /// Director.
-    pub d: [Field; 3],
+    pub d: Rows<R>,
     /// Angular velocity across the director, rad/s.
-    pub w: [Field; 3],
+    pub w: Rows<R>,
     /// Spin about the director, rad/s.
-    pub spin: Field,
+    pub spin: Row<R>,
 }
 
-impl State {
-    fn at_rest(blocks: usize) -> Self {
-        let zeros = || std::array::from_fn(|_| Field::filled(blocks, 0.0));
+impl<R: Real> StateBlock<R> {
+    fn at_rest() -> Self {
+        let (zero, one) = (Row::filled(0.0), Row::filled(1.0));
         Self {
-            u: zeros(),
-            v: zeros(),
-            d: [0.0, 0.0, 1.0].map(|x| Field::filled(blocks, x)),
-            w: zeros(),
-            spin: Field::filled(blocks, 0.0),
+            u: [zero; 3],
+            v: [zero; 3],
+            d: [zero, zero, one],
+            w: [zero; 3],
+            spin: zero,
+        }
+    }
+
+    fn rows_mut(&mut self) -> impl Iterator<Item = &mut Row<R>> {
+        let Self { u, v, d, w, spin } = self;
+        u.iter_mut()
+            .chain(v)
+            .chain(d)
+            .chain(w)
+            .chain(std::iter::once(spin))
+    }
+}
+
+/// A row of nodes: what they are, then what is summed up between samples.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[repr(C, align(64))]
+pub struct NodeBlock<R> {
+    /// Tangent of the hole's axis at the anchor.
+    pub tangent: Rows<R>,
+    /// Curvature vector of the hole's axis at the anchor, 1/m.
+    pub curvature: Rows<R>,
+    /// Buoyed weight, N.
+    pub weight: Rows<R>,
+    /// Inertia along the hole, kg: steel.
+    pub mass_axial: Row<R>,
+    /// Inertia across the hole, kg: steel, mud inside and mud carried along outside.
+    pub mass_lateral: Row<R>,
+    /// Moment of inertia about the director, kg·m².
+    pub polar: Row<R>,
+    /// Inverse of `mass_axial`; zero where the motion is prescribed.
+    pub inv_mass_axial: Row<R>,
+    /// Inverse of `mass_lateral`; zero where the motion is prescribed.
+    pub inv_mass_lateral: Row<R>,
+    /// Inverse of `polar`; zero where the spin is prescribed.
+    pub inv_polar: Row<R>,
+    /// Inverse of the moment of inertia across the director; zero where it may not turn.
+    pub inv_rotary: Row<R>,
+    /// `polar` over the moment of inertia across the director.
+    pub gyroscopic: Row<R>,
+    /// Clearance `R − r` between pipe and hole at the anchor, m.
+    pub clearance: Row<R>,
+    /// What the clearance gains per metre below the anchor.
+    pub clearance_slope: Row<R>,
+    /// Contact radius `r`, m.
+    pub radius: Row<R>,
+    /// Kinetic friction coefficient.
+    pub friction: Row<R>,
+    /// What the friction coefficient gains at rest.
+    pub friction_rise: Row<R>,
+    /// Friction around the hole over friction along it.
+    pub friction_around: Row<R>,
+    /// Contact stiffness, N/m or N/m^1.5.
+    pub stiffness: Row<R>,
+    /// Contact damping of the linear law, N·s/m.
+    pub damping: Row<R>,
+    /// Linear lateral drag, N·s/m.
+    pub drag_linear: Row<R>,
+    /// Quadratic lateral drag, N·s²/m².
+    pub drag_quadratic: Row<R>,
+    /// Viscous drag of the mud along the hole, N·s/m.
+    pub mud_axial: Row<R>,
+    /// Viscous drag of the mud about the axis, N·m·s.
+    pub mud_spin: Row<R>,
+    /// Sum over steps of the contact force, N.
+    pub sum_normal: Row<R>,
+    /// Sum over steps of the axial friction on the wall, N, along the hole.
+    pub sum_axial: Row<R>,
+    /// Sum over steps of the friction torque, N·m.
+    pub sum_torque: Row<R>,
+    /// Work that friction has done, J: force times sliding distance.
+    pub sum_wear: Row<R>,
+}
+
+/// A row of elements; element `i` lies between nodes `i` and `i + 1`.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[repr(C, align(64))]
+pub struct ElementBlock<R> {
+    /// Twist, rad.
+    pub twist: Row<R>,
+    /// Chord between the anchors of the two ends, m.
+    pub chord: Rows<R>,
+    /// Square of that chord less the square of the rest length, m².
+    pub excess: Row<R>,
+    /// Stiffness, in the order of [`Stiffness`].
+    pub length: Row<R>,
+    /// `1/L`.
+    pub inverse_length: Row<R>,
+    /// `EA`.
+    pub axial: Row<R>,
+    /// `A₀ EI/L`.
+    pub bending_near: Row<R>,
+    /// `B₀ EI/L`.
+    pub bending_far: Row<R>,
+    /// `a L`.
+    pub bow_near: Row<R>,
+    /// `b L`.
+    pub bow_far: Row<R>,
+    /// `GJ/L`.
+    pub torsion: Row<R>,
+    /// `EI/L`.
+    pub bending: Row<R>,
+    /// Effective tension at the last step, N.
+    pub tension: Row<R>,
+    /// Torque `M` at the last step, N·m: negative while the top leads the bit.
+    pub torque: Row<R>,
+}
+
+impl<R: Real> NodeBlock<R> {
+    /// Clears what is summed up between samples.
+    pub fn clear_sums(&mut self) {
+        let zero = Row::filled(0.0);
+        (self.sum_normal, self.sum_axial) = (zero, zero);
+        (self.sum_torque, self.sum_wear) = (zero, zero);
+    }
+
+    /// Nodes that fill the last block: nothing moves them and they move nothing. Real nodes begin as
+    /// these, with the masses cleared.
+    fn idle() -> Self {
+        let row = Row::filled;
+        let (zero, one) = (row(0.0), row(1.0));
+        Self {
+            tangent: [zero, zero, one],
+            curvature: [zero; 3],
+            weight: [zero; 3],
+            mass_axial: one,
+            mass_lateral: one,
+            polar: one,
+            inv_mass_axial: zero,
+            inv_mass_lateral: zero,
+            inv_polar: zero,
+            inv_rotary: zero,
+            gyroscopic: zero,
+            clearance: row(NO_WALL_M),
+            clearance_slope: zero,
+            radius: zero,
+            friction: zero,
+            friction_rise: zero,
+            friction_around: one,
+            stiffness: zero,
+            damping: zero,
+            drag_linear: zero,
+            drag_quadratic: zero,
+            mud_axial: zero,
+            mud_spin: zero,
+            sum_normal: zero,
+            sum_axial: zero,
+            sum_torque: zero,
+            sum_wear: zero,
         }
     }
 }
 
-/// Eight nodes: what they are, then what is summed up between samples.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-#[repr(C, align(64))]
-pub struct NodeBlock {
-    /// Tangent of the hole's axis at the anchor.
-    pub tangent: Rows,
-    /// Curvature vector of the hole's axis at the anchor, 1/m.
-    pub curvature: Rows,
-    /// Buoyed weight, N.
-    pub weight: Rows,
-    /// Inertia along the hole, kg: steel.
-    pub mass_axial: Row,
-    /// Inertia across the hole, kg: steel, mud inside and mud carried along outside.
-    pub mass_lateral: Row,
-    /// Moment of inertia about the director, kg·m².
-    pub polar: Row,
-    /// Inverse of `mass_axial`; zero where the motion is prescribed.
-    pub inv_mass_axial: Row,
-    /// Inverse of `mass_lateral`; zero where the motion is prescribed.
-    pub inv_mass_lateral: Row,
-    /// Inverse of `polar`; zero where the spin is prescribed.
-    pub inv_polar: Row,
-    /// Inverse of the moment of inertia across the director; zero where it may not turn.
-    pub inv_rotary: Row,
-    /// `polar` over the moment of inertia across the director.
-    pub gyroscopic: Row,
-    /// Clearance `R − r` between pipe and hole at the anchor, m.
-    pub clearance: Row,
-    /// What the clearance gains per metre below the anchor.
-    pub clearance_slope: Row,
-    /// Contact radius `r`, m.
-    pub radius: Row,
-    /// Kinetic friction coefficient.
-    pub friction: Row,
-    /// What the friction coefficient gains at rest.
-    pub friction_rise: Row,
-    /// Friction around the hole over friction along it.
-    pub friction_around: Row,
-    /// Contact stiffness, N/m or N/m^1.5.
-    pub stiffness: Row,
-    /// Contact damping of the linear law, N·s/m.
-    pub damping: Row,
-    /// Linear lateral drag, N·s/m.
-    pub drag_linear: Row,
-    /// Quadratic lateral drag, N·s²/m².
-    pub drag_quadratic: Row,
-    /// Viscous drag of the mud along the hole, N·s/m.
-    pub mud_axial: Row,
-    /// Viscous drag of the mud about the axis, N·m·s.
-    pub mud_spin: Row,
-    /// Sum over steps of the contact force, N.
-    pub sum_normal: Row,
-    /// Sum over steps of the axial friction on the wall, N, along the hole.
-    pub sum_axial: Row,
-    /// Sum over steps of the friction torque, N·m.
-    pub sum_torque: Row,
-    /// Work that friction has done, J: force times sliding distance.
-    pub sum_wear: Row,
-}
-
-/// Eight elements; element `i` lies between nodes `i` and `i + 1`.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-#[repr(C, align(64))]
-pub struct ElementBlock {
-    /// Twist, rad.
-    pub twist: Row,
-    /// Chord between the anchors of the two ends, m.
-    pub chord: Rows,
-    /// Square of that chord less the square of the rest length, m².
-    pub excess: Row,
-    /// Stiffness, in the order of [`Stiffness`].
-    pub length: Row,
-    /// `1/L`.
-    pub inverse_length: Row,
-    /// `EA`.
-    pub axial: Row,
-    /// `A₀ EI/L`.
-    pub bending_near: Row,
-    /// `B₀ EI/L`.
-    pub bending_far: Row,
-    /// `a L`.
-    pub bow_near: Row,
-    /// `b L`.
-    pub bow_far: Row,
-    /// `GJ/L`.
-    pub torsion: Row,
-    /// `EI/L`.
-    pub bending: Row,
-    /// Effective tension at the last step, N.
-    pub tension: Row,
-    /// Torque `M` at the last step, N·m: negative while the top leads the bit.
-    pub torque: Row,
-}
-
-const DOWN: Rows = [ZERO, ZERO, ONE];
-
-impl NodeBlock {
-    /// Nodes that fill the last block: nothing moves them and they move nothing. Real nodes begin as
-    /// these, with the masses cleared.
-    const IDLE: Self = Self {
-        tangent: DOWN,
-        curvature: [ZERO; 3],
-        weight: [ZERO; 3],
-        mass_axial: ONE,
-        mass_lateral: ONE,
-        polar: ONE,
-        inv_mass_axial: ZERO,
-        inv_mass_lateral: ZERO,
-        inv_polar: ZERO,
-        inv_rotary: ZERO,
-        gyroscopic: ZERO,
-        clearance: Row([NO_WALL_M; LANES]),
-        clearance_slope: ZERO,
-        radius: ZERO,
-        friction: ZERO,
-        friction_rise: ZERO,
-        friction_around: ONE,
-        stiffness: ZERO,
-        damping: ZERO,
-        drag_linear: ZERO,
-        drag_quadratic: ZERO,
-        mud_axial: ZERO,
-        mud_spin: ZERO,
-        sum_normal: ZERO,
-        sum_axial: ZERO,
-        sum_torque: ZERO,
-        sum_wear: ZERO,
-    };
-}
-
-impl ElementBlock {
-    const IDLE: Self = Self {
-        twist: ZERO,
-        chord: DOWN,
-        excess: ZERO,
-        length: ONE,
-        inverse_length: ONE,
-        axial: ZERO,
-        bending_near: ZERO,
-        bending_far: ZERO,
-        bow_near: ZERO,
-        bow_far: ZERO,
-        torsion: ZERO,
-        bending: ZERO,
-        tension: ZERO,
-        torque: ZERO,
-    };
+impl<R: Real> ElementBlock<R> {
+    fn idle() -> Self {
+        let row = Row::filled;
+        let (zero, one) = (row(0.0), row(1.0));
+        Self {
+            twist: zero,
+            chord: [zero, zero, one],
+            excess: zero,
+            length: one,
+            inverse_length: one,
+            axial: zero,
+            bending_near: zero,
+            bending_far: zero,
+            bow_near: zero,
+            bow_far: zero,
+            torsion: zero,
+            bending: zero,
+            tension: zero,
+            torque: zero,
+        }
+    }
 }
 
 /// The whole chain.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub struct Chain {
+pub struct Chain<R = f64> {
     nodes: usize,
-    /// What moves.
-    pub state: State,
-    /// Nodes by eights.
-    pub node_blocks: Vec<NodeBlock>,
-    /// Elements by eights, as many blocks as nodes have.
-    pub element_blocks: Vec<ElementBlock>,
+    /// How the nodes move, row by row; the last row repeats the first one lane lower, for the elements
+    /// where strands end.
+    pub states: Vec<StateBlock<R>>,
+    /// Nodes, row by row.
+    pub node_blocks: Vec<NodeBlock<R>>,
+    /// Elements, as many rows as nodes have.
+    pub element_blocks: Vec<ElementBlock<R>>,
+}
+
+/// Row and lane of a node, and of the element below it, in a chain of `rows`.
+#[inline]
+pub fn place(rows: usize, index: usize) -> (usize, usize) {
+    (index % rows, index / rows)
 }
 
 /// One number of a node by the name of its field: `node!(chain, index, radius)` reads it,
 /// `node!(chain, index, radius = r)` and `+=` write it.
 macro_rules! node {
-    ($chain:expr, $index:expr, spin) => {
-        $chain.state.spin.0[$index]
+    ($chain:expr, $index:expr, spin $($write:tt)*) => {
+        $crate::dynamics::chain::number!($chain, $index, states, spin $($write)*)
     };
-    ($chain:expr, $index:expr, $field:ident) => {
-        $chain.node_blocks[$index / $crate::rod::lanes::LANES]
-            .$field
-            .0[$index % $crate::rod::lanes::LANES]
+    ($chain:expr, $index:expr, $field:ident $($write:tt)*) => {
+        $crate::dynamics::chain::number!($chain, $index, node_blocks, $field $($write)*)
     };
-    ($chain:expr, $index:expr, $field:ident $assign:tt $value:expr) => {{
-        let value: f64 = $value;
-        $crate::dynamics::chain::node!($chain, $index, $field) $assign value;
-    }};
 }
 
 /// One number of an element by the name of its field, read and written like that of a [`node!`].
 macro_rules! element {
-    ($chain:expr, $index:expr, $field:ident) => {
-        $chain.element_blocks[$index / $crate::rod::lanes::LANES]
-            .$field
-            .0[$index % $crate::rod::lanes::LANES]
+    ($chain:expr, $index:expr, $field:ident $($write:tt)*) => {
+        $crate::dynamics::chain::number!($chain, $index, element_blocks, $field $($write)*)
     };
-    ($chain:expr, $index:expr, $field:ident $assign:tt $value:expr) => {{
+}
+
+/// One number of a row: read, or written with an assignment.
+macro_rules! number {
+    ($chain:expr, $index:expr, $blocks:ident, $field:ident) => {{
+        let (row, lane) = $chain.place($index);
+        $crate::rod::number::Real::to_f64($chain.$blocks[row].$field.0[lane])
+    }};
+    ($chain:expr, $index:expr, $blocks:ident, $field:ident = $value:expr) => {{
         let value: f64 = $value;
-        $crate::dynamics::chain::element!($chain, $index, $field) $assign value;
+        let (row, lane) = $chain.place($index);
+        $chain.$blocks[row].$field.0[lane] = $crate::rod::number::Real::from_f64(value);
+    }};
+    ($chain:expr, $index:expr, $blocks:ident, $field:ident $assign:tt $value:expr) => {{
+        let value: f64 = $value;
+        let mut number: f64 = $crate::dynamics::chain::number!($chain, $index, $blocks, $field);
+        number $assign value;
+        $crate::dynamics::chain::number!($chain, $index, $blocks, $field = number);
     }};
 }
-pub(crate) use {element, node};
+pub(crate) use {element, node, number};
 
-macro_rules! state_access {
-    ($($get:ident, $set:ident, $field:ident, $what:literal;)*) => {$(
-        #[doc = $what]
-        pub fn $get(&self, index: usize) -> Vector<f64> {
-            let [x, y, z] = &self.state.$field;
-            Vector(x.0[index], y.0[index], z.0[index])
-        }
-        #[doc = concat!("Sets: ", $what)]
-        pub fn $set(&mut self, index: usize, value: Vector<f64>) {
-            let [x, y, z] = &mut self.state.$field;
-            (x.0[index], y.0[index], z.0[index]) = (value.0, value.1, value.2);
-        }
-    )*};
-}
 macro_rules! vector_access {
     ($($get:ident, $set:ident, $blocks:ident, $field:ident, $what:literal;)*) => {$(
         #[doc = $what]
         pub fn $get(&self, index: usize) -> Vector<f64> {
-            let rows = &self.$blocks[index / LANES].$field;
-            let lane = index % LANES;
-            Vector(rows[0].0[lane], rows[1].0[lane], rows[2].0[lane])
+            let (row, lane) = self.place(index);
+            let [x, y, z] = &self.$blocks[row].$field;
+            Vector(x.0[lane].to_f64(), y.0[lane].to_f64(), z.0[lane].to_f64())
         }
         #[doc = concat!("Sets: ", $what)]
         pub fn $set(&mut self, index: usize, value: Vector<f64>) {
-            let rows = &mut self.$blocks[index / LANES].$field;
-            let lane = index % LANES;
-            rows[0].0[lane] = value.0;
-            rows[1].0[lane] = value.1;
-            rows[2].0[lane] = value.2;
+            let (row, lane) = self.place(index);
+            let [x, y, z] = &mut self.$blocks[row].$field;
+            x.0[lane] = R::from_f64(value.0);
+            y.0[lane] = R::from_f64(value.1);
+            z.0[lane] = R::from_f64(value.2);
         }
     )*};
 }
 
-impl Chain {
+impl<R: Real> Chain<R> {
     /// A chain of `nodes` idle nodes.
     pub fn new(nodes: usize) -> Self {
-        let blocks = nodes.div_ceil(LANES);
+        let rows = nodes.div_ceil(LANES);
         Self {
             nodes,
-            state: State::at_rest(blocks),
-            node_blocks: vec![NodeBlock::IDLE; blocks],
-            element_blocks: vec![ElementBlock::IDLE; blocks],
+            states: vec![StateBlock::at_rest(); rows + 1],
+            node_blocks: vec![NodeBlock::idle(); rows],
+            element_blocks: vec![ElementBlock::idle(); rows],
         }
+    }
+
+    /// Row and lane of a node, and of the element below it.
+    #[inline]
+    pub fn place(&self, index: usize) -> (usize, usize) {
+        place(self.node_blocks.len(), index)
+    }
+
+    /// Repeats the first row of states below the last, one lane lower. The last lane ends in itself.
+    pub fn close(&mut self) {
+        let rows = self.node_blocks.len();
+        self.states[rows] = self.ends(rows - 1);
+    }
+
+    /// How the lower ends of a row of elements move. The last lane ends in itself.
+    pub fn ends(&self, row: usize) -> StateBlock<R> {
+        let rows = self.node_blocks.len();
+        if row + 1 < rows {
+            return self.states[row + 1];
+        }
+        let (mut ends, mut last) = (self.states[0], self.states[rows - 1]);
+        for (row, last) in ends.rows_mut().zip(last.rows_mut()) {
+            row.0.copy_within(1.., 0);
+            row.0[LANES - 1] = last.0[LANES - 1];
+        }
+        ends
     }
 
     /// Number of nodes.
@@ -327,31 +363,15 @@ impl Chain {
         self.nodes - 1
     }
 
-    state_access! {
-        displacement, set_displacement, u, "Displacement of a node from its anchor, m.";
-        velocity, set_velocity, v, "Velocity of a node, m/s.";
-        director, set_director, d, "Director of a node.";
-        turning, set_turning, w, "Angular velocity of a node across its director, rad/s.";
-    }
-
     vector_access! {
+        displacement, set_displacement, states, u, "Displacement of a node from its anchor, m.";
+        velocity, set_velocity, states, v, "Velocity of a node, m/s.";
+        director, set_director, states, d, "Director of a node.";
+        turning, set_turning, states, w, "Angular velocity of a node across its director, rad/s.";
         tangent, set_tangent, node_blocks, tangent, "Tangent of the hole at a node's anchor.";
+        curvature, set_curvature, node_blocks, curvature, "Curvature of the hole at a node's anchor, 1/m.";
         weight, set_weight, node_blocks, weight, "Buoyed weight of a node, N.";
         chord, set_chord, element_blocks, chord, "Chord between the anchors of an element, m.";
-    }
-
-    /// Curvature of the hole at a node's anchor, 1/m.
-    pub fn curvature(&self, index: usize) -> Vector<f64> {
-        let rows = &self.node_blocks[index / LANES].curvature;
-        let lane = index % LANES;
-        Vector(rows[0].0[lane], rows[1].0[lane], rows[2].0[lane])
-    }
-
-    /// Sets the curvature of the hole at a node's anchor, 1/m.
-    pub fn set_curvature(&mut self, index: usize, value: Vector<f64>) {
-        let rows = &mut self.node_blocks[index / LANES].curvature;
-        let lane = index % LANES;
-        (rows[0].0[lane], rows[1].0[lane], rows[2].0[lane]) = (value.0, value.1, value.2);
     }
 
     /// Gives an element its stiffness.
@@ -414,10 +434,7 @@ impl Chain {
     /// Clears what is summed up between samples.
     pub fn clear_sums(&mut self) {
         for block in &mut self.node_blocks {
-            block.sum_normal.0.fill(0.0);
-            block.sum_axial.0.fill(0.0);
-            block.sum_torque.0.fill(0.0);
-            block.sum_wear.0.fill(0.0);
+            block.clear_sums();
         }
     }
 

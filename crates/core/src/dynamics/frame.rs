@@ -5,7 +5,6 @@ use super::{
     chain::{Chain, element, node},
     record::{Look, Strength},
 };
-use crate::rod::lanes::LANES;
 
 /// A group of quantities that a frame holds of every node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -180,13 +179,13 @@ impl Scene<'_> {
             time_s: self.time_s,
             ..Frame::default()
         };
-        let mut look = self.look(0);
+        let looks: Vec<Look> = (0..chain.node_blocks.len())
+            .map(|row| self.look(row))
+            .collect();
         let mut above = None;
         for i in 0..=last {
-            let lane = i % LANES;
-            if lane == 0 {
-                look = self.look(i / LANES);
-            }
+            let (row, lane) = chain.place(i);
+            let look = &looks[row];
             let anchor = &self.anchors[i];
             let tangent = chain.tangent(i);
             let high = anchor.high_side.into();
@@ -232,8 +231,8 @@ impl Scene<'_> {
         frame
     }
 
-    fn look(&self, block: usize) -> Look {
+    fn look(&self, row: usize) -> Look {
         let per_step = 1.0 / self.summed_steps as f64;
-        Look::at(self.chain, self.high, self.strength, block, per_step)
+        Look::at(self.chain, self.high, self.strength, row, per_step)
     }
 }

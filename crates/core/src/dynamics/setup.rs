@@ -247,6 +247,7 @@ pub(super) struct Basis {
     pub(super) mesh: Mesh,
     pub(super) plan: StepPlan,
     pub(super) surroundings: Surroundings,
+    pub(super) abilities: Abilities,
     pub(super) stepper: Stepper,
     pub(super) steps_per_sample: u64,
 }
@@ -260,17 +261,18 @@ impl Basis {
         check(settings)?;
         let (mesh, plan) = mesh_and_plan(model, first_bit_md_m(operation, settings), settings);
         let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
-        let stepper = Stepper::new(Abilities {
+        let abilities = Abilities {
             hertz: matches!(settings.contact_law, ContactLaw::Hertz { .. }),
             vector: settings.friction_law == FrictionLaw::Vector,
             full: surroundings.intricate || model.mud.rheology.is_some(),
-        });
+        };
         let steps_per_sample = (settings.sample_interval_s / plan.dt_s).round().max(1.0) as u64;
         Ok(Self {
             mesh,
             plan,
             surroundings,
-            stepper,
+            abilities,
+            stepper: Stepper::new(abilities),
             steps_per_sample,
         })
     }

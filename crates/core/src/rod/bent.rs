@@ -40,12 +40,12 @@ pub fn pose_below(pose: &Pose<f64>, spin: f64, below: Vector<f64>) -> Pose<f64> 
 
 /// The whole moment of an element on its upper node, N·m; `d1` is the director that the element sees there.
 pub fn moment_above(reaction: &Reaction<f64>, d1: Vector<f64>) -> Vector<f64> {
-    reaction.moment1.plus(d1, reaction.torque)
+    reaction.moment1(d1).plus(d1, reaction.torque)
 }
 
 /// The whole moment of an element on its lower node, N·m.
 pub fn moment_below(reaction: &Reaction<f64>, d2: Vector<f64>) -> Vector<f64> {
-    reaction.moment2.minus(d2, reaction.torque)
+    reaction.moment2(d2).minus(d2, reaction.torque)
 }
 
 /// `vector` turned by the least rotation that takes the unit vector `from` to `to`. A rod that bends without

@@ -104,10 +104,13 @@ pub struct Pose<N> {
 pub struct Reaction<N> {
     /// Force on end 2, N; end 1 takes the opposite.
     pub force: Vector<N>,
-    /// Moment across the director on end 1, N·m.
-    pub moment1: Vector<N>,
-    /// Moment across the director on end 2, N·m.
-    pub moment2: Vector<N>,
+    /// Bends end 1, N·m: the moment `bend1 × d1`.
+    pub bend1: Vector<N>,
+    /// Bends end 2, N·m: the moment `bend2 × d2`.
+    pub bend2: Vector<N>,
+    /// Moment of torque and bending damping on end 1, N·m; end 2 takes the opposite. It holds the torque about
+    /// the director, too.
+    pub couple: Vector<N>,
     /// Torque `M`, N·m: about the director, `+M` on end 1 and `−M` on end 2.
     pub torque: N,
     /// Effective tension, N.
@@ -118,36 +121,122 @@ pub struct Reaction<N> {
     pub damping_power: N,
 }
 
+impl<N: Number> Reaction<N> {
+    /// Moment across the director on end 1, whose director is `d1`, N·m.
+    pub fn moment1(&self, d1: Vector<N>) -> Vector<N> {
+        across(self.bend1, self.couple, d1)
+    }
+
+    /// Moment across the director on end 2, whose director is `d2`, N·m.
+    pub fn moment2(&self, d2: Vector<N>) -> Vector<N> {
+        across(self.bend2, -self.couple, d2)
+    }
+}
+
+/// Moment across a director: what bends, and a couple less what of it is about the director. Sums over the
+/// elements of a node serve as well as those of one element.
+#[inline(always)]
+pub fn across<N: Number>(bend: Vector<N>, couple: Vector<N>, director: Vector<N>) -> Vector<N> {
+    bend.cross(director) + couple.minus(director, couple.dot(director))
+}
+
 /// Forces of an element that stands as `pose`, its twist first carried on by `dt`, with
-/// stiffness-proportional damping of time constant `beta`.
+/// stiffness-proportional damping of time constant `beta`: its [`chord`], its [`bend`] and its [`twist`].
 ///
 /// The damping acts on the rates of the chord's length, of the twist and of the directors' rotation
 /// against one another, `w2 − w1`. None of them is there when a bent pipe spins in place, so the
 /// damping never drives whirl; a bent pipe that whirls as one rigid body loses a little by the last.
 #[inline(always)]
 pub fn react<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Reaction<N> {
-    let one = N::splat(1.0);
-    let two = N::splat(2.0);
+    let twisted = twist(k, p, dt, beta);
+    let bent = bend(k, &chord(k, p), p, twisted.apart, beta);
+    Reaction {
+        force: bent.force,
+        bend1: bent.bend1,
+        bend2: bent.bend2,
+        couple: twisted.couple,
+        torque: twisted.torque,
+        tension: bent.tension,
+        twist: twisted.twist,
+        damping_power: bent.damping_power + twisted.damping_power,
+    }
+}
 
+/// The chord of an element.
+#[derive(Debug, Clone, Copy)]
+pub struct Chord<N> {
+    /// Its direction `t`.
+    pub direction: Vector<N>,
+    /// `1/l`, 1/m.
+    pub inverse_length: N,
+    /// `l − L`, m.
+    pub longer: N,
+}
+
+/// The chord between two nodes. The root and the division do not wait for one another.
+#[inline(always)]
+pub fn chord<N: Number>(k: &Stiffness<N>, p: &Pose<N>) -> Chord<N> {
     let r = p.anchor_chord + p.displacement;
-    let l = r.dot(r).sqrt();
-    // One division serves 1/l and 1/(l + L).
-    let sum = l + k.length;
-    let inverse = one / (l * sum);
-    let inverse_l = inverse * sum;
+    // l² − L², without cancellation.
     let excess = (p.anchor_chord + r).dot(p.displacement) + p.anchor_excess;
+    let l2 = k.length.mul_add(k.length, excess);
+    let l = l2.sqrt();
+    let inverse_length = l * (N::splat(1.0) / l2);
+    // l − L, and what its own cancellation has lost: excess = (l − L)(l − L + 2L).
+    let longer = l - k.length;
+    let lost = longer.neg_mul_add(longer + (k.length + k.length), excess);
+    Chord {
+        direction: r.scaled(inverse_length),
+        inverse_length,
+        longer: (N::splat(0.5) * inverse_length).mul_add(lost, longer),
+    }
+}
 
-    let t = r.scaled(inverse_l);
-    let c1 = t.dot(p.d1);
-    let c2 = t.dot(p.d2);
-    let c12 = p.d1.dot(p.d2);
-    let near = c1.neg_mul_add(c1, c2.neg_mul_add(c2, two));
-    let far = c1.neg_mul_add(c2, c12);
-    let bow = (N::splat(0.5) * k.bow_near).mul_add(near, -(k.bow_far * far));
-    let strain = excess.mul_add(inverse * l, bow) * k.inverse_length;
-    let lengthening = t.dot(p.velocity);
-    let damping_tension = k.axial * k.inverse_length * (beta * lengthening);
-    let elastic_tension = k.axial * strain;
+/// What tension and bending do.
+#[derive(Debug, Clone, Copy)]
+pub struct Bent<N> {
+    /// As in [`Reaction`].
+    pub force: Vector<N>,
+    /// As in [`Reaction`].
+    pub bend1: Vector<N>,
+    /// As in [`Reaction`].
+    pub bend2: Vector<N>,
+    /// As in [`Reaction`].
+    pub tension: N,
+    /// Power lost to damping, W.
+    pub damping_power: N,
+}
+
+/// Tension and bending.
+///
+/// Angles are small beside one: everything that they enter is written over the differences `d1 − t`, `d2 − t`
+/// and `d2 − d1`, which are exact, and their squares `2(1 − cos)`; a cosine's own last digit is a large part
+/// of `1 − c²`. `apart`, `1 − c12`, comes from the [`twist`].
+#[inline(always)]
+pub fn bend<N: Number>(
+    k: &Stiffness<N>,
+    chord: &Chord<N>,
+    p: &Pose<N>,
+    apart: N,
+    beta: N,
+) -> Bent<N> {
+    let one = N::splat(1.0);
+    let half = N::splat(0.5);
+    let t = chord.direction;
+    // Off the chord and off one another: 1 − c1, 1 − c2 and 1 − c12.
+    let (off1, off2, bend) = (p.d1 - t, p.d2 - t, p.d2 - p.d1);
+    let x1 = half * off1.dot(off1);
+    let x2 = half * off2.dot(off2);
+    let (c1, c2) = (one - x1, one - x2);
+    let near = x1.mul_add(one + c1, x2 * (one + c2));
+    let far = x1.mul_add(c2, x2 - apart);
+    let longer = k
+        .bow_far
+        .neg_mul_add(far, (half * k.bow_near).mul_add(near, chord.longer));
+    let per_length = k.axial * k.inverse_length;
+    let elastic_tension = per_length * longer;
+    let lengthening = chord.direction.dot(p.velocity);
+    let damping_tension = per_length * (beta * lengthening);
     let tension = elastic_tension + damping_tension;
 
     // The damping knows the chord alone: it neither stiffens the directors nor works on them.
@@ -155,16 +244,44 @@ pub fn react<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Reacti
     let b = k.bow_far.neg_mul_add(elastic_tension, k.bending_far);
     let s1 = a.mul_add(c1, b * c2);
     let s2 = a.mul_add(c2, b * c1);
-    let g1 = p.d2.scaled(b).minus(t, s1);
-    let g2 = p.d1.scaled(b).minus(t, s2);
-    // gt = −(s1 d1 + s2 d2), its part along t −(s1 c1 + s2 c2).
-    let (q1, q2) = (s1 * inverse_l, s2 * inverse_l);
-    let along = q1.mul_add(c1, q2.mul_add(c2, tension));
-    let force = p.d1.scaled(q1).plus(p.d2, q2).minus(t, along);
+    // The gradients on the directors, B d2 − s1 t and B d1 − s2 t, but for what lies along the own director; that
+    // on the chord, −(s1 d1 + s2 d2)/l, but for what lies along it; and the tension along it.
+    let (part1, part2, shared) = (off1.scaled(s1), off2.scaled(s2), bend.scaled(b));
+    let along = chord
+        .inverse_length
+        .neg_mul_add(s1.mul_add(x1, s2 * x2), tension);
+    Bent {
+        force: (part1 + part2).scaled(chord.inverse_length).minus(t, along),
+        bend1: part1 + shared,
+        bend2: part2 - shared,
+        tension,
+        damping_power: damping_tension * lengthening,
+    }
+}
 
+/// What the twist does.
+#[derive(Debug, Clone, Copy)]
+pub struct Twisted<N> {
+    /// As in [`Reaction`].
+    pub couple: Vector<N>,
+    /// As in [`Reaction`].
+    pub torque: N,
+    /// As in [`Reaction`].
+    pub twist: N,
+    /// Power lost to damping, that of bending included, W.
+    pub damping_power: N,
+    /// `1 − c12`.
+    pub apart: N,
+}
+
+/// Twist, and the damping of bending.
+#[inline(always)]
+pub fn twist<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Twisted<N> {
+    let half = N::splat(0.5);
+    let bend = p.d2 - p.d1;
+    let e = half * bend.dot(bend);
     // 1/(1 + c12) by its series in e = 1 − c12: within 1e-8 for a bend of 15° in an element, and the same in
     // the rate and in its moments, so that no work is lost.
-    let e = one - c12;
     let share = e.mul_add(
         e.mul_add(
             e.mul_add(
@@ -173,36 +290,22 @@ pub fn react<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Reacti
             ),
             N::splat(0.25),
         ),
-        N::splat(0.5),
+        half,
     );
-    let twist_rate = (p.w2.dot(p.d1) - p.w1.dot(p.d2)).mul_add(share, p.spin);
-    let twist = twist_rate.mul_add(dt, p.twist);
-    let damping_torque = k.twist * (beta * twist_rate);
+    let rate = (p.w2.dot(p.d1) - p.w1.dot(p.d2)).mul_add(share, p.spin);
+    let twist = rate.mul_add(dt, p.twist);
+    let damping_torque = k.twist * (beta * rate);
     let torque = k.twist.mul_add(twist, damping_torque);
-
     let turning = p.w2 - p.w1;
     let bending_damping = beta * k.bending;
-    let m1 = g1
-        .cross(p.d1)
-        .plus(p.d2.minus(p.d1, c12), torque * share)
-        .plus(turning, bending_damping);
-    let m2 = g2
-        .cross(p.d2)
-        .minus(p.d1.minus(p.d2, c12), torque * share)
-        .minus(turning, bending_damping);
-
-    let damping_power = damping_tension.mul_add(
-        lengthening,
-        damping_torque.mul_add(twist_rate, bending_damping * turning.dot(turning)),
-    );
-    Reaction {
-        force,
-        moment1: m1,
-        moment2: m2,
+    Twisted {
+        couple: (p.d1 + p.d2)
+            .scaled(torque * share)
+            .plus(turning, bending_damping),
         torque,
-        tension,
         twist,
-        damping_power,
+        damping_power: damping_torque.mul_add(rate, bending_damping * turning.dot(turning)),
+        apart: e,
     }
 }
 

@@ -1,5 +1,4 @@
-//! How many neighbours are worked on at once.
+//! How many numbers stand side by side.
 
-/// Elements and nodes are handled by eights: one 512-bit register of `f64`. The arithmetic is written for
-/// one of them, over plain arrays of this length, and the compiler widens the loop.
-pub const LANES: usize = 8;
+/// Elements and nodes are handled by rows of so many: one 512-bit register of `f32`, two of `f64`.
+pub const LANES: usize = 16;

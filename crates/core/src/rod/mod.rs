@@ -1,7 +1,7 @@
 //! The rod: the drill string as a chain of two-node beam elements.
 //!
 //! One element serves every solver. Its forces come from one energy ([`element`]), written once over
-//! a [`number::Number`]: an `f64` with or without fused multiply-add.
+//! a [`number::Number`]: an `f64`, or as many numbers as the processor's registers hold ([`wide`]).
 
 pub mod bent;
 pub mod element;
@@ -12,3 +12,4 @@ pub mod section;
 pub mod stability;
 pub mod torsion;
 pub mod vector;
+pub mod wide;

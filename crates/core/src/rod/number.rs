@@ -2,11 +2,71 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A real number, with or without fused multiply-add.
+#[cfg(target_arch = "x86_64")]
+use super::wide::x86;
+
+/// What a number is kept as.
+pub trait Real:
+    Number<Real = Self> + Default + PartialOrd + std::fmt::Debug + Send + Sync + 'static
+{
+    /// The same with fused multiply-add.
+    type Fused: Number<Real = Self>;
+    /// A register of AVX-512.
+    #[cfg(target_arch = "x86_64")]
+    type Zmm: Number<Real = Self>;
+    /// A register of AVX2.
+    #[cfg(target_arch = "x86_64")]
+    type Ymm: Number<Real = Self>;
+    /// A register of any x86-64.
+    #[cfg(target_arch = "x86_64")]
+    type Xmm: Number<Real = Self>;
+    /// The nearest to a double.
+    fn from_f64(value: f64) -> Self;
+    /// Its value.
+    fn to_f64(self) -> f64;
+}
+
+impl Real for f64 {
+    type Fused = Fused<f64>;
+    #[cfg(target_arch = "x86_64")]
+    type Zmm = x86::Zmm64;
+    #[cfg(target_arch = "x86_64")]
+    type Ymm = x86::Ymm64;
+    #[cfg(target_arch = "x86_64")]
+    type Xmm = x86::Xmm64;
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn to_f64(self) -> f64 {
+        self
+    }
+}
+
+impl Real for f32 {
+    type Fused = Fused<f32>;
+    #[cfg(target_arch = "x86_64")]
+    type Zmm = x86::Zmm32;
+    #[cfg(target_arch = "x86_64")]
+    type Ymm = x86::Ymm32;
+    #[cfg(target_arch = "x86_64")]
+    type Xmm = x86::Xmm32;
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        value as f32
+    }
+    #[inline(always)]
+    fn to_f64(self) -> f64 {
+        f64::from(self)
+    }
+}
+
+/// A real number, or several side by side, with or without fused multiply-add.
 ///
 /// The mechanics of an element, of a contact and of a node is written once over this trait: a plain
-/// `f64` serves tests, the preparation of a run and processors without the fused form, [`Fused`] the
-/// others. Nothing in it branches, so that the compiler can work on neighbours side by side.
+/// `f64` or `f32` serves tests and the preparation of a run, the [registers](super::wide) of a processor the time
+/// loop. Nothing in it branches.
 pub trait Number:
     Copy
     + Add<Output = Self>
@@ -15,10 +75,24 @@ pub trait Number:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// This value.
+    /// What it is kept as.
+    type Real: Real;
+    /// Far below anything that means something, yet not zero: what keeps a quotient finite.
+    const TINY: f64;
+    /// This value, a constant.
     fn splat(value: f64) -> Self;
-    /// Its value.
-    fn get(self) -> f64;
+    /// How many it is.
+    const WIDTH: usize;
+    /// From where it is kept.
+    ///
+    /// # Safety
+    /// `from` points to `WIDTH` numbers.
+    unsafe fn load(from: *const Self::Real) -> Self;
+    /// To where it is kept.
+    ///
+    /// # Safety
+    /// `to` points to `WIDTH` numbers.
+    unsafe fn store(self, to: *mut Self::Real);
     /// Square root.
     fn sqrt(self) -> Self;
     /// `self * factor + term`, fused where the processor has it and not otherwise.
@@ -42,15 +116,24 @@ pub trait Number:
 }
 
 macro_rules! number {
-    ($type:ty, $of:expr, $get:expr, $fused:literal) => {
+    ($type:ty, $real:ty, $tiny:literal, $of:expr, $get:expr, $fused:literal) => {
         impl Number for $type {
+            type Real = $real;
+            const TINY: f64 = $tiny;
+            const WIDTH: usize = 1;
             #[inline(always)]
             fn splat(value: f64) -> Self {
-                $of(value)
+                $of(value as $real)
             }
             #[inline(always)]
-            fn get(self) -> f64 {
-                $get(self)
+            unsafe fn load(from: *const $real) -> Self {
+                // SAFETY: the caller's `from` points to a number.
+                unsafe { $of(*from) }
+            }
+            #[inline(always)]
+            unsafe fn store(self, to: *mut $real) {
+                // SAFETY: the caller's `to` points to a number.
+                unsafe { *to = $get(self) }
             }
             #[inline(always)]
             fn sqrt(self) -> Self {
@@ -88,14 +171,21 @@ macro_rules! number {
     };
 }
 
-/// An `f64` in code that is compiled for a processor with fused multiply-add. Without one,
-/// `f64::mul_add` is a library call twenty times slower than a multiplication and an addition.
+/// A real number in code that is compiled for a processor with fused multiply-add. Without one,
+/// `mul_add` is a library call twenty times slower than a multiplication and an addition.
 #[derive(Debug, Clone, Copy)]
-pub struct Fused(f64);
+pub struct Fused<R = f64>(R);
+
+impl<R: Real> Fused<R> {
+    /// Its value.
+    pub fn get(self) -> f64 {
+        self.0.to_f64()
+    }
+}
 
 macro_rules! fused_operator {
     ($trait:ident, $method:ident, $op:tt) => {
-        impl $trait for Fused {
+        impl<R: $trait<Output = R>> $trait for Fused<R> {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
@@ -109,7 +199,7 @@ fused_operator!(Sub, sub, -);
 fused_operator!(Mul, mul, *);
 fused_operator!(Div, div, /);
 
-impl Neg for Fused {
+impl<R: Neg<Output = R>> Neg for Fused<R> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -117,5 +207,7 @@ impl Neg for Fused {
     }
 }
 
-number!(f64, |x: f64| x, |x: f64| x, false);
-number!(Fused, Fused, |x: Fused| x.0, true);
+number!(f64, f64, 1e-300, |x: f64| x, |x: f64| x, false);
+number!(f32, f32, 1e-36, |x: f32| x, |x: f32| x, false);
+number!(Fused, f64, 1e-300, Fused, |x: Fused| x.0, true);
+number!(Fused<f32>, f32, 1e-36, Fused, |x: Fused<f32>| x.0, true);

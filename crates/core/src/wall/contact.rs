@@ -25,41 +25,58 @@ pub fn hertz_stiffness(modulus_Pa: f64, hole_radius_m: f64, pipe_radius_m: f64) 
 }
 
 /// `N = K α^1.5 (1 + d v_n)` at the end of a step that, without contact, would end at penetration
-/// `alpha`, approaching at `v_n`. One newton takes `dt²/m` of `alpha` away; `inertia` is `m/dt²`. The
+/// `alpha`, approaching at `v_n`. One newton takes `give`, `dt²/m`, of `alpha` away. The
 /// approach is the one without contact, not that of the step's end.
 ///
-/// With `y = √α` the law is the cubic `y² + G y³ = α_free`, `G = K (1 + d v_n) dt²/m`; in `z = G y` it is
-/// `z²(1 + z) = G² α_free = r²`, one curve for every contact. A rational function within 2 % of it for
-/// `r < 60` and two Newton steps solve it to 1e-6 there; beyond (walls stiffer than any) the
-/// force stays between zero and the one that takes all penetration away. `d` is never allowed to pull.
+/// With `y = √α` the law is the cubic `y² + G y³ = α_free`, `G = K (1 + d v_n) dt²/m`; with
+/// `r = G √α_free` and `y = β √α_free` it is `β² + r β³ = 1`, one curve for every contact, and the force is `β³` of
+/// what it would be without giving way. A rational function fits `β³` within 2e-7 for `r < 60`; beyond (walls stiffer
+/// than any) the force stays between zero and the one that takes all penetration away. `d` is never allowed to pull.
 #[inline(always)]
-pub fn hertz<N: Number>(alpha: N, v_n: N, stiffness: N, dissipation: N, inertia: N) -> N {
+pub fn hertz<N: Number>(alpha: N, v_n: N, stiffness: N, dissipation: N, give: N) -> N {
     let one = N::splat(1.0);
-    let (two, three) = (N::splat(2.0), N::splat(3.0));
-    let tiny = N::splat(1e-300);
     let alpha = alpha.max(N::zero());
     let k = stiffness * dissipation.mul_add(v_n, one).max(N::zero());
-    // r = s/I. Powers of I are multiplied through, which leaves two divisions of five.
-    let (s, i) = (k * alpha.sqrt(), inertia);
-    let (s2, i2) = (s * s, i * i);
-    let p = s * N::splat(0.229).mul_add(s, i);
-    let q = N::splat(0.006_43).mul_add(s2, N::splat(0.6016).mul_add(s * i, i2));
-    // Newton for z²(1 + z) − r²: z → (z²(1 + 2z) + r²)/(z(2 + 3z)), first from z = p/q.
-    let above = (i2 * p * p).mul_add(two.mul_add(p, q), s2 * (q * q * q));
-    let below = (i2 * p * q).mul_add(three.mul_add(p, two * q), tiny);
-    let z = above / below;
-    let above = (i2 * z * z).mul_add(two.mul_add(z, one), s2);
-    let below = (i2 * z).mul_add(three.mul_add(z, two), tiny);
-    // N = (m/dt²) α z/(1 + z): what is left of the penetration carries the force.
-    i * alpha * (above / (above + below))
+    let s = k * alpha.sqrt();
+    let r = s * give;
+    s * alpha * (polynomial(&ABOVE, r) / polynomial(&BELOW, r))
 }
 
-/// `N = max(0, k α + c v_n)` while the surfaces overlap, at the end of the step `dt` of a node of
-/// mass `mass`.
+/// Coefficients of the rational fit of `β³`, from the highest power down: the least largest relative error on 160
+/// points of `0 < r < 60`, found by reweighted least squares.
+const ABOVE: [f64; 6] = [
+    2.032_563_056_026_879_2e-4,
+    2.372_472_201_534_595_2e-2,
+    4.578_842_298_013_058e-1,
+    2.159_667_304_485_365,
+    2.873_068_532_840_165,
+    9.999_998_181_903_729e-1,
+];
+const BELOW: [f64; 7] = [
+    2.047_306_152_077_622_6e-4,
+    2.500_563_013_690_387_7e-2,
+    5.355_336_739_215_439e-1,
+    3.115_924_269_685_191,
+    6.094_776_967_342_852_5,
+    4.373_043_566_588_93,
+    1.0,
+];
+
 #[inline(always)]
-pub fn linear<N: Number>(alpha: N, v_n: N, k: N, c: N, mass: N, dt: N) -> N {
+fn polynomial<N: Number, const TERMS: usize>(coefficients: &[f64; TERMS], x: N) -> N {
+    let mut sum = N::splat(coefficients[0]);
+    for c in &coefficients[1..] {
+        sum = sum.mul_add(x, N::splat(*c));
+    }
+    sum
+}
+
+/// `N = max(0, k α + c v_n)` while the surfaces overlap, at the end of the step `dt` of a node to which one
+/// newton gives `mobility`, `dt/m`, of speed.
+#[inline(always)]
+pub fn linear<N: Number>(alpha: N, v_n: N, k: N, c: N, mobility: N, dt: N) -> N {
     let free = k.mul_add(alpha, c * v_n);
-    let force = free * mass / k.mul_add(dt * dt, c.mul_add(dt, mass));
+    let force = free / mobility.mul_add(k.mul_add(dt, c), N::splat(1.0));
     alpha.if_positive(force.max(N::zero()), N::zero())
 }
 
@@ -68,7 +85,7 @@ mod tests {
     use super::*;
 
     /// The implicit law satisfies its own equation for every stiffness and depth of a contact. The
-    /// tolerance is that of two Newton steps (see [`hertz`]).
+    /// tolerance is that of its fit (see [`hertz`]).
     #[test]
     fn hertz_solves_its_cubic() {
         let inertia = 150.0 / 3e-7;
@@ -76,7 +93,7 @@ mod tests {
         for exponent in -12..=0 {
             for k in [1e6, 1e9, 1e11, 2e12] {
                 let alpha = 10f64.powi(exponent);
-                let n = hertz(alpha, 0.0, k, 0.5, inertia);
+                let n = hertz(alpha, 0.0, k, 0.5, 1.0 / inertia);
                 let end = alpha - n / inertia;
                 assert!(n > 0.0 && end >= 0.0);
                 // Where next to nothing is left of the penetration, its digits are lost.
@@ -95,9 +112,9 @@ mod tests {
 
     #[test]
     fn nothing_pulls() {
-        assert_eq!(hertz(-1e-3, 1.0, 1e11, 0.5, 1e9), 0.0);
-        assert_eq!(hertz(1e-6, -10.0, 1e11, 0.5, 1e9), 0.0);
-        assert_eq!(linear(-1e-6, 1.0, 1e7, 1e4, 200.0, 5e-4), 0.0);
-        assert_eq!(linear(1e-6, -10.0, 1e7, 1e4, 200.0, 5e-4), 0.0);
+        assert_eq!(hertz(-1e-3, 1.0, 1e11, 0.5, 1e-9), 0.0);
+        assert_eq!(hertz(1e-6, -10.0, 1e11, 0.5, 1e-9), 0.0);
+        assert_eq!(linear(-1e-6, 1.0, 1e7, 1e4, 5e-4 / 200.0, 5e-4), 0.0);
+        assert_eq!(linear(1e-6, -10.0, 1e7, 1e4, 5e-4 / 200.0, 5e-4), 0.0);
     }
 }

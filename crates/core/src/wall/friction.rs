@@ -38,9 +38,9 @@ pub fn vector<N: Number>(limit: N, axial: N, around: N, g_axial: N, g_around: N)
     let slide = limit.neg_mul_add(weighted, u2 * u2.sqrt()).max(N::zero());
     let wa = axial * g_around.mul_add(scale, slide);
     let wt = around * g_axial.mul_add(scale, slide);
-    let length = wa.mul_add(wa, wt * wt).sqrt();
     let stop = limit * scale * (g_axial * g_around);
-    let ratio = limit / (length.max(stop) + N::splat(1e-300));
+    let length = wa.mul_add(wa, wt * wt).sqrt();
+    let ratio = limit / (length.max(stop) + N::splat(N::TINY));
     (wa * ratio, wt * ratio)
 }
 

@@ -134,7 +134,7 @@ fn the_energy_below_a_bend_changes_by_the_power_of_the_forces() {
         let ends = Ends::random(&mut random);
         let expected = -slope(|t| energy(&k, &ends.after(t).pose()), 1e-5);
         let r = react(&k, &ends.pose(), 0.0, 0.0);
-        let scale = V::from(r.force).norm() * 6.0 + V::from(r.moment1).norm() * 4.0;
+        let scale = V::from(r.force).norm() * 6.0 + V::from(r.moment1(ends.pose().d1)).norm() * 4.0;
         let error = (ends.power(&k, 0.0) - expected).abs() / scale;
         assert!(error < 1e-8, "{error:e}");
     }

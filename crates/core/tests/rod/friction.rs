@@ -152,7 +152,7 @@ fn no_speed_and_no_force_are_no_trouble() {
         (0.0, [0.0, 0.0]),
         (1e-200, [1e-200, 0.0]),
     ] {
-        let f = vector(limit, u[0], u[1], 1e-30, 9e-6);
+        let f: (f64, f64) = vector(limit, u[0], u[1], 1e-30, 9e-6);
         assert!(
             f.0.is_finite() && f.1.is_finite() && f.0.hypot(f.1) <= limit,
             "{f:?}"

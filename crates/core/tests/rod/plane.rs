@@ -86,10 +86,10 @@ impl Plane {
         [
             -r.force.0,
             -r.force.2,
-            r.moment1.1,
+            r.moment1(director(q[2])).1,
             r.force.0,
             r.force.2,
-            r.moment2.1,
+            r.moment2(director(q[5])).1,
         ]
     }
 

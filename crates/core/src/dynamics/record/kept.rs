@@ -4,7 +4,10 @@
 use serde::{Deserialize, Serialize};
 
 use super::look::Look;
-use crate::{dynamics::outcome::percentile, rod::lanes::LANES};
+use crate::{
+    dynamics::{chain::place, outcome::percentile},
+    rod::lanes::LANES,
+};
 
 /// What is kept of every node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -140,8 +143,9 @@ impl Kept {
     /// 5th, 50th and 95th percentile of a quantity at a node; zeros where nothing was kept.
     pub fn percentiles(&self, quantity: Quantity, index: usize) -> [f64; 3] {
         let values = &self.values[quantity as usize];
+        let (row, lane) = place(self.width / LANES, index);
         let mut sorted: Vec<f64> = (0..self.rows)
-            .map(|row| f64::from(values[row * self.width + index]))
+            .map(|kept| f64::from(values[kept * self.width + row * LANES + lane]))
             .collect();
         if sorted.is_empty() {
             return [0.0; 3];

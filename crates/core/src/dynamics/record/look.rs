@@ -3,16 +3,16 @@
 
 use super::strength::Strength;
 use crate::{
-    dynamics::chain::{Chain, Row},
+    dynamics::chain::{Chain, Rows},
     rod::{lanes::LANES, vector::Vector},
 };
 
-/// One number for each of eight neighbours.
+/// One number for each lane.
 pub type Lane = [f64; LANES];
 
 const NONE: Lane = [0.0; LANES];
 
-/// Eight nodes as they are; contact quantities are averages over the steps since the last sample.
+/// A row of nodes as they are; contact quantities are averages over the steps since the last sample.
 #[derive(Debug, Clone, Copy)]
 pub struct Look {
     /// Effective tension of the element below, N.
@@ -60,35 +60,32 @@ impl Look {
         speed_square: NONE,
     };
 
-    /// Looks at a block. `high` holds each node's high side, padded to whole blocks, `per_step` the inverse of the number of
+    /// Looks at a row. `high` holds each node's high side, padded to whole blocks, `per_step` the inverse of the number of
     /// steps since the last sample.
     #[inline(always)]
     pub fn at(
         chain: &Chain,
         high: &[[f64; 3]],
         strength: &Strength,
-        block: usize,
+        row: usize,
         per_step: f64,
     ) -> Self {
         let mut look = Self::EMPTY;
-        look.across_the_hole(chain, high, block, per_step);
-        look.along_the_string(chain, strength, block);
+        look.across_the_hole(chain, high, row, per_step);
+        look.along_the_string(chain, strength, row);
         look
     }
 
     /// How the nodes lie and move in the hole, and what the wall does to them.
     #[inline(always)]
-    fn across_the_hole(&mut self, chain: &Chain, high: &[[f64; 3]], block: usize, per_step: f64) {
-        let nodes = &chain.node_blocks[block];
-        let [ux, uy, uz] = &chain.state.u;
-        let u = [ux.nine(block), uy.nine(block), uz.nine(block)];
-        let [vx, vy, vz] = &chain.state.v;
-        let v = [vx.nine(block), vy.nine(block), vz.nine(block)];
-        let high = eight(high, block);
+    fn across_the_hole(&mut self, chain: &Chain, high: &[[f64; 3]], row: usize, per_step: f64) {
+        let nodes = &chain.node_blocks[row];
+        let state = &chain.states[row];
+        let rows = chain.node_blocks.len();
         for lane in 0..LANES {
-            let u = Vector(u[0][lane], u[1][lane], u[2][lane]);
-            let v = Vector(v[0][lane], v[1][lane], v[2][lane]);
-            let h = Vector(high[lane][0], high[lane][1], high[lane][2]);
+            let (u, v) = (of(&state.u, lane), of(&state.v, lane));
+            let high = high[row + lane * rows];
+            let h = Vector(high[0], high[1], high[2]);
             let tangent = of(&nodes.tangent, lane);
             let curvature = of(&nodes.curvature, lane);
             let z = u.dot(tangent);
@@ -114,19 +111,14 @@ impl Look {
     /// What the string carries at the nodes. The bending moment is the elastic one that the element
     /// below has at its upper end; the bit, below which there is none, carries none.
     #[inline(always)]
-    fn along_the_string(&mut self, chain: &Chain, strength: &Strength, block: usize) {
-        let elements = &chain.element_blocks[block];
-        let [ux, uy, uz] = &chain.state.u;
-        let u = [ux.nine(block), uy.nine(block), uz.nine(block)];
-        let [dx, dy, dz] = &chain.state.d;
-        let d = [dx.nine(block), dy.nine(block), dz.nine(block)];
-        let body = strength.block(block);
+    fn along_the_string(&mut self, chain: &Chain, strength: &Strength, row: usize) {
+        let elements = &chain.element_blocks[row];
+        let state = &chain.states[row];
+        let ends = chain.ends(row);
+        let body = strength.block(row);
         for lane in 0..LANES {
-            let next = lane + 1;
-            let u1 = Vector(u[0][lane], u[1][lane], u[2][lane]);
-            let u2 = Vector(u[0][next], u[1][next], u[2][next]);
-            let d1 = Vector(d[0][lane], d[1][lane], d[2][lane]);
-            let d2 = Vector(d[0][next], d[1][next], d[2][next]);
+            let (u1, u2) = (of(&state.u, lane), of(&ends.u, lane));
+            let (d1, d2) = (of(&state.d, lane), of(&ends.d, lane));
             let chord = of(&elements.chord, lane) + (u2 - u1);
             // Newton's step from the rest length to the inverse of the chord's: a stretch of 1e-3 leaves
             // 1.5e-6, and no root is drawn.
@@ -152,15 +144,7 @@ impl Look {
     }
 }
 
-/// The high sides of a block's nodes.
 #[inline(always)]
-fn eight(high: &[[f64; 3]], block: usize) -> &[[f64; 3]; LANES] {
-    high[block * LANES..]
-        .first_chunk()
-        .expect("high sides are padded to whole blocks")
-}
-
-#[inline(always)]
-fn of(rows: &[Row; 3], lane: usize) -> Vector<f64> {
+fn of(rows: &Rows<f64>, lane: usize) -> Vector<f64> {
     Vector(rows[0].0[lane], rows[1].0[lane], rows[2].0[lane])
 }

@@ -10,7 +10,10 @@ mod tests;
 
 use serde::{Deserialize, Serialize};
 
-use super::{chain::Chain, outcome::TimeSeries};
+use super::{
+    chain::{Chain, place},
+    outcome::TimeSeries,
+};
 use crate::{model::Model, rod::lanes::LANES, rod::mesh::Mesh};
 use depths::Sides;
 use kept::Kept;
@@ -111,8 +114,14 @@ impl Record {
         &self.strength
     }
 
+    /// Row and lane of a node, as in the chain.
+    fn place(&self, index: usize) -> (usize, usize) {
+        place(self.sums.len(), index)
+    }
+
     fn sum_of(&self, index: usize, pick: impl Fn(&SumBlock) -> &Lane) -> f64 {
-        pick(&self.sums[index / LANES])[index % LANES]
+        let (row, lane) = self.place(index);
+        pick(&self.sums[row])[lane]
     }
 
     fn mean_of(&self, index: usize, pick: impl Fn(&SumBlock) -> &Lane) -> f64 {
@@ -125,9 +134,10 @@ impl Record {
         about: f64,
         pick: impl Fn(&SumBlock) -> &[Lane; 2],
     ) -> Spread {
-        let [first, second] = pick(&self.sums[index / LANES]);
+        let (row, lane) = self.place(index);
+        let [first, second] = pick(&self.sums[row]);
         let n = self.samples.max(1) as f64;
-        let (m1, m2) = (first[index % LANES] / n, second[index % LANES] / n);
+        let (m1, m2) = (first[lane] / n, second[lane] / n);
         Spread {
             mean: about + m1,
             std: (m2 - m1 * m1).max(0.0).sqrt(),
@@ -136,12 +146,12 @@ impl Record {
 
     /// Tension of an element, N.
     pub fn tension(&self, index: usize) -> Spread {
-        let about = self.sums[index / LANES].about[0][index % LANES];
+        let about = self.sum_of(index, |s| &s.about[0]);
         self.spread_of(index, about, |s| &s.tension)
     }
     /// Torque of an element, N·m, in the sign of the chain.
     pub fn torque(&self, index: usize) -> Spread {
-        let about = self.sums[index / LANES].about[1][index % LANES];
+        let about = self.sum_of(index, |s| &s.about[1]);
         self.spread_of(index, about, |s| &s.torque)
     }
     /// Contact force of a node, N.

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::look::Lane;
 use crate::{
+    dynamics::chain::place,
     model::Model,
     rod::{lanes::LANES, mesh::Mesh},
 };
@@ -50,9 +51,10 @@ impl Strength {
             let weakest = (first..=last)
                 .min_by(|a, b| modulus(*a).total_cmp(&modulus(*b)))
                 .unwrap_or(first);
-            let body = &mut blocks[index / LANES];
-            body.per_area[index % LANES] = 1.0 / components[weakest].area_m2();
-            body.per_modulus[index % LANES] = 1.0 / modulus(weakest);
+            let (row, lane) = place(blocks.len(), index);
+            let body = &mut blocks[row];
+            body.per_area[lane] = 1.0 / components[weakest].area_m2();
+            body.per_modulus[lane] = 1.0 / modulus(weakest);
             yield_Pa.push(components[weakest].yield_strength_Pa);
         }
         Self { blocks, yield_Pa }
@@ -66,7 +68,8 @@ impl Strength {
 
     /// Inverse of the section modulus at a node, 1/m³.
     pub fn per_modulus_m3(&self, index: usize) -> f64 {
-        self.blocks[index / LANES].per_modulus[index % LANES]
+        let (row, lane) = place(self.blocks.len(), index);
+        self.blocks[row].per_modulus[lane]
     }
 
     /// Minimum yield strength at a node, Pa, where it is known.

@@ -1,134 +1,167 @@
 //! What the elements do to their ends.
 
 use super::{
-    Losses, StepInput, TILE,
-    lane::{Eight, add, at, at3, from, nine, put},
+    Losses, StepInput,
+    lane::{add, at, at3, put, put3},
 };
 use crate::{
-    dynamics::chain::{ElementBlock, State},
+    dynamics::chain::{ElementBlock, Row, Rows, StateBlock},
     rod::{
-        element::{Pose, Stiffness, react},
-        lanes::LANES,
-        number::Number,
+        element::{self, Chord, Pose, Stiffness},
+        number::{Number, Real},
     },
 };
 
-/// One number for each element of a tile, after that of the last element of the tile above.
-pub(super) type Strip = [f64; TILE * LANES + 1];
-
-/// What the elements of a tile do to their ends.
-pub(super) struct Pull {
-    pub(super) force: [Strip; 3],
-    pub(super) moment1: [Strip; 3],
-    pub(super) moment2: [Strip; 3],
-    pub(super) torque: Strip,
+/// What a row of elements does to its ends, in the words of [`crate::rod::element::Reaction`].
+#[derive(Clone, Copy)]
+pub(super) struct Pull<R> {
+    pub(super) force: Rows<R>,
+    pub(super) bend1: Rows<R>,
+    pub(super) bend2: Rows<R>,
+    pub(super) couple: Rows<R>,
+    pub(super) torque: Row<R>,
 }
 
-impl Pull {
-    pub(super) const NONE: Self = Self {
-        force: [[0.0; TILE * LANES + 1]; 3],
-        moment1: [[0.0; TILE * LANES + 1]; 3],
-        moment2: [[0.0; TILE * LANES + 1]; 3],
-        torque: [0.0; TILE * LANES + 1],
+impl<R: Real> Pull<R> {
+    pub(super) fn none() -> Self {
+        let zero = Row::filled(0.0);
+        Self {
+            force: [zero; 3],
+            bend1: [zero; 3],
+            bend2: [zero; 3],
+            couple: [zero; 3],
+            torque: zero,
+        }
+    }
+
+    /// What the last row does to the first, where the strands go on: each in the lane above.
+    pub(super) fn go_on(&mut self) {
+        let Self {
+            force,
+            bend1: _,
+            bend2,
+            couple,
+            torque,
+        } = self;
+        for row in force.iter_mut().chain(bend2).chain(couple) {
+            row.go_on();
+        }
+        torque.go_on();
+    }
+}
+
+/// Chords of a row of elements.
+#[derive(Clone, Copy)]
+pub(super) struct Chords<R> {
+    direction: Rows<R>,
+    inverse_length: Row<R>,
+    longer: Row<R>,
+    apart: Row<R>,
+}
+
+impl<R: Real> Chords<R> {
+    pub(super) fn none() -> Self {
+        let zero = Row::filled(0.0);
+        Self {
+            direction: [zero; 3],
+            inverse_length: zero,
+            longer: zero,
+            apart: zero,
+        }
+    }
+}
+
+/// Finds the chords of elements and twists them.
+#[inline(always)]
+pub(super) fn twist<N: Number>(
+    out: &mut Pull<N::Real>,
+    chords: &mut Chords<N::Real>,
+    e: &mut ElementBlock<N::Real>,
+    [above, below]: &[StateBlock<N::Real>; 2],
+    input: &StepInput,
+    losses: &mut Losses<N::Real>,
+    lane: usize,
+) {
+    let (dt, beta) = (N::splat(input.dt), N::splat(input.stiffness_damping));
+    let k = stiffness(e, lane);
+    let pose = pose::<N>(e, above, below, lane);
+    let c = element::chord::<N>(&k, &pose);
+    let r = element::twist(&k, &pose, dt, beta);
+    put3(&mut out.couple, lane, r.couple);
+    put(&mut out.torque, lane, r.torque);
+    put(&mut e.torque, lane, r.torque);
+    put(&mut e.twist, lane, r.twist);
+    put(&mut chords.apart, lane, r.apart);
+    add(&mut losses.damping, lane, r.damping_power);
+    put3(&mut chords.direction, lane, c.direction);
+    put(&mut chords.inverse_length, lane, c.inverse_length);
+    put(&mut chords.longer, lane, c.longer);
+}
+
+/// Stretches and bends elements whose chords are known.
+#[inline(always)]
+pub(super) fn bend<N: Number>(
+    out: &mut Pull<N::Real>,
+    chords: &Chords<N::Real>,
+    e: &mut ElementBlock<N::Real>,
+    [above, below]: &[StateBlock<N::Real>; 2],
+    input: &StepInput,
+    losses: &mut Losses<N::Real>,
+    lane: usize,
+) {
+    let beta = N::splat(input.stiffness_damping);
+    let chord = Chord {
+        direction: at3(&chords.direction, lane),
+        inverse_length: at(&chords.inverse_length, lane),
+        longer: at(&chords.longer, lane),
     };
+    let pose = pose::<N>(e, above, below, lane);
+    let r = element::bend(
+        &stiffness(e, lane),
+        &chord,
+        &pose,
+        at(&chords.apart, lane),
+        beta,
+    );
+    put3(&mut out.force, lane, r.force);
+    put3(&mut out.bend1, lane, r.bend1);
+    put3(&mut out.bend2, lane, r.bend2);
+    put(&mut e.tension, lane, r.tension);
+    add(&mut losses.damping, lane, r.damping_power);
+}
 
-    /// Carries what the last element of a tile of `elements` does to the first node of the next.
-    pub(super) fn carry(&mut self, elements: usize) {
-        for strip in self.force.iter_mut().chain(&mut self.moment2) {
-            strip[0] = strip[elements];
-        }
-        self.torque[0] = self.torque[elements];
-    }
-
-    /// Evaluates eight elements.
-    #[inline(always)]
-    pub(super) fn add_block<N: Number>(
-        &mut self,
-        e: &mut ElementBlock,
-        state: &State,
-        which: Eight,
-        input: &StepInput,
-        losses: &mut Losses,
-    ) {
-        let block = which.block;
-        let u = nine(&state.u, block);
-        let v = nine(&state.v, block);
-        let d = nine(&state.d, block);
-        let w = nine(&state.w, block);
-        let spin = state.spin.nine(block);
-        let (dt, beta) = (N::splat(input.dt), N::splat(input.stiffness_damping));
-        let mut force = [[0.0; LANES]; 3];
-        let mut moment1 = [[0.0; LANES]; 3];
-        let mut moment2 = [[0.0; LANES]; 3];
-        let (mut twist, mut tension, mut torque, mut damped) =
-            ([0.0; LANES], [0.0; LANES], [0.0; LANES], [0.0; LANES]);
-        for lane in 0..LANES {
-            let next = lane + 1;
-            let pose = Pose {
-                anchor_chord: at3(&e.chord, lane),
-                anchor_excess: at(&e.excess, lane),
-                displacement: from::<N, 9>(&u, next) - from(&u, lane),
-                velocity: from::<N, 9>(&v, next) - from(&v, lane),
-                d1: from(&d, lane),
-                d2: from(&d, next),
-                w1: from(&w, lane),
-                w2: from(&w, next),
-                spin: N::splat(spin[next]) - N::splat(spin[lane]),
-                twist: at(&e.twist, lane),
-            };
-            let stiffness = Stiffness {
-                length: at(&e.length, lane),
-                inverse_length: at(&e.inverse_length, lane),
-                axial: at(&e.axial, lane),
-                bending_near: at(&e.bending_near, lane),
-                bending_far: at(&e.bending_far, lane),
-                bow_near: at(&e.bow_near, lane),
-                bow_far: at(&e.bow_far, lane),
-                twist: at(&e.torsion, lane),
-                bending: at(&e.bending, lane),
-            };
-            let r = react::<N>(&stiffness, &pose, dt, beta);
-            twist[lane] = r.twist.get();
-            tension[lane] = r.tension.get();
-            torque[lane] = r.torque.get();
-            put(&mut force, lane, r.force);
-            put(&mut moment1, lane, r.moment1);
-            put(&mut moment2, lane, r.moment2);
-            damped[lane] = r.damping_power.get();
-        }
-        (e.twist.0, e.tension.0, e.torque.0) = (twist, tension, torque);
-        add(&mut losses.damping, &damped);
-        // Strips are one element late: place `i + 1` holds element `i`.
-        let from = which.place * LANES + 1;
-        for axis in 0..3 {
-            write_eight(&mut self.force[axis], from, &force[axis]);
-            write_eight(&mut self.moment1[axis], from, &moment1[axis]);
-            write_eight(&mut self.moment2[axis], from, &moment2[axis]);
-        }
-        write_eight(&mut self.torque, from, &e.torque.0);
+#[inline(always)]
+fn stiffness<N: Number>(e: &ElementBlock<N::Real>, lane: usize) -> Stiffness<N> {
+    Stiffness {
+        length: at(&e.length, lane),
+        inverse_length: at(&e.inverse_length, lane),
+        axial: at(&e.axial, lane),
+        bending_near: at(&e.bending_near, lane),
+        bending_far: at(&e.bending_far, lane),
+        bow_near: at(&e.bow_near, lane),
+        bow_far: at(&e.bow_far, lane),
+        twist: at(&e.torsion, lane),
+        bending: at(&e.bending, lane),
     }
 }
 
-/// Eight numbers of a strip from `from` on.
 #[inline(always)]
-pub(super) fn eight(strip: &Strip, from: usize) -> &[f64; LANES] {
-    strip[from..].first_chunk().expect("a strip holds its tile")
-}
-
-/// Eight vectors of three strips from `from` on.
-#[inline(always)]
-pub(super) fn eights(strips: &[Strip; 3], from: usize) -> [&[f64; LANES]; 3] {
-    [
-        eight(&strips[0], from),
-        eight(&strips[1], from),
-        eight(&strips[2], from),
-    ]
-}
-
-/// Writes eight numbers to a strip from `from` on.
-#[inline(always)]
-fn write_eight(strip: &mut Strip, from: usize, values: &[f64; LANES]) {
-    *strip[from..]
-        .first_chunk_mut()
-        .expect("a strip holds its tile") = *values;
+fn pose<N: Number>(
+    e: &ElementBlock<N::Real>,
+    above: &StateBlock<N::Real>,
+    below: &StateBlock<N::Real>,
+    lane: usize,
+) -> Pose<N> {
+    Pose {
+        anchor_chord: at3(&e.chord, lane),
+        anchor_excess: at(&e.excess, lane),
+        displacement: at3::<N>(&below.u, lane) - at3(&above.u, lane),
+        velocity: at3::<N>(&below.v, lane) - at3(&above.v, lane),
+        d1: at3(&above.d, lane),
+        d2: at3(&below.d, lane),
+        w1: at3(&above.w, lane),
+        w2: at3(&below.w, lane),
+        spin: at::<N>(&below.spin, lane) - at(&above.spin, lane),
+        twist: at(&e.twist, lane),
+    }
 }

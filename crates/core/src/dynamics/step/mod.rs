@@ -2,29 +2,30 @@
 //!
 //! Leapfrog (central differences): forces at the present positions kick the velocities across the
 //! step, the velocities carry the positions on. Contact and friction act within the step, implicitly
-//! at each node, so that they never limit it. One pass does both: a tile of elements is evaluated from
+//! at each node, so that they never limit it. One pass does both: a row of elements is evaluated from
 //! positions that no node has left yet, then the nodes above them are moved, while all of it is
 //! still in the first-level cache.
 //!
+//! A row is worked on in short loops, one after the other. What one register of lanes waits for (a root or a division
+//! takes twenty cycles) is then hidden behind the others; in one long loop the processor does not see far enough
+//! ahead.
+//!
 //! Directors move on the sphere by Cayley's rotation, which keeps their length and the right angle
 //! to their angular velocity to rounding.
-
-// A loop over lanes is what the compiler widens; iterators over a dozen arrays would hide it.
-#![allow(clippy::needless_range_loop)]
 
 mod elements;
 mod lane;
 mod nodes;
 mod touch;
 
-use super::chain::Chain;
-#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
-use crate::rod::number::Fused;
-use crate::rod::{lanes::LANES, number::Number};
-use elements::Pull;
-use lane::Eight;
-use nodes::{Flight, turn};
-use touch::Touch;
+use super::chain::{Chain, Row, StateBlock};
+use crate::rod::number::{Number, Real};
+#[cfg(not(target_arch = "x86_64"))]
+use crate::rod::wide::Pair;
+use elements::{Chords, Pull, bend, twist};
+use lane::lanes;
+use nodes::{Flight, fly, land, rub, slow, turn};
+use touch::push;
 
 /// What is the same for all nodes in a step.
 #[derive(Debug, Clone, Copy)]
@@ -72,13 +73,13 @@ pub struct Abilities {
 
 /// Which code does the step: the processor's best instructions, and the two laws.
 #[derive(Clone, Copy)]
-pub struct Stepper {
-    step: unsafe fn(&mut Chain, &StepInput) -> StepLosses,
+pub struct Stepper<R: Real = f64> {
+    step: unsafe fn(&mut Chain<R>, &StepInput) -> StepLosses,
     /// Name of the instruction set in use.
     pub instructions: &'static str,
 }
 
-impl std::fmt::Debug for Stepper {
+impl<R: Real> std::fmt::Debug for Stepper<R> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Stepper")
             .field("instructions", &self.instructions)
@@ -89,8 +90,8 @@ impl std::fmt::Debug for Stepper {
 macro_rules! compiled_for {
     ($name:ident, $number:ty $(, $features:literal)?) => {
         $(#[target_feature(enable = $features)])?
-        fn $name<const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
-            chain: &mut Chain,
+        fn $name<R: Real, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
+            chain: &mut Chain<R>,
             input: &StepInput,
         ) -> StepLosses {
             sweep::<$number, HERTZ, VECTOR, FULL>(chain, input)
@@ -99,15 +100,17 @@ macro_rules! compiled_for {
 }
 
 #[cfg(target_arch = "x86_64")]
-compiled_for!(avx512, Fused, "avx512f,avx512dq,avx512vl,avx2,fma");
+compiled_for!(avx512, R::Zmm, "avx512f,avx512dq,avx512vl,avx2,fma");
 #[cfg(target_arch = "x86_64")]
-compiled_for!(avx2, Fused, "avx2,fma");
+compiled_for!(avx2, R::Ymm, "avx2,fma");
+#[cfg(target_arch = "x86_64")]
+compiled_for!(baseline, R::Xmm);
 #[cfg(target_arch = "aarch64")]
-compiled_for!(baseline, Fused);
-#[cfg(not(target_arch = "aarch64"))]
-compiled_for!(baseline, f64);
+compiled_for!(baseline, Pair<R::Fused>);
+#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+compiled_for!(baseline, Pair<R>);
 
-impl Stepper {
+impl<R: Real> Stepper<R> {
     /// The fastest code for this processor that does what is asked for.
     pub fn new(abilities: Abilities) -> Self {
         Self::all(abilities)[0]
@@ -124,14 +127,14 @@ impl Stepper {
             ($function:ident, $name:literal) => {
                 Self {
                     step: match (hertz, vector, full) {
-                        (true, true, false) => $function::<true, true, false>,
-                        (true, false, false) => $function::<true, false, false>,
-                        (false, true, false) => $function::<false, true, false>,
-                        (false, false, false) => $function::<false, false, false>,
-                        (true, true, true) => $function::<true, true, true>,
-                        (true, false, true) => $function::<true, false, true>,
-                        (false, true, true) => $function::<false, true, true>,
-                        (false, false, true) => $function::<false, false, true>,
+                        (true, true, false) => $function::<R, true, true, false>,
+                        (true, false, false) => $function::<R, true, false, false>,
+                        (false, true, false) => $function::<R, false, true, false>,
+                        (false, false, false) => $function::<R, false, false, false>,
+                        (true, true, true) => $function::<R, true, true, true>,
+                        (true, false, true) => $function::<R, true, false, true>,
+                        (false, true, true) => $function::<R, false, true, true>,
+                        (false, false, true) => $function::<R, false, false, true>,
                     },
                     instructions: $name,
                 }
@@ -157,64 +160,110 @@ impl Stepper {
     }
 
     /// Advances the chain by one step.
-    pub fn step(&self, chain: &mut Chain, input: &StepInput) -> StepLosses {
+    pub fn step(&self, chain: &mut Chain<R>, input: &StepInput) -> StepLosses {
         // SAFETY: `all` lists only code whose instructions the processor was found to have.
         unsafe { (self.step)(chain, input) }
     }
 }
 
-/// Blocks of eight elements in a tile.
-const TILE: usize = 4;
+/// Energy lost by each lane: friction's in J, the contact's over half the step, twice the mud's in J, the damping's
+/// power in W.
+struct Losses<R> {
+    friction: Row<R>,
+    contact: Row<R>,
+    mud: Row<R>,
+    damping: Row<R>,
+}
 
-/// Energy lost by each lane.
-#[derive(Default)]
-struct Losses {
-    friction: [f64; LANES],
-    contact: [f64; LANES],
-    mud: [f64; LANES],
-    damping: [f64; LANES],
+impl<R: Real> Losses<R> {
+    fn none() -> Self {
+        let zero = Row::filled(0.0);
+        Self {
+            friction: zero,
+            contact: zero,
+            mud: zero,
+            damping: zero,
+        }
+    }
 }
 
 #[inline(always)]
 fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
-    chain: &mut Chain,
+    chain: &mut Chain<N::Real>,
     input: &StepInput,
 ) -> StepLosses {
-    let blocks = chain.node_blocks.len();
-    let mut losses = Losses::default();
-    let mut pull = Pull::NONE;
-    let mut flights = [Flight::NONE; TILE];
-    let mut touch = Touch::NONE;
-    for first in (0..blocks).step_by(TILE) {
-        let tile = TILE.min(blocks - first);
-        let which = |place: usize| Eight {
-            block: first + place,
-            place,
+    chain.close();
+    let Chain {
+        states,
+        node_blocks,
+        element_blocks,
+        ..
+    } = chain;
+    let rows = node_blocks.len();
+    let mut losses = Losses::none();
+    let mut pulls = [Pull::none(); 2];
+    let (mut chords, mut flight) = (Chords::none(), Flight::none());
+
+    // The last row of elements pulls at the first row of nodes. It is evaluated again when its turn comes.
+    let (mut last, state) = (element_blocks[rows - 1], ends(states, rows - 1));
+    let (above, mut twice) = (&mut pulls[1], Losses::none());
+    for lane in lanes::<N>() {
+        twist::<N>(
+            above,
+            &mut chords,
+            &mut last,
+            state,
+            input,
+            &mut twice,
+            lane,
+        );
+    }
+    for lane in lanes::<N>() {
+        bend::<N>(above, &chords, &mut last, state, input, &mut twice, lane);
+    }
+    above.go_on();
+
+    for (row, (e, n)) in element_blocks.iter_mut().zip(node_blocks).enumerate() {
+        let state = ends(states, row);
+        let [even, odd] = &mut pulls;
+        let (below, above) = if row % 2 == 0 {
+            (even, odd)
+        } else {
+            (odd, even)
         };
-        let elements = &mut chain.element_blocks[first..first + tile];
-        for (place, elements) in elements.iter_mut().enumerate() {
-            pull.add_block::<N>(elements, &chain.state, which(place), input, &mut losses);
+        for lane in lanes::<N>() {
+            twist::<N>(below, &mut chords, e, state, input, &mut losses, lane);
         }
-        let nodes = &mut chain.node_blocks[first..first + tile];
-        for (place, (nodes, flight)) in nodes.iter().zip(&mut flights).enumerate() {
-            let where_to = flight.fly::<N, FULL>(nodes, &chain.state, which(place), input, &pull);
-            touch.expect(nodes, place, &where_to);
+        for lane in lanes::<N>() {
+            slow::<N>(&mut flight, n, &state[0], input, lane);
         }
-        touch.push::<N, HERTZ>(input);
-        for (place, (nodes, flight)) in nodes.iter_mut().zip(&flights).enumerate() {
-            let push = touch.pushes(place);
-            let state = &mut chain.state;
-            flight.land::<N, VECTOR, FULL>(nodes, state, first + place, push, input, &mut losses);
+        for lane in lanes::<N>() {
+            bend::<N>(below, &chords, e, state, input, &mut losses, lane);
         }
-        for (place, nodes) in nodes.iter().enumerate() {
-            turn::<N>(nodes, &mut chain.state, which(place), input, &pull);
+        let state = &mut state[0];
+        fly::<N, FULL>(&mut flight, n, state, above, below, input);
+        for lane in lanes::<N>() {
+            push::<N, HERTZ>(&mut flight, n, input, lane);
         }
-        pull.carry(tile * LANES);
+        rub::<N, VECTOR, FULL>(&mut flight, n, input);
+        land::<N>(&flight, n, state, input, &mut losses);
+        for lane in lanes::<N>() {
+            turn::<N>(n, state, above, below, input, lane);
+        }
     }
+    let sum = |row: Row<N::Real>| row.0.iter().map(|x| x.to_f64()).sum::<f64>();
     StepLosses {
-        friction: losses.friction.iter().sum(),
-        contact: losses.contact.iter().sum(),
-        mud: losses.mud.iter().sum(),
-        damping: losses.damping.iter().sum::<f64>() * input.dt,
+        friction: sum(losses.friction),
+        contact: sum(losses.contact) * 0.5 * input.dt,
+        mud: sum(losses.mud) * 0.5,
+        damping: sum(losses.damping) * input.dt,
     }
+}
+
+/// The states of the two ends of a row of elements.
+#[inline(always)]
+fn ends<R>(states: &mut [StateBlock<R>], row: usize) -> &mut [StateBlock<R>; 2] {
+    states[row..]
+        .first_chunk_mut()
+        .expect("the states close with a row more")
 }

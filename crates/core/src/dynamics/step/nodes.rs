@@ -2,312 +2,331 @@
 
 use super::{
     Losses, StepInput,
-    elements::{Pull, eight, eights},
-    lane::{Eight, add, at, at3, from, held, nine, put},
+    elements::Pull,
+    lane::{add, at, at3, lanes, put, put3},
 };
 use crate::{
-    dynamics::chain::{NodeBlock, State},
-    rod::{lanes::LANES, number::Number},
+    dynamics::chain::{NodeBlock, Row, Rows, StateBlock},
+    rod::{
+        element::across,
+        number::{Number, Real},
+    },
     wall::friction,
 };
 
-/// How eight nodes would meet the wall at the end of the step.
-pub(super) struct Approach {
-    /// Penetration, m.
-    pub(super) penetration: [f64; LANES],
-    /// Speed towards the wall, m/s.
-    pub(super) inward: [f64; LANES],
-}
-
-/// Eight nodes on their way: what the rod, gravity, mud and damping make of the step before the wall
-/// has its say. A tile is flown, then pushed, then landed: short loops over neighbours, so that the
-/// processor works on several while it waits for a division.
+/// A row of nodes on their way: what the rod, gravity, mud and damping make of the step before the wall
+/// has its say, and what the wall says. Made and used in short loops over the row, so that the processor
+/// works on several lanes while it waits for a root or a division.
 #[derive(Clone, Copy)]
-pub(super) struct Flight {
-    /// Velocity across the hole and along it, and spin, at the step's beginning.
-    across0: [[f64; LANES]; 3],
-    axial0: [f64; LANES],
-    spin0: [f64; LANES],
-    /// After the kick by the rod and by gravity.
-    across1: [[f64; LANES]; 3],
-    axial1: [f64; LANES],
-    spin1: [f64; LANES],
-    /// After mud drag and mass-proportional damping.
-    across2: [[f64; LANES]; 3],
-    axial2: [f64; LANES],
-    spin2: [f64; LANES],
-    /// Direction from the axis where the step would end.
-    normal: [[f64; LANES]; 3],
+pub(super) struct Flight<R> {
+    /// What one newton gives across the hole and along it, m/s, and one newton metre about the director, rad/s.
+    pub(super) give: Row<R>,
+    give_axial: Row<R>,
+    give_spin: Row<R>,
+    /// Velocity along the hole at the step's beginning.
+    axial0: Row<R>,
+    /// What mud drag and mass-proportional damping take on the way: the part of the velocity across the hole, the
+    /// velocity along it, and the spin.
+    slowed: Row<R>,
+    slowed_axial: Row<R>,
+    slowed_spin: Row<R>,
+    /// Velocity, its part along the hole, and spin, before the wall acts.
+    v: Rows<R>,
+    axial: Row<R>,
+    spin: Row<R>,
+    /// Where the step would end, from the hole's axis, and the clearance there.
+    pub(super) offset: Rows<R>,
+    pub(super) clearance: Row<R>,
+    /// Speed towards the wall times the distance from the axis.
+    pub(super) inward: Row<R>,
+    /// The direction of the offset.
+    pub(super) normal: Rows<R>,
+    /// Contact force, N.
+    pub(super) push: Row<R>,
+    /// Direction around the hole, and friction along and around it.
+    around: Rows<R>,
+    rub_along: Row<R>,
+    rub_around: Row<R>,
 }
 
-impl Flight {
-    pub(super) const NONE: Self = Self {
-        across0: [[0.0; LANES]; 3],
-        axial0: [0.0; LANES],
-        spin0: [0.0; LANES],
-        across1: [[0.0; LANES]; 3],
-        axial1: [0.0; LANES],
-        spin1: [0.0; LANES],
-        across2: [[0.0; LANES]; 3],
-        axial2: [0.0; LANES],
-        spin2: [0.0; LANES],
-        normal: [[0.0; LANES]; 3],
-    };
+impl<R: Real> Flight<R> {
+    pub(super) fn none() -> Self {
+        let zero = Row::filled(0.0);
+        Self {
+            give: zero,
+            give_axial: zero,
+            give_spin: zero,
+            axial0: zero,
+            slowed: zero,
+            slowed_axial: zero,
+            slowed_spin: zero,
+            v: [zero; 3],
+            axial: zero,
+            spin: zero,
+            offset: [zero; 3],
+            clearance: zero,
+            inward: zero,
+            normal: [zero; 3],
+            push: zero,
+            around: [zero; 3],
+            rub_along: zero,
+            rub_around: zero,
+        }
+    }
+}
 
-    /// Kicks eight nodes and lets them fly to where the step would end without a wall.
-    #[inline(always)]
-    pub(super) fn fly<N: Number, const FULL: bool>(
-        &mut self,
-        n: &NodeBlock,
-        state: &State,
-        which: Eight,
-        input: &StepInput,
-        pull: &Pull,
-    ) -> Approach {
-        let block = which.block;
-        let above = which.place * LANES;
-        let below = above + 1;
-        let force_above = eights(&pull.force, above);
-        let force_below = eights(&pull.force, below);
-        let torque_above = eight(&pull.torque, above);
-        let torque_below = eight(&pull.torque, below);
-        let (u, v) = (nine(&state.u, block), nine(&state.v, block));
-        let spin = state.spin.nine(block);
-        let splat = N::splat;
-        let (half, dt) = (splat(0.5), splat(input.dt));
-        let alpha = splat(input.mass_damping);
-        let fade = (alpha * dt).min(half);
-        let (rigid_v, rigid_s) = (splat(input.rigid_velocity), splat(input.rigid_spin));
-        let (mut penetration, mut inward) = ([0.0; LANES], [0.0; LANES]);
-        for lane in 0..LANES {
-            // Kick by the rod and by gravity, along the hole and across it.
-            let force =
-                from::<N, 8>(&force_above, lane) - from(&force_below, lane) + at3(&n.weight, lane);
-            let torque = splat(torque_below[lane]) - splat(torque_above[lane]);
-            let th = at3::<N>(&n.tangent, lane);
-            let per_ml = at::<N>(&n.inv_mass_lateral, lane);
-            let per_j = at::<N>(&n.inv_polar, lane);
-            let (v0, s0) = (from::<N, 9>(&v, lane), splat(spin[lane]));
-            let along = th.dot(force);
-            let axial0 = th.dot(v0);
-            let across0 = v0.minus(th, axial0);
-            let axial1 = (dt * at(&n.inv_mass_axial, lane)).mul_add(along, axial0);
-            let across1 = across0.plus(force.minus(th, along), dt * per_ml);
-            let s1 = (dt * per_j).mul_add(torque, s0);
+/// What the mud and mass-proportional damping take of the velocity across the hole.
+#[inline(always)]
+pub(super) fn slow<N: Number>(
+    flight: &mut Flight<N::Real>,
+    n: &NodeBlock<N::Real>,
+    state: &StateBlock<N::Real>,
+    input: &StepInput,
+    lane: usize,
+) {
+    let (half, dt) = (N::splat(0.5), N::splat(input.dt));
+    let alpha = N::splat(input.mass_damping * input.dt);
+    let th = at3::<N>(&n.tangent, lane);
+    let v0 = at3::<N>(&state.v, lane);
+    let axial0 = th.dot(v0);
+    let speed = axial0.neg_mul_add(axial0, v0.dot(v0)).max(N::zero()).sqrt();
+    let drag = at::<N>(&n.drag_quadratic, lane).mul_add(speed, at(&n.drag_linear, lane));
+    // A hundredth in any mud; a brake still at any speed.
+    let give = dt * at(&n.inv_mass_lateral, lane);
+    put(&mut flight.give, lane, give);
+    put(&mut flight.axial0, lane, axial0);
+    put(
+        &mut flight.slowed,
+        lane,
+        give.mul_add(drag, alpha).min(half),
+    );
+}
 
-            // Mud drag and mass-proportional damping of the velocity that the node came with. The kick is
-            // left whole: a wall or a hoist that takes it back within the step must feel all of it.
-            let speed = across0.dot(across0).sqrt();
-            let drag = at::<N>(&n.drag_quadratic, lane).mul_add(speed, at(&n.drag_linear, lane));
-            // A hundredth in any mud; a brake still at any speed.
-            let slowed = (per_ml.mul_add(drag, alpha) * dt).min(half);
-            let mut axial2 = fade.neg_mul_add(axial0 - rigid_v, axial1);
-            let across2 = across1.minus(across0, slowed);
-            let fade_spin = per_j.if_positive(fade, N::zero());
-            let mut s2 = fade_spin.neg_mul_add(s0 - rigid_s, s1);
-            if FULL {
-                let per_ma = at::<N>(&n.inv_mass_axial, lane);
-                let slowed = (dt * per_ma * at(&n.mud_axial, lane)).min(half);
-                axial2 = slowed.neg_mul_add(axial0, axial2);
-                let slowed = (dt * per_j * at(&n.mud_spin, lane)).min(half);
-                s2 = slowed.neg_mul_add(s0, s2);
+/// Kicks a row of nodes and lets them fly to where the step would end without a wall.
+#[inline(always)]
+pub(super) fn fly<N: Number, const FULL: bool>(
+    flight: &mut Flight<N::Real>,
+    n: &NodeBlock<N::Real>,
+    state: &StateBlock<N::Real>,
+    above: &Pull<N::Real>,
+    below: &Pull<N::Real>,
+    input: &StepInput,
+) {
+    let splat = N::splat;
+    let (half, one, dt) = (splat(0.5), splat(1.0), splat(input.dt));
+    let fade = splat((input.mass_damping * input.dt).min(0.5));
+    let (rigid_v, rigid_s) = (splat(input.rigid_velocity), splat(input.rigid_spin));
+    // Drag and damping act on the velocity that the node came with. The kick of rod and
+    // gravity is left whole: a wall or a hoist that takes it back within the step must feel all of it.
+    for lane in lanes::<N>() {
+        let th = at3::<N>(&n.tangent, lane);
+        let give = at::<N>(&flight.give, lane);
+        let give_axial = dt * at(&n.inv_mass_axial, lane);
+        let per_j = at::<N>(&n.inv_polar, lane);
+        let give_spin = dt * per_j;
+        let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));
+        let axial0 = at::<N>(&flight.axial0, lane);
+        let force = at3::<N>(&above.force, lane) - at3(&below.force, lane) + at3(&n.weight, lane);
+        let along = th.dot(force);
+        let mut slowed_axial = fade * (axial0 - rigid_v);
+        let mut slowed_spin = per_j.if_positive(fade, N::zero()) * (s0 - rigid_s);
+        if FULL {
+            let part = (give_axial * at(&n.mud_axial, lane)).min(half);
+            slowed_axial = part.mul_add(axial0, slowed_axial);
+            let part = (give_spin * at(&n.mud_spin, lane)).min(half);
+            slowed_spin = part.mul_add(s0, slowed_spin);
+        }
+        let kept = one - at(&flight.slowed, lane);
+        let axial = give_axial.mul_add(along, axial0 - slowed_axial);
+        // What the mass across the hole makes of the part along it is replaced.
+        let instead = give.neg_mul_add(along, kept.neg_mul_add(axial0, axial));
+        let v = v0.scaled(kept).plus(force, give).plus(th, instead);
+        let torque = at::<N>(&below.torque, lane) - at(&above.torque, lane);
+        let spin = give_spin.mul_add(torque, s0 - slowed_spin);
+
+        // Where the step would end, against the curved wall.
+        let u = at3::<N>(&state.u, lane).plus(v, dt);
+        let z = th.dot(u);
+        let offset = u
+            .minus(th, z)
+            .minus(at3(&n.curvature, lane), half * (z * z));
+        let clearance = if FULL {
+            at::<N>(&n.clearance_slope, lane).mul_add(z, at(&n.clearance, lane))
+        } else {
+            at(&n.clearance, lane)
+        };
+        put(&mut flight.give_axial, lane, give_axial);
+        put(&mut flight.give_spin, lane, give_spin);
+        put(&mut flight.slowed_axial, lane, slowed_axial);
+        put(&mut flight.slowed_spin, lane, slowed_spin);
+        put3(&mut flight.v, lane, v);
+        put(&mut flight.axial, lane, axial);
+        put(&mut flight.spin, lane, spin);
+        put3(&mut flight.offset, lane, offset);
+        put(&mut flight.clearance, lane, clearance);
+        put(&mut flight.inward, lane, v.dot(offset));
+    }
+}
+
+/// Rubs a row of nodes that are pushed on the wall.
+#[inline(always)]
+pub(super) fn rub<N: Number, const VECTOR: bool, const FULL: bool>(
+    flight: &mut Flight<N::Real>,
+    n: &NodeBlock<N::Real>,
+    input: &StepInput,
+) {
+    let splat = N::splat;
+    let per_stribeck2 = splat(1.0 / (input.stribeck_speed * input.stribeck_speed));
+    for lane in lanes::<N>() {
+        let v = at3::<N>(&flight.v, lane);
+        let (axial, spin) = (at::<N>(&flight.axial, lane), at::<N>(&flight.spin, lane));
+        let force = at::<N>(&flight.push, lane);
+        let radius = at::<N>(&n.radius, lane);
+        let around = at3::<N>(&n.tangent, lane).cross(at3(&flight.normal, lane));
+        // At the surface that touches.
+        let slip = radius.mul_add(spin, v.dot(around));
+        let mu = if FULL {
+            let speed2 = slip.mul_add(slip, axial * axial);
+            let rise = at(&n.friction_rise, lane);
+            friction::coefficient(at(&n.friction, lane), rise, speed2, per_stribeck2)
+        } else {
+            at::<N>(&n.friction, lane)
+        };
+        let limit = force * mu;
+        // One newton always takes some speed away: a node that is held everywhere keeps its friction.
+        let least = splat(1e-30);
+        let g_axial = at::<N>(&flight.give_axial, lane).max(least);
+        let g_around = (radius * at(&flight.give_spin, lane))
+            .mul_add(radius, at(&flight.give, lane))
+            .max(least);
+        let limit_around = if FULL {
+            limit * at(&n.friction_around, lane)
+        } else {
+            limit
+        };
+        let (rub_along, rub_around) = match (VECTOR, FULL) {
+            (true, false) => friction::vector(limit, axial, slip, g_axial, g_around),
+            // In the forces' parts of their limits the law is that of one limit, 1.
+            (true, true) => {
+                let g_axial = (g_axial * limit).max(least);
+                let g_around = (g_around * limit_around).max(least);
+                let (a, t) = friction::vector(splat(1.0), axial, slip, g_axial, g_around);
+                (limit * a, limit_around * t)
             }
-
-            // Where the step would end, against the curved wall.
-            let u0 = from::<N, 9>(&u, lane);
-            let z0 = th.dot(u0);
-            let z = dt.mul_add(axial2, z0);
-            let offset = u0
-                .minus(th, z0)
-                .plus(across2, dt)
-                .minus(at3(&n.curvature, lane), half * (z * z));
-            let rho = (offset.dot(offset) + splat(1e-30)).sqrt();
-            let normal = offset.scaled(splat(1.0) / rho);
-
-            put(&mut self.across0, lane, across0);
-            self.axial0[lane] = axial0.get();
-            self.spin0[lane] = s0.get();
-            put(&mut self.across1, lane, across1);
-            self.axial1[lane] = axial1.get();
-            self.spin1[lane] = s1.get();
-            put(&mut self.across2, lane, across2);
-            self.axial2[lane] = axial2.get();
-            self.spin2[lane] = s2.get();
-            put(&mut self.normal, lane, normal);
-            let clearance = if FULL {
-                at::<N>(&n.clearance_slope, lane).mul_add(z, at(&n.clearance, lane))
-            } else {
-                at(&n.clearance, lane)
-            };
-            penetration[lane] = (rho - clearance).get();
-            inward[lane] = across2.dot(normal).get();
-        }
-        Approach {
-            penetration,
-            inward,
-        }
-    }
-
-    /// Lets the wall push and rub, and moves eight nodes to where the step ends.
-    #[inline(always)]
-    pub(super) fn land<N: Number, const VECTOR: bool, const FULL: bool>(
-        &self,
-        n: &mut NodeBlock,
-        state: &mut State,
-        block: usize,
-        push: &[f64; LANES],
-        input: &StepInput,
-        losses: &mut Losses,
-    ) {
-        let splat = N::splat;
-        let (half, dt) = (splat(0.5), splat(input.dt));
-        let per_stribeck2 = splat(1.0 / (input.stribeck_speed * input.stribeck_speed));
-        let old = nine(&state.u, block);
-        let (mut u, mut v) = ([[0.0; LANES]; 3], [[0.0; LANES]; 3]);
-        let mut spin = [0.0; LANES];
-        let (mut rub_axial, mut rub_torque) = ([0.0; LANES], [0.0; LANES]);
-        let mut lost = [[0.0; LANES]; 3];
-        for lane in 0..LANES {
-            let th = at3::<N>(&n.tangent, lane);
-            let per_ma = at::<N>(&n.inv_mass_axial, lane);
-            let per_j = at::<N>(&n.inv_polar, lane);
-            let mobility = dt * at(&n.inv_mass_lateral, lane);
-            let across2 = held::<N>(&self.across2, lane);
-            let (axial2, s2) = (splat(self.axial2[lane]), splat(self.spin2[lane]));
-            let normal = held::<N>(&self.normal, lane);
-            let force = splat(push[lane]);
-
-            // Friction at the surface that touches.
-            let around = th.cross(normal);
-            let radius = at::<N>(&n.radius, lane);
-            let slip = radius.mul_add(s2, across2.dot(around));
-            let mu = if FULL {
-                let speed2 = slip.mul_add(slip, axial2 * axial2);
-                let rise = at(&n.friction_rise, lane);
-                friction::coefficient(at(&n.friction, lane), rise, speed2, per_stribeck2)
-            } else {
-                at::<N>(&n.friction, lane)
-            };
-            let limit = force * mu;
-            // One newton always takes some speed away: a node that is held everywhere keeps its friction.
-            let least = splat(1e-30);
-            let g_axial = (dt * per_ma).max(least);
-            let g_around = (dt * radius * radius).mul_add(per_j, mobility).max(least);
-            let limit_around = if FULL {
-                limit * at(&n.friction_around, lane)
-            } else {
-                limit
-            };
-            let (along, across) = match (VECTOR, FULL) {
-                (true, false) => friction::vector(limit, axial2, slip, g_axial, g_around),
-                // In the forces' parts of their limits the law is that of one limit, 1.
-                (true, true) => {
-                    let g_axial = (g_axial * limit).max(least);
-                    let g_around = (g_around * limit_around).max(least);
-                    let (a, t) = friction::vector(splat(1.0), axial2, slip, g_axial, g_around);
-                    (limit * a, limit_around * t)
-                }
-                (false, _) => (
-                    friction::independent(limit, axial2, g_axial),
-                    friction::independent(limit_around, slip, g_around),
-                ),
-            };
-            let torque = across * radius;
-            let axial3 = (dt * per_ma).neg_mul_add(along, axial2);
-            let across3 = across2
-                .minus(normal, mobility * force)
-                .minus(around, mobility * across);
-            let v3 = across3.plus(th, axial3);
-            let s3 = (dt * per_j).neg_mul_add(torque, s2);
-
-            // Energy that left the string: every impulse but the rod's and gravity's works on the mean of
-            // the velocities before and after the step.
-            let (across1, axial1) = (held::<N>(&self.across1, lane), splat(self.axial1[lane]));
-            let (across0, axial0) = (held::<N>(&self.across0, lane), splat(self.axial0[lane]));
-            let (s0, s1) = (splat(self.spin0[lane]), splat(self.spin1[lane]));
-            let (both, both_axial, both_spin) = (across0 + across3, axial0 + axial3, s0 + s3);
-            let half_dt = half * dt;
-            let contact = half_dt * force * normal.dot(both);
-            let rubbed = half_dt
-                * along.mul_add(
-                    both_axial,
-                    across.mul_add(around.dot(both), torque * both_spin),
-                );
-            let slowed = half
-                * (at::<N>(&n.mass_lateral, lane) * (across1 - across2).dot(both)
-                    + (at::<N>(&n.mass_axial, lane) * (axial1 - axial2))
-                        .mul_add(both_axial, at::<N>(&n.polar, lane) * (s1 - s2) * both_spin));
-
-            put(&mut u, lane, from::<N, 9>(&old, lane).plus(v3, dt));
-            put(&mut v, lane, v3);
-            spin[lane] = s3.get();
-            rub_axial[lane] = along.get();
-            rub_torque[lane] = torque.get();
-            lost[0][lane] = rubbed.get();
-            lost[1][lane] = contact.get();
-            lost[2][lane] = slowed.get();
-        }
-        for axis in 0..3 {
-            *state.u[axis].eight(block) = u[axis];
-            *state.v[axis].eight(block) = v[axis];
-        }
-        *state.spin.eight(block) = spin;
-        add(&mut n.sum_normal.0, push);
-        add(&mut n.sum_axial.0, &rub_axial);
-        add(&mut n.sum_torque.0, &rub_torque);
-        add(&mut n.sum_wear.0, &lost[0]);
-        add(&mut losses.friction, &lost[0]);
-        add(&mut losses.contact, &lost[1]);
-        add(&mut losses.mud, &lost[2]);
+            (false, _) => (
+                friction::independent(limit, axial, g_axial),
+                friction::independent(limit_around, slip, g_around),
+            ),
+        };
+        put3(&mut flight.around, lane, around);
+        put(&mut flight.rub_along, lane, rub_along);
+        put(&mut flight.rub_around, lane, rub_around);
     }
 }
 
-/// Turns the directors of eight nodes.
+/// Moves a row of nodes to where the step ends.
+#[inline(always)]
+pub(super) fn land<N: Number>(
+    flight: &Flight<N::Real>,
+    n: &mut NodeBlock<N::Real>,
+    state: &mut StateBlock<N::Real>,
+    input: &StepInput,
+    losses: &mut Losses<N::Real>,
+) {
+    let splat = N::splat;
+    let dt = splat(input.dt);
+    let half_dt = splat(0.5 * input.dt);
+    for lane in lanes::<N>() {
+        let th = at3::<N>(&n.tangent, lane);
+        let give = at::<N>(&flight.give, lane);
+        let radius = at::<N>(&n.radius, lane);
+        let (normal, around) = (
+            at3::<N>(&flight.normal, lane),
+            at3::<N>(&flight.around, lane),
+        );
+        let force = at::<N>(&flight.push, lane);
+        let along = at::<N>(&flight.rub_along, lane);
+        let across = at::<N>(&flight.rub_around, lane);
+        let torque = across * radius;
+        let stopped = at::<N>(&flight.give_axial, lane) * along;
+        let axial3 = at::<N>(&flight.axial, lane) - stopped;
+        let v3 = at3::<N>(&flight.v, lane)
+            .minus(normal, give * force)
+            .minus(around, give * across)
+            .minus(th, stopped);
+        let spin = at::<N>(&flight.spin, lane);
+        let s3 = at::<N>(&flight.give_spin, lane).neg_mul_add(torque, spin);
+
+        // Energy that left the string: every impulse but the rod's and gravity's works on the mean of
+        // the velocities before and after the step.
+        let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));
+        let axial0 = at::<N>(&flight.axial0, lane);
+        let (both, both_axial, both_spin) = (v0 + v3, axial0 + axial3, s0 + s3);
+        let contact = force * normal.dot(both);
+        let slid = radius.mul_add(both_spin, around.dot(both));
+        let rubbed = half_dt * along.mul_add(both_axial, across * slid);
+        let drag = at::<N>(&n.mass_lateral, lane) * at(&flight.slowed, lane);
+        let drag_axial = at::<N>(&n.mass_axial, lane) * at(&flight.slowed_axial, lane);
+        let drag_spin = at::<N>(&n.polar, lane) * at(&flight.slowed_spin, lane);
+        let across0 = axial0.neg_mul_add(both_axial, v0.dot(both));
+        let slowed = drag.mul_add(
+            across0,
+            drag_axial.mul_add(both_axial, drag_spin * both_spin),
+        );
+
+        let u0 = at3::<N>(&state.u, lane);
+        put3(&mut state.u, lane, u0.plus(v3, dt));
+        put3(&mut state.v, lane, v3);
+        put(&mut state.spin, lane, s3);
+        add(&mut n.sum_normal, lane, force);
+        add(&mut n.sum_axial, lane, along);
+        add(&mut n.sum_torque, lane, torque);
+        add(&mut n.sum_wear, lane, rubbed);
+        add(&mut losses.friction, lane, rubbed);
+        add(&mut losses.contact, lane, contact);
+        add(&mut losses.mud, lane, slowed);
+    }
+}
+
+/// Turns the directors of nodes.
 #[inline(always)]
 pub(super) fn turn<N: Number>(
-    n: &NodeBlock,
-    state: &mut State,
-    which: Eight,
+    n: &NodeBlock<N::Real>,
+    state: &mut StateBlock<N::Real>,
+    above: &Pull<N::Real>,
+    below: &Pull<N::Real>,
     input: &StepInput,
-    pull: &Pull,
+    lane: usize,
 ) {
-    let above = which.place * LANES;
-    let block = which.block;
-    let moment_above = eights(&pull.moment2, above);
-    let moment_below = eights(&pull.moment1, above + 1);
     let splat = N::splat;
-    let (one, half, dt) = (splat(1.0), splat(0.5), splat(input.dt));
+    let (one, dt, half_dt) = (splat(1.0), splat(input.dt), splat(0.5 * input.dt));
+    let quarter_dt2 = splat(0.25 * input.dt * input.dt);
     // The energy of lateral rotation is a millionth of the whole: its damping is not booked.
     let calm = splat(1.0 - (input.dt * input.mass_damping).min(0.5));
-    let (old_d, old_w) = (nine(&state.d, block), nine(&state.w, block));
-    let spin = state.spin.nine(block);
-    let (mut d, mut w) = ([[0.0; LANES]; 3], [[0.0; LANES]; 3]);
-    for lane in 0..LANES {
-        let (d0, w0) = (from::<N, 9>(&old_d, lane), from::<N, 9>(&old_w, lane));
-        let moment = from::<N, 8>(&moment_above, lane) + from(&moment_below, lane);
-        let kick = moment.scaled(half * dt * at(&n.inv_rotary, lane));
-        let halfway = w0.scaled(calm) + kick;
-        let p = half * dt * at(&n.gyroscopic, lane) * splat(spin[lane]);
-        // Cayley's rotation by the precession: (1 − p²)/(1 + p²) and 2p/(1 + p²), to the fifth power of p, half
-        // the precession in a step; what is left out brakes by 2p⁶.
-        let p2 = p * p;
-        let sine = (p + p) * (one - p2);
-        let cosine = (p2 + p2).mul_add(p2 - one, one);
-        // Half of the kick precesses, half does not: turned by all of it, the kick would feed whirl, by a
-        // quarter of the precession times the angle by which the step advances the whirl.
-        let turning = halfway.scaled(cosine).minus(halfway.cross(d0), sine) + kick;
-        let q = splat(0.25 * input.dt * input.dt) * turning.dot(turning);
-        // 1/(1 + q) to rounding: q is the square of half the turn in a step.
-        let q2 = q * q;
-        let shrink = (one - q).mul_add(one + q2, q2 * q2);
-        let turned = d0
-            .scaled((one - q) * shrink)
-            .plus(turning.cross(d0), dt * shrink);
-        put(&mut d, lane, turned);
-        put(&mut w, lane, turning);
-    }
-    for axis in 0..3 {
-        *state.d[axis].eight(block) = d[axis];
-        *state.w[axis].eight(block) = w[axis];
-    }
+    let (d0, w0) = (at3::<N>(&state.d, lane), at3::<N>(&state.w, lane));
+    let moment = across(
+        at3::<N>(&above.bend2, lane) + at3(&below.bend1, lane),
+        at3::<N>(&below.couple, lane) - at3(&above.couple, lane),
+        d0,
+    );
+    let kick = moment.scaled(half_dt * at(&n.inv_rotary, lane));
+    let halfway = w0.scaled(calm) + kick;
+    let p = half_dt * at(&n.gyroscopic, lane) * at(&state.spin, lane);
+    // Cayley's rotation by the precession: (1 − p²)/(1 + p²) and 2p/(1 + p²), to the fifth power of p, half
+    // the precession in a step; what is left out brakes by 2p⁶.
+    let p2 = p * p;
+    let sine = (p + p) * (one - p2);
+    let cosine = (p2 + p2).mul_add(p2 - one, one);
+    // Half of the kick precesses, half does not: turned by all of it, the kick would feed whirl, by a
+    // quarter of the precession times the angle by which the step advances the whirl.
+    let turning = halfway.scaled(cosine).minus(halfway.cross(d0), sine) + kick;
+    let q = quarter_dt2 * turning.dot(turning);
+    // 1/(1 + q) to rounding: q is the square of half the turn in a step.
+    let q2 = q * q;
+    let shrink = (one - q).mul_add(one + q2, q2 * q2);
+    let turned = d0
+        .scaled((one - q) * shrink)
+        .plus(turning.cross(d0), dt * shrink);
+    put3(&mut state.d, lane, turned);
+    put3(&mut state.w, lane, turning);
 }

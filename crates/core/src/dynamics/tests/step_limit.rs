@@ -42,10 +42,10 @@ fn highest(rod: &Bench) -> f64 {
             [
                 -r.force.0,
                 -r.force.2,
-                r.moment1.1,
+                r.moment1(pose.d1).1,
                 r.force.0,
                 r.force.2,
-                r.moment2.1,
+                r.moment2(pose.d2).1,
             ]
         };
         for j in 0..6 {

@@ -31,7 +31,7 @@ fn led(excitation: Excitation) -> Rig {
     node!(rig.chain, 0, inv_mass_axial = 0.0);
     node!(rig.chain, 0, inv_polar = 0.0);
     rig.chain.set_velocity(0, Vector(0.0, 0.0, 0.003));
-    *rig.spin() = SPIN;
+    rig.set_spin(SPIN);
     rig
 }
 
@@ -93,7 +93,7 @@ fn roughness_shows_in_weight_and_torque() {
     node!(rig.chain, 0, inv_mass_axial = 0.0);
     node!(rig.chain, 0, inv_polar = 0.0);
     rig.chain.set_velocity(0, Vector(0.0, 0.0, 1e-6));
-    *rig.spin() = SPIN;
+    rig.set_spin(SPIN);
     let n = 2_000_000;
     let (mut w, mut ww, mut q, mut qq) = (0.0, 0.0, 0.0, 0.0);
     for _ in 0..n {
@@ -119,7 +119,7 @@ fn without_amplitude_nothing_changes() {
     for rig in &mut rigs {
         rig.push = Vector(0.0, 0.0, 60e3);
         rig.turn = 3.2e3;
-        *rig.spin() = SPIN;
+        rig.set_spin(SPIN);
     }
     for _ in 0..5000 {
         let [a, b] = [rigs[0].step(5e-4), rigs[1].step(5e-4)];
@@ -143,7 +143,7 @@ fn the_step_does_not_change_the_bottom() {
         );
         node!(rig.chain, 0, inv_mass_axial = 1e-4);
         node!(rig.chain, 0, inv_polar = 0.0);
-        *rig.spin() = SPIN;
+        rig.set_spin(SPIN);
         let mut weights = Vec::new();
         for i in 0..5000 * steps_per_ms {
             // What pushes is a weight and a dashpot: nothing rings for long.

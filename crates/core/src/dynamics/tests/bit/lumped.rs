@@ -38,7 +38,7 @@ impl Lumped {
         let steady = law.steady(weight_N, speed);
         rig.chain
             .set_velocity(0, Vector(0.0, 0.0, steady.rate_of_penetration_m_per_s));
-        *rig.spin() = speed;
+        rig.set_spin(speed);
         Self {
             rig,
             weight_N,
@@ -53,12 +53,12 @@ impl Lumped {
 
     fn step(&mut self) -> BitStep {
         let time = self.steps as f64 * self.dt;
-        let spin = *self.rig.spin();
+        let spin = self.rig.spin();
         self.rig.push = Vector(0.0, 0.0, self.weight_N * MASS_KG / MASS);
         self.rig.turn = STIFFNESS * (self.speed_rad_per_s * time + self.lead_rad - self.angle_rad)
             + self.damping_N_m_s * (self.speed_rad_per_s - spin);
         let step = self.rig.step(self.dt);
-        self.angle_rad += self.dt * *self.rig.spin();
+        self.angle_rad += self.dt * self.rig.spin();
         self.steps += 1;
         step
     }
@@ -210,11 +210,12 @@ impl StickSlip {
         let law = self.law();
         let (time, _) = scales(law);
         let mut string = Lumped::new(law, self.weight_N(), self.speed_rad_per_s(), 0.0, dt);
-        *string.rig.spin() *= 1.1;
+        let spin = string.rig.spin();
+        string.rig.set_spin(spin * 1.1);
         let (mut sticks, mut fastest, mut turned) = (Vec::new(), 0.0f64, true);
         for i in 0..(self.time * time / dt) as u32 {
             string.step();
-            let spin = *string.rig.spin();
+            let spin = string.rig.spin();
             fastest = fastest.max(spin);
             if spin <= 0.0 && turned {
                 sticks.push(f64::from(i) * dt);

@@ -60,12 +60,16 @@ impl Rig {
         }
     }
 
-    fn spin(&mut self) -> &mut f64 {
-        &mut node!(self.chain, 0, spin)
+    fn spin(&self) -> f64 {
+        node!(self.chain, 0, spin)
+    }
+
+    fn set_spin(&mut self, spin: f64) {
+        node!(self.chain, 0, spin = spin);
     }
 
     fn step(&mut self, dt: f64) -> BitStep {
-        let (before, spin) = (self.chain.velocity(0), *self.spin());
+        let (before, spin) = (self.chain.velocity(0), self.spin());
         let mass = [0.5 / MASS_KG, 0.5 / MASS_KG, 1.0 / MASS_KG];
         let kick = Vector(
             self.push.0 * mass[0],
@@ -76,7 +80,8 @@ impl Rig {
         let u = self.chain.displacement(0).plus(v, dt);
         self.chain.set_velocity(0, v);
         self.chain.set_displacement(0, u);
-        *self.spin() += dt * self.turn * node!(self.chain, 0, inv_polar);
+        let turn = dt * self.turn * node!(self.chain, 0, inv_polar);
+        self.set_spin(spin + turn);
         self.bit.act(&mut self.chain, DEPTH_M, before, spin, dt)
     }
 }
@@ -89,7 +94,7 @@ fn the_bit_drills_at_the_laws_rate() {
         let mut rig = Rig::new(OPERATION);
         // The string turns it at a speed that the torque does not change.
         node!(rig.chain, 0, inv_polar = 0.0);
-        *rig.spin() = 7.0 * speed;
+        rig.set_spin(7.0 * speed);
         rig.push = Vector(0.0, 0.0, 60e3 * weight);
         let mut step = BitStep::default();
         for _ in 0..40_000 {
@@ -168,17 +173,17 @@ fn the_rock_holds_a_stopped_bit() {
     rig.turn = 2.9e3;
     for _ in 0..1000 {
         let step = rig.step(dt);
-        assert_eq!(*rig.spin(), 0.0);
+        assert_eq!(rig.spin(), 0.0);
         assert!((step.torque_N_m / 2.9e3 - 1.0).abs() < 1e-12);
     }
     rig.turn = 3.5e3;
     let step = rig.step(dt);
     let excess = 3.5e3 - step.torque_N_m;
     assert!((step.torque_N_m / (0.05 * step.weight_on_bit_N) - 1.0).abs() < 1e-12);
-    assert!((*rig.spin() / (dt * excess / POLAR_KG_M2) - 1.0).abs() < 1e-12);
+    assert!((rig.spin() / (dt * excess / POLAR_KG_M2) - 1.0).abs() < 1e-12);
     // Turned backwards, the rock does not drive it.
     let mut back = Rig::new(OPERATION);
-    *back.spin() = -1.0;
+    back.set_spin(-1.0);
     assert_eq!(back.step(dt).torque_N_m, 0.0);
 }
 
@@ -192,7 +197,7 @@ fn a_motor_drills_and_turns_the_string_back() {
     rig.push = Vector(0.0, 0.0, 60e3);
     let first = rig.step(5e-4);
     assert!((first.torque_N_m / (0.05 * first.weight_on_bit_N) - 1.0).abs() < 1e-12);
-    assert!(*rig.spin() < 0.0);
+    assert!(rig.spin() < 0.0);
     for _ in 0..40_000 {
         rig.step(5e-4);
     }
@@ -245,24 +250,24 @@ fn the_hole_holds_the_bit_to_its_axis() {
 fn work_is_the_change_of_kinetic_energy() {
     let mut rig = Rig::new(OPERATION);
     assert_work_is_the_change_of_energy(&mut rig);
-    assert_eq!(*rig.spin(), 0.0);
+    assert_eq!(rig.spin(), 0.0);
 }
 
 #[track_caller]
 fn assert_work_is_the_change_of_energy(rig: &mut Rig) {
     rig.chain.set_velocity(0, Vector(0.3, -0.2, 0.4));
     rig.chain.set_displacement(0, Vector(1e-3, 2e-3, 0.0));
-    *rig.spin() = 6.0;
+    rig.set_spin(6.0);
     let energy = |rig: &mut Rig| {
         let v = rig.chain.velocity(0);
-        let spin = *rig.spin();
+        let spin = rig.spin();
         0.5 * (2.0 * MASS_KG * (v.0 * v.0 + v.1 * v.1)
             + MASS_KG * v.2 * v.2
             + POLAR_KG_M2 * spin * spin)
     };
     for _ in 0..2000 {
         let before = energy(rig);
-        let turning = *rig.spin() > 1.0;
+        let turning = rig.spin() > 1.0;
         let step = rig.step(5e-4);
         let change = energy(rig) - before;
         assert!(
