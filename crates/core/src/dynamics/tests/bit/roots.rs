@@ -65,7 +65,7 @@ impl Drilling {
             let slope = (self.characteristic(s + h) - self.characteristic(s - h)) / (2.0 * h);
             let step = f / slope;
             s -= step;
-            if !(s.norm() < 100.0) {
+            if s.norm().is_nan() || s.norm() > 100.0 {
                 return None;
             }
             if step.norm() < 1e-12 {
