@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    chain::{Chain, NO_WALL_M, node},
+    chain::{Chain, NO_WALL_M, Rows, node, place},
     settings::ContactLaw,
 };
 use crate::{
@@ -211,7 +211,7 @@ impl Surroundings {
 
     /// Moves the anchors of nodes that slid beyond their reach, the chords between them, and the nodes' high
     /// sides.
-    pub fn follow(&self, chain: &mut Chain, anchors: &mut [Anchor], high: &mut [[f64; 3]]) {
+    pub fn follow(&self, chain: &mut Chain, anchors: &mut [Anchor], high: &mut [Rows<f64>]) {
         let mut moved_above = false;
         for index in 0..chain.nodes() {
             let along = chain.tangent(index).dot(chain.displacement(index));
@@ -219,13 +219,21 @@ impl Surroundings {
             if moved {
                 let md = anchors[index].md_m + along;
                 self.anchor(chain, anchors, index, md);
-                high[index] = anchors[index].high_side.into();
+                note_high_side(high, index, &anchors[index]);
             }
             if index > 0 && (moved || moved_above) {
                 span(chain, anchors, index - 1);
             }
             moved_above = moved;
         }
+    }
+}
+
+/// Writes a node's high side down among those of all nodes, row by row as in the chain.
+pub fn note_high_side(high: &mut [Rows<f64>], index: usize, anchor: &Anchor) {
+    let (row, lane) = place(high.len(), index);
+    for (axis, side) in high[row].iter_mut().zip(anchor.high_side.iter()) {
+        axis.0[lane] = *side;
     }
 }
 

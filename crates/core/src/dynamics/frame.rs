@@ -2,7 +2,7 @@
 
 use super::{
     assembly::Anchor,
-    chain::{Chain, element, node},
+    chain::{Chain, Rows, element, node},
     record::{Look, Strength},
 };
 
@@ -164,7 +164,7 @@ impl Frame {
 pub(super) struct Scene<'a> {
     pub chain: &'a Chain,
     pub anchors: &'a [Anchor],
-    pub high: &'a [[f64; 3]],
+    pub high: &'a [Rows<f64>],
     pub strength: &'a Strength,
     pub time_s: f64,
     /// Steps that the chain's sums hold.

@@ -7,7 +7,7 @@ use super::{
     assembly::{self, Anchor, Surroundings},
     bit::Bit,
     body::Body,
-    chain::{Chain, element, node},
+    chain::{Chain, Row, Rows, element, node},
     energy::{self, Energies, EnergyBalance, Ledger, StepWork},
     frame::{self, Frame},
     hoist::{Hoist, Target},
@@ -27,7 +27,6 @@ use crate::{
     model::{Model, MudColumn},
     operation::Operation,
     rod::{
-        lanes::LANES,
         mesh::{Mesh, MeshNode},
         stability::StepPlan,
         torsion,
@@ -103,8 +102,8 @@ pub struct Simulation {
     since_sample: SinceSample,
     record: Record,
     wear: Wear,
-    /// High side at each node, as plain numbers for the sampling loop, padded to whole blocks.
-    high: Vec<[f64; 3]>,
+    /// High side at each node, row by row as in the chain.
+    high: Vec<Rows<f64>>,
     ledger: Ledger,
     window_open: bool,
 }
@@ -203,8 +202,10 @@ impl Simulation {
         let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
         let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
         let record = Record::new(model, &mesh);
-        let mut high: Vec<[f64; 3]> = anchors.iter().map(|a| a.high_side.into()).collect();
-        high.resize(high.len().next_multiple_of(LANES), [0.0; 3]);
+        let mut high = vec![[Row::filled(0.0); 3]; chain.node_blocks.len()];
+        for (index, anchor) in anchors.iter().enumerate() {
+            assembly::note_high_side(&mut high, index, anchor);
+        }
         Ok(Self {
             model: model.clone(),
             mud: model.mud_column(),
@@ -484,13 +485,18 @@ impl Simulation {
     fn check_numbers(&self) -> Result<(), Diverged> {
         // Not a number is too fast, too.
         let fast = |x: f64, limit: f64| x.is_nan() || x.abs() >= limit;
-        let sound = self.chain.states.iter().all(|state| {
-            !state
-                .v
-                .iter()
-                .any(|axis| axis.0.iter().any(|v| fast(*v, DIVERGED_M_PER_S)))
-                && !state.spin.0.iter().any(|s| fast(*s, DIVERGED_RAD_PER_S))
-        });
+        // Every number is looked at: a loop that ends early is none that looks at eight at once.
+        let mut sound = true;
+        for state in &self.chain.states {
+            for axis in &state.v {
+                for v in axis.0 {
+                    sound &= v.abs() < DIVERGED_M_PER_S;
+                }
+            }
+            for spin in state.spin.0 {
+                sound &= spin.abs() < DIVERGED_RAD_PER_S;
+            }
+        }
         if sound {
             return Ok(());
         }

@@ -60,12 +60,12 @@ impl Look {
         speed_square: NONE,
     };
 
-    /// Looks at a row. `high` holds each node's high side, padded to whole blocks, `per_step` the inverse of the number of
+    /// Looks at a row. `high` holds the high sides, row by row, `per_step` the inverse of the number of
     /// steps since the last sample.
     #[inline(always)]
     pub fn at(
         chain: &Chain,
-        high: &[[f64; 3]],
+        high: &[Rows<f64>],
         strength: &Strength,
         row: usize,
         per_step: f64,
@@ -78,14 +78,12 @@ impl Look {
 
     /// How the nodes lie and move in the hole, and what the wall does to them.
     #[inline(always)]
-    fn across_the_hole(&mut self, chain: &Chain, high: &[[f64; 3]], row: usize, per_step: f64) {
+    fn across_the_hole(&mut self, chain: &Chain, high: &[Rows<f64>], row: usize, per_step: f64) {
         let nodes = &chain.node_blocks[row];
         let state = &chain.states[row];
-        let rows = chain.node_blocks.len();
         for lane in 0..LANES {
             let (u, v) = (of(&state.u, lane), of(&state.v, lane));
-            let high = high[row + lane * rows];
-            let h = Vector(high[0], high[1], high[2]);
+            let h = of(&high[row], lane);
             let tangent = of(&nodes.tangent, lane);
             let curvature = of(&nodes.curvature, lane);
             let z = u.dot(tangent);

@@ -11,7 +11,7 @@ mod tests;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    chain::{Chain, place},
+    chain::{Chain, Rows, place},
     outcome::TimeSeries,
 };
 use crate::{model::Model, rod::lanes::LANES, rod::mesh::Mesh};
@@ -88,9 +88,9 @@ impl Record {
     }
 
     /// Takes a sample of every node: contact quantities as averages over the `steps` since the last
-    /// one, which the chain has summed. `high` holds each node's high side, padded to
-    /// whole blocks.
-    pub fn sample(&mut self, chain: &Chain, high: &[[f64; 3]], steps: u64) -> Totals {
+    /// one, which the chain has summed. `high` holds each node's high side, row by row
+    /// as in the chain.
+    pub fn sample(&mut self, chain: &Chain, high: &[Rows<f64>], steps: u64) -> Totals {
         let mut totals = TotalBlock::EMPTY;
         Pass {
             sums: &mut self.sums,

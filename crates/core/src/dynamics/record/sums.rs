@@ -7,7 +7,10 @@ use super::{
     look::{Lane, Look},
     strength::Strength,
 };
-use crate::{dynamics::chain::Chain, rod::lanes::LANES};
+use crate::{
+    dynamics::chain::{Chain, Rows},
+    rod::lanes::LANES,
+};
 
 /// Sums over the window for eight nodes, and for the eight elements below them.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
@@ -162,7 +165,7 @@ impl TotalBlock {
 pub struct Pass<'a> {
     pub sums: &'a mut [SumBlock],
     pub chain: &'a Chain,
-    pub high: &'a [[f64; 3]],
+    pub high: &'a [Rows<f64>],
     pub strength: &'a Strength,
     pub per_step: f64,
     /// Whether it is the first sample of the window.

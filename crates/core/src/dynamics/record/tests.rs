@@ -6,7 +6,7 @@ use super::*;
 use crate::{
     dynamics::{
         assembly,
-        chain::{element, node},
+        chain::{Row, element, node},
         record::kept::Kept,
     },
     mud::Mud,
@@ -73,7 +73,7 @@ fn model() -> Model {
 }
 
 /// The string at rest on the hole's axis, and the high side of a vertical hole: north.
-fn string() -> (Model, Mesh, Chain, Vec<[f64; 3]>) {
+fn string() -> (Model, Mesh, Chain, Vec<Rows<f64>>) {
     let model = model();
     let mesh = Mesh::new(&model.string, 3.0);
     let lateral = assembly::lateral_mass_kg_per_m(&model, &mesh, 120.0);
@@ -82,7 +82,8 @@ fn string() -> (Model, Mesh, Chain, Vec<[f64; 3]>) {
     for (index, element) in mesh.elements.iter().enumerate() {
         chain.set_anchor_chord(index, Vector(0.0, 0.0, element.length_m));
     }
-    let high = vec![[1.0, 0.0, 0.0]; mesh.nodes.len().next_multiple_of(LANES)];
+    let north = [1.0, 0.0, 0.0].map(Row::filled);
+    let high = vec![north; mesh.nodes.len().div_ceil(LANES)];
     (model, mesh, chain, high)
 }
 
