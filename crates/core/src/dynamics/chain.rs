@@ -36,23 +36,70 @@ impl<R: Real> Row<R> {
 /// A vector for each lane.
 pub type Rows<R> = [Row<R>; 3];
 
+/// What holds rows of one kind of number and can be had in another.
+trait Convert<S> {
+    /// The same in another kind of number.
+    type Converted;
+    fn converted(&self) -> Self::Converted;
+}
+
+impl<R: Real, S: Real> Convert<S> for Row<R> {
+    type Converted = Row<S>;
+    fn converted(&self) -> Row<S> {
+        Row(self.0.map(|x| S::from_f64(x.to_f64())))
+    }
+}
+
+impl<R: Real, S: Real> Convert<S> for Rows<R> {
+    type Converted = Rows<S>;
+    fn converted(&self) -> Rows<S> {
+        self.each_ref().map(|row| row.converted())
+    }
+}
+
+/// A block of rows, and its conversion.
+macro_rules! block {
+    (
+        $(#[$meta:meta])*
+        pub struct $name:ident<R> {
+            $($(#[$doc:meta])* pub $field:ident: $rows:ty,)*
+        }
+    ) => {
+        $(#[$meta])*
+        pub struct $name<R> {
+            $($(#[$doc])* pub $field: $rows,)*
+        }
+
+        impl<R: Real, S: Real> Convert<S> for $name<R> {
+            type Converted = $name<S>;
+            fn converted(&self) -> $name<S> {
+                $name {
+                    $($field: self.$field.converted(),)*
+                }
+            }
+        }
+    };
+}
+
 /// Clearance of a node that no wall is near, m.
 pub const NO_WALL_M: f64 = 1e3;
 
-/// A row of nodes: how they move.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-#[repr(C, align(64))]
-pub struct StateBlock<R> {
-    /// Displacement from the anchor, m.
-    pub u: Rows<R>,
-    /// Velocity, m/s, half a step behind the displacement.
-    pub v: Rows<R>,
-    /// Director.
-    pub d: Rows<R>,
-    /// Angular velocity across the director, rad/s.
-    pub w: Rows<R>,
-    /// Spin about the director, rad/s.
-    pub spin: Row<R>,
+block! {
+    /// A row of nodes: how they move.
+    #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+    #[repr(C, align(64))]
+    pub struct StateBlock<R> {
+        /// Displacement from the anchor, m.
+        pub u: Rows<R>,
+        /// Velocity, m/s, half a step behind the displacement.
+        pub v: Rows<R>,
+        /// Director.
+        pub d: Rows<R>,
+        /// Angular velocity across the director, rad/s.
+        pub w: Rows<R>,
+        /// Spin about the director, rad/s.
+        pub spin: Row<R>,
+    }
 }
 
 impl<R: Real> StateBlock<R> {
@@ -77,98 +124,102 @@ impl<R: Real> StateBlock<R> {
     }
 }
 
-/// A row of nodes: what they are, then what is summed up between samples.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-#[repr(C, align(64))]
-pub struct NodeBlock<R> {
-    /// Tangent of the hole's axis at the anchor.
-    pub tangent: Rows<R>,
-    /// Curvature vector of the hole's axis at the anchor, 1/m.
-    pub curvature: Rows<R>,
-    /// Buoyed weight, N.
-    pub weight: Rows<R>,
-    /// Inertia along the hole, kg: steel.
-    pub mass_axial: Row<R>,
-    /// Inertia across the hole, kg: steel, mud inside and mud carried along outside.
-    pub mass_lateral: Row<R>,
-    /// Moment of inertia about the director, kg·m².
-    pub polar: Row<R>,
-    /// Inverse of `mass_axial`; zero where the motion is prescribed.
-    pub inv_mass_axial: Row<R>,
-    /// Inverse of `mass_lateral`; zero where the motion is prescribed.
-    pub inv_mass_lateral: Row<R>,
-    /// Inverse of `polar`; zero where the spin is prescribed.
-    pub inv_polar: Row<R>,
-    /// Inverse of the moment of inertia across the director; zero where it may not turn.
-    pub inv_rotary: Row<R>,
-    /// `polar` over the moment of inertia across the director.
-    pub gyroscopic: Row<R>,
-    /// Clearance `R − r` between pipe and hole at the anchor, m.
-    pub clearance: Row<R>,
-    /// What the clearance gains per metre below the anchor.
-    pub clearance_slope: Row<R>,
-    /// Contact radius `r`, m.
-    pub radius: Row<R>,
-    /// Kinetic friction coefficient.
-    pub friction: Row<R>,
-    /// What the friction coefficient gains at rest.
-    pub friction_rise: Row<R>,
-    /// Friction around the hole over friction along it.
-    pub friction_around: Row<R>,
-    /// Contact stiffness, N/m or N/m^1.5.
-    pub stiffness: Row<R>,
-    /// Contact damping of the linear law, N·s/m.
-    pub damping: Row<R>,
-    /// Linear lateral drag, N·s/m.
-    pub drag_linear: Row<R>,
-    /// Quadratic lateral drag, N·s²/m².
-    pub drag_quadratic: Row<R>,
-    /// Viscous drag of the mud along the hole, N·s/m.
-    pub mud_axial: Row<R>,
-    /// Viscous drag of the mud about the axis, N·m·s.
-    pub mud_spin: Row<R>,
-    /// Sum over steps of the contact force, N.
-    pub sum_normal: Row<R>,
-    /// Sum over steps of the axial friction on the wall, N, along the hole.
-    pub sum_axial: Row<R>,
-    /// Sum over steps of the friction torque, N·m.
-    pub sum_torque: Row<R>,
-    /// Work that friction has done, J: force times sliding distance.
-    pub sum_wear: Row<R>,
+block! {
+    /// A row of nodes: what they are, then what is summed up between samples.
+    #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+    #[repr(C, align(64))]
+    pub struct NodeBlock<R> {
+        /// Tangent of the hole's axis at the anchor.
+        pub tangent: Rows<R>,
+        /// Curvature vector of the hole's axis at the anchor, 1/m.
+        pub curvature: Rows<R>,
+        /// Buoyed weight, N.
+        pub weight: Rows<R>,
+        /// Inertia along the hole, kg: steel.
+        pub mass_axial: Row<R>,
+        /// Inertia across the hole, kg: steel, mud inside and mud carried along outside.
+        pub mass_lateral: Row<R>,
+        /// Moment of inertia about the director, kg·m².
+        pub polar: Row<R>,
+        /// Inverse of `mass_axial`; zero where the motion is prescribed.
+        pub inv_mass_axial: Row<R>,
+        /// Inverse of `mass_lateral`; zero where the motion is prescribed.
+        pub inv_mass_lateral: Row<R>,
+        /// Inverse of `polar`; zero where the spin is prescribed.
+        pub inv_polar: Row<R>,
+        /// Inverse of the moment of inertia across the director; zero where it may not turn.
+        pub inv_rotary: Row<R>,
+        /// `polar` over the moment of inertia across the director.
+        pub gyroscopic: Row<R>,
+        /// Clearance `R − r` between pipe and hole at the anchor, m.
+        pub clearance: Row<R>,
+        /// What the clearance gains per metre below the anchor.
+        pub clearance_slope: Row<R>,
+        /// Contact radius `r`, m.
+        pub radius: Row<R>,
+        /// Kinetic friction coefficient.
+        pub friction: Row<R>,
+        /// What the friction coefficient gains at rest.
+        pub friction_rise: Row<R>,
+        /// Friction around the hole over friction along it.
+        pub friction_around: Row<R>,
+        /// Contact stiffness, N/m or N/m^1.5.
+        pub stiffness: Row<R>,
+        /// Contact damping of the linear law, N·s/m.
+        pub damping: Row<R>,
+        /// Linear lateral drag, N·s/m.
+        pub drag_linear: Row<R>,
+        /// Quadratic lateral drag, N·s²/m².
+        pub drag_quadratic: Row<R>,
+        /// Viscous drag of the mud along the hole, N·s/m.
+        pub mud_axial: Row<R>,
+        /// Viscous drag of the mud about the axis, N·m·s.
+        pub mud_spin: Row<R>,
+        /// Sum over steps of the contact force, N.
+        pub sum_normal: Row<R>,
+        /// Sum over steps of the axial friction on the wall, N, along the hole.
+        pub sum_axial: Row<R>,
+        /// Sum over steps of the friction torque, N·m.
+        pub sum_torque: Row<R>,
+        /// Work that friction has done, J: force times sliding distance.
+        pub sum_wear: Row<R>,
+    }
 }
 
-/// A row of elements; element `i` lies between nodes `i` and `i + 1`.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-#[repr(C, align(64))]
-pub struct ElementBlock<R> {
-    /// Twist, rad.
-    pub twist: Row<R>,
-    /// Chord between the anchors of the two ends, m.
-    pub chord: Rows<R>,
-    /// Square of that chord less the square of the rest length, m².
-    pub excess: Row<R>,
-    /// Stiffness, in the order of [`Stiffness`].
-    pub length: Row<R>,
-    /// `1/L`.
-    pub inverse_length: Row<R>,
-    /// `EA`.
-    pub axial: Row<R>,
-    /// `A₀ EI/L`.
-    pub bending_near: Row<R>,
-    /// `B₀ EI/L`.
-    pub bending_far: Row<R>,
-    /// `a L`.
-    pub bow_near: Row<R>,
-    /// `b L`.
-    pub bow_far: Row<R>,
-    /// `GJ/L`.
-    pub torsion: Row<R>,
-    /// `EI/L`.
-    pub bending: Row<R>,
-    /// Effective tension at the last step, N.
-    pub tension: Row<R>,
-    /// Torque `M` at the last step, N·m: negative while the top leads the bit.
-    pub torque: Row<R>,
+block! {
+    /// A row of elements; element `i` lies between nodes `i` and `i + 1`.
+    #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+    #[repr(C, align(64))]
+    pub struct ElementBlock<R> {
+        /// Twist, rad.
+        pub twist: Row<R>,
+        /// Chord between the anchors of the two ends, m.
+        pub chord: Rows<R>,
+        /// Square of that chord less the square of the rest length, m².
+        pub excess: Row<R>,
+        /// Stiffness, in the order of [`Stiffness`].
+        pub length: Row<R>,
+        /// `1/L`.
+        pub inverse_length: Row<R>,
+        /// `EA`.
+        pub axial: Row<R>,
+        /// `A₀ EI/L`.
+        pub bending_near: Row<R>,
+        /// `B₀ EI/L`.
+        pub bending_far: Row<R>,
+        /// `a L`.
+        pub bow_near: Row<R>,
+        /// `b L`.
+        pub bow_far: Row<R>,
+        /// `GJ/L`.
+        pub torsion: Row<R>,
+        /// `EI/L`.
+        pub bending: Row<R>,
+        /// Effective tension at the last step, N.
+        pub tension: Row<R>,
+        /// Torque `M` at the last step, N·m: negative while the top leads the bit.
+        pub torque: Row<R>,
+    }
 }
 
 impl<R: Real> NodeBlock<R> {
@@ -243,6 +294,8 @@ impl<R: Real> ElementBlock<R> {
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Chain<R = f64> {
     nodes: usize,
+    /// Rest length of each element, m: however the chain keeps its numbers, its chords are held against these.
+    lengths_m: Vec<f64>,
     /// How the nodes move, row by row; the last row repeats the first one lane lower, for the elements
     /// where strands end.
     pub states: Vec<StateBlock<R>>,
@@ -315,15 +368,29 @@ macro_rules! vector_access {
     )*};
 }
 
-impl<R: Real> Chain<R> {
+impl Chain {
     /// A chain of `nodes` idle nodes.
     pub fn new(nodes: usize) -> Self {
         let rows = nodes.div_ceil(LANES);
         Self {
             nodes,
+            lengths_m: vec![1.0; rows * LANES],
             states: vec![StateBlock::at_rest(); rows + 1],
             node_blocks: vec![NodeBlock::idle(); rows],
             element_blocks: vec![ElementBlock::idle(); rows],
+        }
+    }
+}
+
+impl<R: Real> Chain<R> {
+    /// The same chain in another kind of number.
+    pub fn converted<S: Real>(&self) -> Chain<S> {
+        Chain {
+            nodes: self.nodes,
+            lengths_m: self.lengths_m.clone(),
+            states: self.states.iter().map(Convert::converted).collect(),
+            node_blocks: self.node_blocks.iter().map(Convert::converted).collect(),
+            element_blocks: self.element_blocks.iter().map(Convert::converted).collect(),
         }
     }
 
@@ -376,6 +443,7 @@ impl<R: Real> Chain<R> {
 
     /// Gives an element its stiffness.
     pub fn set_stiffness(&mut self, index: usize, k: &Stiffness<f64>) {
+        self.lengths_m[index] = k.length;
         element!(self, index, length = k.length);
         element!(self, index, inverse_length = k.inverse_length);
         element!(self, index, axial = k.axial);
@@ -440,7 +508,7 @@ impl<R: Real> Chain<R> {
 
     /// Sets the chord between the anchors of an element, and what follows from it.
     pub fn set_anchor_chord(&mut self, index: usize, chord: Vector<f64>) {
-        let length = element!(self, index, length);
+        let length = self.lengths_m[index];
         self.set_chord(index, chord);
         // |a|² − L² = (|a| − L)(|a| + L), exact to the last digits of the chord.
         let a = chord.dot(chord).sqrt();

@@ -5,6 +5,7 @@ use super::{
     chain::{Chain, element, node},
     record::{Look, Strength},
 };
+use crate::rod::number::Real;
 
 /// A group of quantities that a frame holds of every node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -161,8 +162,8 @@ impl Frame {
 }
 
 /// What a frame is read from.
-pub(super) struct Scene<'a> {
-    pub chain: &'a Chain,
+pub(super) struct Scene<'a, R> {
+    pub chain: &'a Chain<R>,
     pub anchors: &'a [Anchor],
     pub high: &'a [[f64; 3]],
     pub strength: &'a Strength,
@@ -171,7 +172,7 @@ pub(super) struct Scene<'a> {
     pub summed_steps: u64,
 }
 
-impl Scene<'_> {
+impl<R: Real> Scene<'_, R> {
     pub(super) fn frame(&self) -> Frame {
         let chain = self.chain;
         let last = chain.nodes() - 1;

@@ -1,4 +1,4 @@
-//! A run: the string in time, from its start to its outcome.
+//! A run: the string in time, from its start to its outcome, in either kind of number.
 
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
@@ -29,6 +29,7 @@ use crate::{
     rod::{
         lanes::LANES,
         mesh::{Mesh, MeshNode},
+        number::Real,
         stability::StepPlan,
         torsion,
     },
@@ -75,20 +76,20 @@ pub struct Diverged {
     pub value: f64,
 }
 
-/// A drill string in time.
+/// A drill string in time, in one kind of number.
 #[derive(Debug, Clone)]
-pub struct Simulation {
+pub struct Run<R: Real> {
     model: Model,
     mud: MudColumn,
     operation: Operation,
     settings: DynamicsSettings,
     mesh: Mesh,
     plan: StepPlan,
-    chain: Chain,
+    chain: Chain<R>,
     anchors: Vec<Anchor>,
     surroundings: Surroundings,
     abilities: Abilities,
-    stepper: Stepper,
+    stepper: Stepper<R>,
     set_points: SetPoints,
     top_drive: TopDrive,
     hoist: Hoist,
@@ -120,7 +121,7 @@ struct SinceSample {
     depth_of_cut: f64,
 }
 
-impl Simulation {
+impl<R: Real> Run<R> {
     /// Lays the string in its hole, ready to run.
     ///
     /// The bit is placed so that it passes the operation's depth in the middle of the window: a string
@@ -161,6 +162,8 @@ impl Simulation {
             stribeck_speed: settings.stribeck_speed_m_per_s,
         };
         let (moving, at_rest) = start::motion(&first, velocity, settings);
+        // Whatever the run is made with, the string is laid in double precision.
+        let laying = Stepper::new(abilities);
         let scene = Scene {
             model,
             operation: &moving,
@@ -169,11 +172,11 @@ impl Simulation {
             mesh: &mesh,
             surroundings: &surroundings,
             viscous: viscous.as_ref(),
-            stepper: &stepper,
+            stepper: &laying,
             input: &input,
         };
         let initial = start::lay(&scene, chain, Body::new(model, &mesh), bit_md_m)?;
-        let (mut chain, anchors) = (initial.chain, initial.anchors);
+        let (mut chain, anchors) = (initial.chain.converted(), initial.anchors);
         if let Some(mud) = &mut viscous {
             mud.attach(&mut chain, &anchors, plan.dt_s);
             mud.update(&mut chain, &anchors, &surroundings, plan.dt_s);
@@ -296,18 +299,7 @@ impl Simulation {
         }
     }
 
-    /// Names of the instruction sets that this processor can run, the fastest first.
-    pub fn instruction_sets() -> Vec<&'static str> {
-        let any = Abilities {
-            hertz: true,
-            vector: true,
-            full: false,
-        };
-        let all: Vec<Stepper> = Stepper::all(any);
-        all.iter().map(|stepper| stepper.instructions).collect()
-    }
-
-    /// Goes on with one of [`Self::instruction_sets`]; with what it has if there is none of that name.
+    /// Goes on with one of the instruction sets; with what it has if there is none of that name.
     pub fn use_instructions(&mut self, name: &str) {
         let mut all = Stepper::all(self.abilities).into_iter();
         if let Some(stepper) = all.find(|stepper| stepper.instructions == name) {
@@ -488,8 +480,12 @@ impl Simulation {
             !state
                 .v
                 .iter()
-                .any(|axis| axis.0.iter().any(|v| fast(*v, DIVERGED_M_PER_S)))
-                && !state.spin.0.iter().any(|s| fast(*s, DIVERGED_RAD_PER_S))
+                .any(|axis| axis.0.iter().any(|v| fast(v.to_f64(), DIVERGED_M_PER_S)))
+                && !state
+                    .spin
+                    .0
+                    .iter()
+                    .any(|s| fast(s.to_f64(), DIVERGED_RAD_PER_S))
         });
         if sound {
             return Ok(());

@@ -4,7 +4,7 @@
 use super::strength::Strength;
 use crate::{
     dynamics::chain::{Chain, Rows},
-    rod::{lanes::LANES, vector::Vector},
+    rod::{lanes::LANES, number::Real, vector::Vector},
 };
 
 /// One number for each lane.
@@ -64,7 +64,7 @@ impl Look {
     /// steps since the last sample.
     #[inline(always)]
     pub fn at(
-        chain: &Chain,
+        chain: &Chain<impl Real>,
         high: &[[f64; 3]],
         strength: &Strength,
         row: usize,
@@ -78,7 +78,13 @@ impl Look {
 
     /// How the nodes lie and move in the hole, and what the wall does to them.
     #[inline(always)]
-    fn across_the_hole(&mut self, chain: &Chain, high: &[[f64; 3]], row: usize, per_step: f64) {
+    fn across_the_hole(
+        &mut self,
+        chain: &Chain<impl Real>,
+        high: &[[f64; 3]],
+        row: usize,
+        per_step: f64,
+    ) {
         let nodes = &chain.node_blocks[row];
         let state = &chain.states[row];
         let rows = chain.node_blocks.len();
@@ -92,8 +98,9 @@ impl Look {
             let across = u.minus(tangent, z).minus(curvature, 0.5 * z * z);
             let offset = across.dot(across).sqrt();
             let lateral = v.minus(tangent, v.dot(tangent));
-            let touchable = nodes.stiffness.0[lane] > 0.0;
-            let clearance = nodes.clearance.0[lane] + nodes.clearance_slope.0[lane] * z;
+            let touchable = nodes.stiffness.0[lane].to_f64() > 0.0;
+            let clearance =
+                nodes.clearance.0[lane].to_f64() + nodes.clearance_slope.0[lane].to_f64() * z;
             let penetration = offset - clearance;
             let per_offset = 1.0 / offset.max(f64::MIN_POSITIVE);
             self.offset[lane] = offset;
@@ -102,16 +109,16 @@ impl Look {
             self.right[lane] = across.dot(tangent.cross(h)) * per_offset;
             self.circling[lane] = tangent.dot(across.cross(lateral));
             self.speed_square[lane] = lateral.dot(lateral);
-            self.normal[lane] = nodes.sum_normal.0[lane] * per_step;
-            self.axial[lane] = nodes.sum_axial.0[lane] * per_step;
-            self.rub[lane] = nodes.sum_torque.0[lane] * per_step;
+            self.normal[lane] = nodes.sum_normal.0[lane].to_f64() * per_step;
+            self.axial[lane] = nodes.sum_axial.0[lane].to_f64() * per_step;
+            self.rub[lane] = nodes.sum_torque.0[lane].to_f64() * per_step;
         }
     }
 
     /// What the string carries at the nodes. The bending moment is the elastic one that the element
     /// below has at its upper end; the bit, below which there is none, carries none.
     #[inline(always)]
-    fn along_the_string(&mut self, chain: &Chain, strength: &Strength, row: usize) {
+    fn along_the_string(&mut self, chain: &Chain<impl Real>, strength: &Strength, row: usize) {
         let elements = &chain.element_blocks[row];
         let state = &chain.states[row];
         let ends = chain.ends(row);
@@ -122,13 +129,15 @@ impl Look {
             let chord = of(&elements.chord, lane) + (u2 - u1);
             // Newton's step from the rest length to the inverse of the chord's: a stretch of 1e-3 leaves
             // 1.5e-6, and no root is drawn.
-            let rest = elements.inverse_length.0[lane];
+            let rest = elements.inverse_length.0[lane].to_f64();
             let t = chord.scaled(rest * (1.5 - 0.5 * chord.dot(chord) * rest * rest));
-            let tension = elements.tension.0[lane];
-            let torque = elements.torque.0[lane];
+            let tension = elements.tension.0[lane].to_f64();
+            let torque = elements.torque.0[lane].to_f64();
             // The gradient of the element's energy on its upper director: `rod::element`.
-            let near = elements.bending_near.0[lane] + elements.bow_near.0[lane] * tension;
-            let far = elements.bending_far.0[lane] - elements.bow_far.0[lane] * tension;
+            let near = elements.bending_near.0[lane].to_f64()
+                + elements.bow_near.0[lane].to_f64() * tension;
+            let far =
+                elements.bending_far.0[lane].to_f64() - elements.bow_far.0[lane].to_f64() * tension;
             let pull = near * t.dot(d1) + far * t.dot(d2);
             let moment = d2.scaled(far).minus(t, pull).cross(d1);
             let bending = moment.dot(moment).sqrt();
@@ -145,6 +154,10 @@ impl Look {
 }
 
 #[inline(always)]
-fn of(rows: &Rows<f64>, lane: usize) -> Vector<f64> {
-    Vector(rows[0].0[lane], rows[1].0[lane], rows[2].0[lane])
+fn of(rows: &Rows<impl Real>, lane: usize) -> Vector<f64> {
+    Vector(
+        rows[0].0[lane].to_f64(),
+        rows[1].0[lane].to_f64(),
+        rows[2].0[lane].to_f64(),
+    )
 }

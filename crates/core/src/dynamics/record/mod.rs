@@ -14,6 +14,7 @@ use super::{
     chain::{Chain, place},
     outcome::TimeSeries,
 };
+use crate::rod::number::Real;
 use crate::{model::Model, rod::lanes::LANES, rod::mesh::Mesh};
 use depths::Sides;
 use kept::Kept;
@@ -90,7 +91,7 @@ impl Record {
     /// Takes a sample of every node: contact quantities as averages over the `steps` since the last
     /// one, which the chain has summed. `high` holds each node's high side, padded to
     /// whole blocks.
-    pub fn sample(&mut self, chain: &Chain, high: &[[f64; 3]], steps: u64) -> Totals {
+    pub fn sample(&mut self, chain: &Chain<impl Real>, high: &[[f64; 3]], steps: u64) -> Totals {
         let mut totals = TotalBlock::EMPTY;
         Pass {
             sums: &mut self.sums,

@@ -7,7 +7,10 @@ use super::{
     look::{Lane, Look},
     strength::Strength,
 };
-use crate::{dynamics::chain::Chain, rod::lanes::LANES};
+use crate::{
+    dynamics::chain::Chain,
+    rod::{lanes::LANES, number::Real},
+};
 
 /// Sums over the window for eight nodes, and for the eight elements below them.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
@@ -159,9 +162,9 @@ impl TotalBlock {
 }
 
 /// A sample of the whole string on its way into the sums.
-pub struct Pass<'a> {
+pub struct Pass<'a, R> {
     pub sums: &'a mut [SumBlock],
-    pub chain: &'a Chain,
+    pub chain: &'a Chain<R>,
     pub high: &'a [[f64; 3]],
     pub strength: &'a Strength,
     pub per_step: f64,
@@ -173,7 +176,7 @@ pub struct Pass<'a> {
     pub totals: &'a mut TotalBlock,
 }
 
-impl Pass<'_> {
+impl<R: Real> Pass<'_, R> {
     /// Adds the sample, with the widest instructions that the processor has: the arithmetic is the same,
     /// operation by operation, and so are its bits.
     pub fn add(self) {
@@ -206,12 +209,12 @@ impl Pass<'_> {
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f,avx512dq,avx2")]
-fn avx512(pass: Pass<'_>) {
+fn avx512<R: Real>(pass: Pass<'_, R>) {
     pass.add_all()
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-fn avx2(pass: Pass<'_>) {
+fn avx2<R: Real>(pass: Pass<'_, R>) {
     pass.add_all()
 }

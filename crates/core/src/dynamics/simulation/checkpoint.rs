@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Ledger, Record, Simulation, SinceSample};
+use super::{Ledger, Record, Run, SinceSample};
 use crate::{
     dynamics::{
         assembly::Anchor,
@@ -19,6 +19,7 @@ use crate::{
     },
     model::Model,
     operation::Operation,
+    rod::number::Real,
 };
 
 /// Everything of a run that changes while it goes on, as plain data; what the model, the operation and
@@ -28,6 +29,7 @@ use crate::{
 /// the same bits as the run that was never laid aside.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Checkpoint {
+    /// In double precision, which holds single precision to the bit.
     chain: Chain,
     anchors: Vec<Anchor>,
     set_points: SetPoints,
@@ -77,7 +79,7 @@ impl Checkpoint {
     }
 }
 
-impl Simulation {
+impl<R: Real> Run<R> {
     /// The run as it stands, to be laid aside: between two calls of [`Simulation::advance`], at any time.
     pub fn checkpoint(&self) -> Checkpoint {
         // Every field is named: a new one is either found anew or kept.
@@ -111,7 +113,7 @@ impl Simulation {
             window_open,
         } = self;
         Checkpoint {
-            chain: chain.clone(),
+            chain: chain.converted(),
             anchors: anchors.clone(),
             set_points: set_points.clone(),
             top_drive: top_drive.clone(),
@@ -160,7 +162,7 @@ impl Simulation {
             abilities: basis.abilities,
             stepper: basis.stepper,
             steps_per_sample: basis.steps_per_sample,
-            chain: checkpoint.chain,
+            chain: checkpoint.chain.converted(),
             anchors: checkpoint.anchors,
             set_points: checkpoint.set_points,
             top_drive: checkpoint.top_drive,
