@@ -11,6 +11,7 @@ use crate::{
     model::Model,
     rod::{
         element::{Pose, Stiffness},
+        lanes::LANES,
         mesh::Mesh,
         number::Real,
         stability::StepPlan,
@@ -228,8 +229,12 @@ impl Surroundings {
         &self,
         chain: &mut Chain<impl Real>,
         anchors: &mut [Anchor],
-        high: &mut [[f64; 3]],
+        high: &mut [HighSides],
     ) {
+        // A hundredth shorter: the sum of three products is rounded otherwise.
+        if !chain.slid(0.99 * self.reach_m) {
+            return;
+        }
         let mut moved_above = false;
         for index in 0..chain.nodes() {
             let along = chain.tangent(index).dot(chain.displacement(index));
@@ -237,13 +242,24 @@ impl Surroundings {
             if moved {
                 let md = anchors[index].md_m + along;
                 self.anchor(chain, anchors, index, md);
-                high[index] = anchors[index].high_side.into();
+                let (row, lane) = chain.place(index);
+                point_up(&mut high[row], lane, &anchors[index]);
             }
             if index > 0 && (moved || moved_above) {
                 span(chain, anchors, index - 1);
             }
             moved_above = moved;
         }
+    }
+}
+
+/// The high sides of a row of nodes: north, east, down.
+pub type HighSides = [[f64; LANES]; 3];
+
+/// Gives a node the high side at its anchor.
+pub fn point_up(high: &mut HighSides, lane: usize, anchor: &Anchor) {
+    for (row, part) in high.iter_mut().zip(&anchor.high_side) {
+        row[lane] = *part;
     }
 }
 

@@ -114,6 +114,15 @@ impl<R: Real> StateBlock<R> {
         }
     }
 
+    fn rows(&self) -> impl Iterator<Item = &Row<R>> {
+        let Self { u, v, d, w, spin } = self;
+        u.iter()
+            .chain(v)
+            .chain(d)
+            .chain(w)
+            .chain(std::iter::once(spin))
+    }
+
     fn rows_mut(&mut self) -> impl Iterator<Item = &mut Row<R>> {
         let Self { u, v, d, w, spin } = self;
         u.iter_mut()
@@ -403,21 +412,66 @@ impl<R: Real> Chain<R> {
     /// Repeats the first row of states below the last, one lane lower. The last lane ends in itself.
     pub fn close(&mut self) {
         let rows = self.node_blocks.len();
-        self.states[rows] = self.ends(rows - 1);
+        let (above, close) = self.states.split_at_mut(rows);
+        let (first, last) = (above[0].rows(), above[rows - 1].rows());
+        for ((row, first), last) in close[0].rows_mut().zip(first).zip(last) {
+            row.0[..LANES - 1].copy_from_slice(&first.0[1..]);
+            row.0[LANES - 1] = last.0[LANES - 1];
+        }
     }
 
-    /// How the lower ends of a row of elements move. The last lane ends in itself.
+    /// How the lower ends of a row of elements move. The last lane ends in itself. After a step the row that closes
+    /// the states is that of the step's beginning.
     pub fn ends(&self, row: usize) -> StateBlock<R> {
         let rows = self.node_blocks.len();
         if row + 1 < rows {
             return self.states[row + 1];
         }
-        let (mut ends, mut last) = (self.states[0], self.states[rows - 1]);
-        for (row, last) in ends.rows_mut().zip(last.rows_mut()) {
+        let (mut ends, last) = (self.states[0], &self.states[rows - 1]);
+        for (row, last) in ends.rows_mut().zip(last.rows()) {
             row.0.copy_within(1.., 0);
             row.0[LANES - 1] = last.0[LANES - 1];
         }
         ends
+    }
+
+    /// Largest speed along an axis, m/s, and largest spin, rad/s, of all nodes; not a number where any is not.
+    pub fn fastest(&self) -> [f64; 2] {
+        let mut fastest = [[R::zero(); LANES]; 2];
+        let mut sound = [true; LANES];
+        for state in &self.states[..self.node_blocks.len()] {
+            for lane in 0..LANES {
+                let [x, y, z] = state.v.each_ref().map(|row| row.0[lane]);
+                let (s, zero) = (state.spin.0[lane], R::zero());
+                let size = |x: R| if x < zero { -x } else { x };
+                let larger = |x: R, y: R| if x > y { x } else { y };
+                fastest[0][lane] =
+                    larger(fastest[0][lane], larger(size(x), larger(size(y), size(z))));
+                fastest[1][lane] = larger(fastest[1][lane], size(s));
+                // What is not a number is not itself.
+                sound[lane] &= x == x && y == y && z == z && s == s;
+            }
+        }
+        let largest = |row: &[R; LANES]| row.iter().map(|x| x.to_f64()).fold(0.0, f64::max);
+        if sound.contains(&false) {
+            [f64::NAN; 2]
+        } else {
+            [largest(&fastest[0]), largest(&fastest[1])]
+        }
+    }
+
+    /// Whether any node has slid further along the hole than `reach_m` from its anchor.
+    pub fn slid(&self, reach_m: f64) -> bool {
+        let reach = R::from_f64(reach_m);
+        let mut slid = [false; LANES];
+        for (state, node) in self.states.iter().zip(&self.node_blocks) {
+            for lane in 0..LANES {
+                let [x, y, z] = [0, 1, 2].map(|a| state.u[a].0[lane] * node.tangent[a].0[lane]);
+                let along = x + y + z;
+                slid[lane] |= along > reach || along < -reach;
+            }
+        }
+        slid.contains(&true)
     }
 
     /// Number of nodes.

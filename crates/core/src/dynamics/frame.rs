@@ -1,7 +1,7 @@
 //! The whole string at one moment.
 
 use super::{
-    assembly::Anchor,
+    assembly::{Anchor, HighSides},
     chain::{Chain, element, node},
     record::{Look, Strength},
 };
@@ -165,7 +165,7 @@ impl Frame {
 pub(super) struct Scene<'a, R> {
     pub chain: &'a Chain<R>,
     pub anchors: &'a [Anchor],
-    pub high: &'a [[f64; 3]],
+    pub high: &'a [HighSides],
     pub strength: &'a Strength,
     pub time_s: f64,
     /// Steps that the chain's sums hold.
@@ -234,6 +234,6 @@ impl<R: Real> Scene<'_, R> {
 
     fn look(&self, row: usize) -> Look {
         let per_step = 1.0 / self.summed_steps as f64;
-        Look::at(self.chain, self.high, self.strength, row, per_step)
+        Look::at(self.chain, &self.high[row], self.strength, row, per_step)
     }
 }

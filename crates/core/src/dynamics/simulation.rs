@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    assembly::{self, Anchor, Surroundings},
+    assembly::{self, Anchor, HighSides, Surroundings},
     bit::Bit,
     body::Body,
     chain::{Chain, element, node},
@@ -104,8 +104,8 @@ pub struct Run<R: Real> {
     since_sample: SinceSample,
     record: Record,
     wear: Wear,
-    /// High side at each node, as plain numbers for the sampling loop, padded to whole blocks.
-    high: Vec<[f64; 3]>,
+    /// High side at each node, row by row as the chain, for the sampling loop.
+    high: Vec<HighSides>,
     ledger: Ledger,
     window_open: bool,
 }
@@ -206,8 +206,11 @@ impl<R: Real> Run<R> {
         let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
         let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
         let record = Record::new(model, &mesh);
-        let mut high: Vec<[f64; 3]> = anchors.iter().map(|a| a.high_side.into()).collect();
-        high.resize(high.len().next_multiple_of(LANES), [0.0; 3]);
+        let mut high = vec![[[0.0; LANES]; 3]; chain.node_blocks.len()];
+        for (index, anchor) in anchors.iter().enumerate() {
+            let (row, lane) = chain.place(index);
+            assembly::point_up(&mut high[row], lane, anchor);
+        }
         Ok(Self {
             model: model.clone(),
             mud: model.mud_column(),
@@ -476,18 +479,8 @@ impl<R: Real> Run<R> {
     fn check_numbers(&self) -> Result<(), Diverged> {
         // Not a number is too fast, too.
         let fast = |x: f64, limit: f64| x.is_nan() || x.abs() >= limit;
-        let sound = self.chain.states.iter().all(|state| {
-            !state
-                .v
-                .iter()
-                .any(|axis| axis.0.iter().any(|v| fast(v.to_f64(), DIVERGED_M_PER_S)))
-                && !state
-                    .spin
-                    .0
-                    .iter()
-                    .any(|s| fast(s.to_f64(), DIVERGED_RAD_PER_S))
-        });
-        if sound {
+        let [speed, spin] = self.chain.fastest();
+        if !fast(speed, DIVERGED_M_PER_S) && !fast(spin, DIVERGED_RAD_PER_S) {
             return Ok(());
         }
         let speed = |i: usize| {

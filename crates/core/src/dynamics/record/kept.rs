@@ -144,13 +144,13 @@ impl Kept {
     pub fn percentiles(&self, quantity: Quantity, index: usize) -> [f64; 3] {
         let values = &self.values[quantity as usize];
         let (row, lane) = place(self.width / LANES, index);
-        let mut sorted: Vec<f64> = (0..self.rows)
-            .map(|kept| f64::from(values[kept * self.width + row * LANES + lane]))
+        let mut sorted: Vec<f32> = (0..self.rows)
+            .map(|kept| values[kept * self.width + row * LANES + lane])
             .collect();
         if sorted.is_empty() {
             return [0.0; 3];
         }
-        sorted.sort_unstable_by(f64::total_cmp);
+        sorted.sort_unstable_by(f32::total_cmp);
         [0.05, 0.5, 0.95].map(|part| percentile(&sorted, part))
     }
 }

@@ -1,9 +1,12 @@
-//! What eight nodes, and the elements below them, show at a moment: the one place that reads the chain
+//! What a row of nodes, and the elements below them, show at a moment: the one place that reads the chain
 //! for the record.
 
 use super::strength::Strength;
 use crate::{
-    dynamics::chain::{Chain, Rows},
+    dynamics::{
+        assembly::HighSides,
+        chain::{Chain, Rows},
+    },
     rod::{lanes::LANES, number::Real, vector::Vector},
 };
 
@@ -60,12 +63,12 @@ impl Look {
         speed_square: NONE,
     };
 
-    /// Looks at a row. `high` holds each node's high side, padded to whole blocks, `per_step` the inverse of the number of
-    /// steps since the last sample.
+    /// Looks at a row. `high` holds its nodes' high sides, `per_step` the inverse of the number of steps since the last
+    /// sample.
     #[inline(always)]
     pub fn at(
         chain: &Chain<impl Real>,
-        high: &[[f64; 3]],
+        high: &HighSides,
         strength: &Strength,
         row: usize,
         per_step: f64,
@@ -81,17 +84,15 @@ impl Look {
     fn across_the_hole(
         &mut self,
         chain: &Chain<impl Real>,
-        high: &[[f64; 3]],
+        high: &HighSides,
         row: usize,
         per_step: f64,
     ) {
         let nodes = &chain.node_blocks[row];
         let state = &chain.states[row];
-        let rows = chain.node_blocks.len();
         for lane in 0..LANES {
             let (u, v) = (of(&state.u, lane), of(&state.v, lane));
-            let high = high[row + lane * rows];
-            let h = Vector(high[0], high[1], high[2]);
+            let h = Vector(high[0][lane], high[1][lane], high[2][lane]);
             let tangent = of(&nodes.tangent, lane);
             let curvature = of(&nodes.curvature, lane);
             let z = u.dot(tangent);

@@ -11,11 +11,14 @@ mod tests;
 use serde::{Deserialize, Serialize};
 
 use super::{
+    assembly::HighSides,
     chain::{Chain, place},
     outcome::TimeSeries,
 };
-use crate::rod::number::Real;
-use crate::{model::Model, rod::lanes::LANES, rod::mesh::Mesh};
+use crate::{
+    model::Model,
+    rod::{lanes::LANES, mesh::Mesh, number::Real},
+};
 use depths::Sides;
 use kept::Kept;
 use look::Lane;
@@ -89,9 +92,8 @@ impl Record {
     }
 
     /// Takes a sample of every node: contact quantities as averages over the `steps` since the last
-    /// one, which the chain has summed. `high` holds each node's high side, padded to
-    /// whole blocks.
-    pub fn sample(&mut self, chain: &Chain<impl Real>, high: &[[f64; 3]], steps: u64) -> Totals {
+    /// one, which the chain has summed. `high` holds the nodes' high sides.
+    pub fn sample(&mut self, chain: &Chain<impl Real>, high: &[HighSides], steps: u64) -> Totals {
         let mut totals = TotalBlock::EMPTY;
         Pass {
             sums: &mut self.sums,

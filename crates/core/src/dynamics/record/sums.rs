@@ -8,7 +8,7 @@ use super::{
     strength::Strength,
 };
 use crate::{
-    dynamics::chain::Chain,
+    dynamics::{assembly::HighSides, chain::Chain},
     rod::{lanes::LANES, number::Real},
 };
 
@@ -165,7 +165,7 @@ impl TotalBlock {
 pub struct Pass<'a, R> {
     pub sums: &'a mut [SumBlock],
     pub chain: &'a Chain<R>,
-    pub high: &'a [[f64; 3]],
+    pub high: &'a [HighSides],
     pub strength: &'a Strength,
     pub per_step: f64,
     /// Whether it is the first sample of the window.
@@ -197,7 +197,13 @@ impl<R: Real> Pass<'_, R> {
     #[inline(always)]
     fn add_all(mut self) {
         for (block, sums) in self.sums.iter_mut().enumerate() {
-            let look = Look::at(self.chain, self.high, self.strength, block, self.per_step);
+            let look = Look::at(
+                self.chain,
+                &self.high[block],
+                self.strength,
+                block,
+                self.per_step,
+            );
             self.totals.add(&look);
             sums.add(&look, self.first);
             if let Some(kept) = &mut self.kept {

@@ -73,7 +73,7 @@ fn model() -> Model {
 }
 
 /// The string at rest on the hole's axis, and the high side of a vertical hole: north.
-fn string() -> (Model, Mesh, Chain, Vec<[f64; 3]>) {
+fn string() -> (Model, Mesh, Chain, Vec<HighSides>) {
     let model = model();
     let mesh = Mesh::new(&model.string, 3.0);
     let lateral = assembly::lateral_mass_kg_per_m(&model, &mesh, 120.0);
@@ -82,7 +82,7 @@ fn string() -> (Model, Mesh, Chain, Vec<[f64; 3]>) {
     for (index, element) in mesh.elements.iter().enumerate() {
         chain.set_anchor_chord(index, Vector(0.0, 0.0, element.length_m));
     }
-    let high = vec![[1.0, 0.0, 0.0]; mesh.nodes.len().next_multiple_of(LANES)];
+    let high = vec![[[1.0; LANES], [0.0; LANES], [0.0; LANES]]; chain.node_blocks.len()];
     (model, mesh, chain, high)
 }
 

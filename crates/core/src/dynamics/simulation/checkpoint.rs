@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::{Ledger, Record, Run, SinceSample};
 use crate::{
     dynamics::{
-        assembly::Anchor,
+        assembly::{Anchor, HighSides},
         bit::Bit,
         body::Body,
         chain::Chain,
@@ -41,7 +41,7 @@ pub struct Checkpoint {
     steps: u64,
     since_sample: SinceSample,
     record: Record,
-    high: Vec<[f64; 3]>,
+    high: Vec<HighSides>,
     ledger: Ledger,
     wear: Wear,
     body: Body,
