@@ -247,7 +247,6 @@ pub(super) struct Basis {
     pub(super) mesh: Mesh,
     pub(super) plan: StepPlan,
     pub(super) surroundings: Surroundings,
-    pub(super) abilities: Abilities,
     pub(super) stepper: Stepper,
     pub(super) steps_per_sample: u64,
 }
@@ -271,7 +270,6 @@ impl Basis {
             mesh,
             plan,
             surroundings,
-            abilities,
             stepper: Stepper::new(abilities),
             steps_per_sample,
         })

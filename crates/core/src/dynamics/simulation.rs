@@ -17,7 +17,7 @@ use super::{
     settings::{ContactLaw, DynamicsSettings, HoistControl, Start},
     setup::{self, Basis, SetupError},
     start::{self, Scene},
-    step::{Abilities, StepInput, Stepper},
+    step::{StepInput, Stepper},
     summary,
     top_drive::{StringSeen, TopDrive},
     viscous::Viscous,
@@ -86,7 +86,6 @@ pub struct Simulation {
     chain: Chain,
     anchors: Vec<Anchor>,
     surroundings: Surroundings,
-    abilities: Abilities,
     stepper: Stepper,
     set_points: SetPoints,
     top_drive: TopDrive,
@@ -136,7 +135,6 @@ impl Simulation {
             mesh,
             plan,
             surroundings,
-            abilities,
             stepper,
             steps_per_sample,
         } = Basis::new(model, operation, settings)?;
@@ -216,7 +214,6 @@ impl Simulation {
             chain,
             anchors,
             surroundings,
-            abilities,
             stepper,
             set_points: SetPoints::new(&first, &settings.schedule),
             top_drive,
@@ -294,36 +291,6 @@ impl Simulation {
             let before = self.chain.velocity(index);
             self.chain.set_velocity(index, before + velocity.into());
             node!(self.chain, index, spin += spin);
-        }
-    }
-
-    /// Names of the instruction sets that this processor can run, the fastest first.
-    pub fn instruction_sets() -> Vec<&'static str> {
-        let any = Abilities {
-            hertz: true,
-            vector: true,
-            full: false,
-        };
-        let all: Vec<Stepper> = Stepper::all(any);
-        all.iter().map(|stepper| stepper.instructions).collect()
-    }
-
-    /// Goes on with one of [`Self::instruction_sets`]; with what it has if there is none of that name.
-    pub fn use_instructions(&mut self, name: &str) {
-        let mut all = Stepper::all(self.abilities).into_iter();
-        if let Some(stepper) = all.find(|stepper| stepper.instructions == name) {
-            self.stepper = stepper;
-        }
-    }
-
-    /// Takes `steps` steps of the inner loop alone, the top held where it is: a measure of speed. The
-    /// simulation is no more than that afterwards.
-    pub fn step_kernel(&mut self, steps: usize) {
-        let spin = node!(self.chain, 0, spin);
-        let input = self.step_input(self.time_s(), spin);
-        node!(self.chain, 0, inv_mass_axial = 0.0);
-        for _ in 0..steps {
-            self.stepper.step(&mut self.chain, &input);
         }
     }
 
