@@ -321,7 +321,7 @@ impl Laying<'_> {
         let mut pose = self.body.pose(&self.chain, i);
         pose.velocity = Vector::zero();
         let tension = react(&k, &pose, 0.0, 0.0).tension;
-        (self.guide.tension_N[i] - tension) / k.axial * k.length
+        (self.guide.tension_N[i] - tension) / k.axial
     }
 
     fn span_all(&mut self) {

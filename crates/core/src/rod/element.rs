@@ -27,7 +27,7 @@ pub struct Stiffness<N> {
     pub length: N,
     /// `1/L`, 1/m.
     pub inverse_length: N,
-    /// Axial stiffness `EA`, N.
+    /// `EA/L`, N/m.
     pub axial: N,
     /// `A₀ EI/L`, N·m.
     pub bending_near: N,
@@ -63,7 +63,7 @@ impl Stiffness<f64> {
         Self {
             length: l,
             inverse_length: 1.0 / l,
-            axial: section.axial_stiffness_N,
+            axial: section.axial_stiffness_N / l,
             bending_near: ei / l * (4.0 + phi) * over,
             bending_far: ei / l * (2.0 - phi) * over,
             bow_near: (2.0 / 15.0 + bow) * over * over * l,
@@ -141,7 +141,7 @@ pub fn across<N: Number>(bend: Vector<N>, couple: Vector<N>, director: Vector<N>
 }
 
 /// Forces of an element that stands as `pose`, its twist first carried on by `dt`, with
-/// stiffness-proportional damping of time constant `beta`: its [`chord`], its [`bend`] and its [`twist`].
+/// stiffness-proportional damping of time constant `beta`: its [`chord`], its [`strain`], its [`bend`] and its [`twist`].
 ///
 /// The damping acts on the rates of the chord's length, of the twist and of the directors' rotation
 /// against one another, `w2 − w1`. None of them is there when a bent pipe spins in place, so the
@@ -149,16 +149,18 @@ pub fn across<N: Number>(bend: Vector<N>, couple: Vector<N>, director: Vector<N>
 #[inline(always)]
 pub fn react<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Reaction<N> {
     let twisted = twist(k, p, dt, beta);
-    let bent = bend(k, &chord(k, p), p, twisted.apart, beta);
+    let chord = chord(k, p);
+    let strain = strain(k, &chord, p, twisted.apart, beta);
+    let bent = bend(&chord, p, &strain);
     Reaction {
         force: bent.force,
         bend1: bent.bend1,
         bend2: bent.bend2,
         couple: twisted.couple,
         torque: twisted.torque,
-        tension: bent.tension,
+        tension: strain.tension,
         twist: twisted.twist,
-        damping_power: bent.damping_power + twisted.damping_power,
+        damping_power: strain.damping_power + twisted.damping_power,
     }
 }
 
@@ -192,15 +194,20 @@ pub fn chord<N: Number>(k: &Stiffness<N>, p: &Pose<N>) -> Chord<N> {
     }
 }
 
-/// What tension and bending do.
+/// How an element is strained: what its chord and its two directors are pulled by.
+///
+/// `U`'s gradients are `b d2 − s1 t` and `b d1 − s2 t` on the directors, but for what lies along the own director, and
+/// `−(s1 d1 + s2 d2)/l` on the chord, but for what lies along it.
 #[derive(Debug, Clone, Copy)]
-pub struct Bent<N> {
-    /// As in [`Reaction`].
-    pub force: Vector<N>,
-    /// As in [`Reaction`].
-    pub bend1: Vector<N>,
-    /// As in [`Reaction`].
-    pub bend2: Vector<N>,
+pub struct Strain<N> {
+    /// `s1 = a c1 + b c2`, N·m.
+    pub near1: N,
+    /// `s2 = a c2 + b c1`, N·m.
+    pub near2: N,
+    /// `b`, N·m.
+    pub shared: N,
+    /// The tension less what of the directors' pull lies along the chord, N.
+    pub along: N,
     /// As in [`Reaction`].
     pub tension: N,
     /// Power lost to damping, W.
@@ -213,18 +220,18 @@ pub struct Bent<N> {
 /// and `d2 − d1`, which are exact, and their squares `2(1 − cos)`; a cosine's own last digit is a large part
 /// of `1 − c²`. `apart`, `1 − c12`, comes from the [`twist`].
 #[inline(always)]
-pub fn bend<N: Number>(
+pub fn strain<N: Number>(
     k: &Stiffness<N>,
     chord: &Chord<N>,
     p: &Pose<N>,
     apart: N,
     beta: N,
-) -> Bent<N> {
+) -> Strain<N> {
     let one = N::splat(1.0);
     let half = N::splat(0.5);
     let t = chord.direction;
-    // Off the chord and off one another: 1 − c1, 1 − c2 and 1 − c12.
-    let (off1, off2, bend) = (p.d1 - t, p.d2 - t, p.d2 - p.d1);
+    // 1 − c1, 1 − c2.
+    let (off1, off2) = (p.d1 - t, p.d2 - t);
     let x1 = half * off1.dot(off1);
     let x2 = half * off2.dot(off2);
     let (c1, c2) = (one - x1, one - x2);
@@ -233,10 +240,9 @@ pub fn bend<N: Number>(
     let longer = k
         .bow_far
         .neg_mul_add(far, (half * k.bow_near).mul_add(near, chord.longer));
-    let per_length = k.axial * k.inverse_length;
-    let elastic_tension = per_length * longer;
-    let lengthening = chord.direction.dot(p.velocity);
-    let damping_tension = per_length * (beta * lengthening);
+    let elastic_tension = k.axial * longer;
+    let lengthening = t.dot(p.velocity);
+    let damping_tension = k.axial * (beta * lengthening);
     let tension = elastic_tension + damping_tension;
 
     // The damping knows the chord alone: it neither stiffens the directors nor works on them.
@@ -244,18 +250,43 @@ pub fn bend<N: Number>(
     let b = k.bow_far.neg_mul_add(elastic_tension, k.bending_far);
     let s1 = a.mul_add(c1, b * c2);
     let s2 = a.mul_add(c2, b * c1);
-    // The gradients on the directors, B d2 − s1 t and B d1 − s2 t, but for what lies along the own director; that
-    // on the chord, −(s1 d1 + s2 d2)/l, but for what lies along it; and the tension along it.
-    let (part1, part2, shared) = (off1.scaled(s1), off2.scaled(s2), bend.scaled(b));
     let along = chord
         .inverse_length
         .neg_mul_add(s1.mul_add(x1, s2 * x2), tension);
-    Bent {
-        force: (part1 + part2).scaled(chord.inverse_length).minus(t, along),
-        bend1: part1 + shared,
-        bend2: part2 - shared,
+    Strain {
+        near1: s1,
+        near2: s2,
+        shared: b,
+        along,
         tension,
         damping_power: damping_tension * lengthening,
+    }
+}
+
+/// What tension and bending do.
+#[derive(Debug, Clone, Copy)]
+pub struct Bent<N> {
+    /// As in [`Reaction`].
+    pub force: Vector<N>,
+    /// As in [`Reaction`].
+    pub bend1: Vector<N>,
+    /// As in [`Reaction`].
+    pub bend2: Vector<N>,
+}
+
+/// What an element so strained does to its ends.
+#[inline(always)]
+pub fn bend<N: Number>(chord: &Chord<N>, p: &Pose<N>, strain: &Strain<N>) -> Bent<N> {
+    let t = chord.direction;
+    let part1 = (p.d1 - t).scaled(strain.near1);
+    let part2 = (p.d2 - t).scaled(strain.near2);
+    let shared = (p.d2 - p.d1).scaled(strain.shared);
+    Bent {
+        force: (part1 + part2)
+            .scaled(chord.inverse_length)
+            .minus(t, strain.along),
+        bend1: part1 + shared,
+        bend2: part2 - shared,
     }
 }
 
@@ -292,7 +323,8 @@ pub fn twist<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Twiste
         ),
         half,
     );
-    let rate = (p.w2.dot(p.d1) - p.w1.dot(p.d2)).mul_add(share, p.spin);
+    // w2·d1 − w1·d2, for each is across its own director.
+    let rate = (p.w1 + p.w2).dot(bend).neg_mul_add(share, p.spin);
     let twist = rate.mul_add(dt, p.twist);
     let damping_torque = k.twist * (beta * rate);
     let torque = k.twist.mul_add(twist, damping_torque);
@@ -319,9 +351,8 @@ pub fn energy(k: &Stiffness<f64>, p: &Pose<f64>) -> f64 {
     let far = c12 - c1 * c2;
     let excess =
         (p.anchor_chord.scaled(2.0) + p.displacement).dot(p.displacement) + p.anchor_excess;
-    let strain =
-        (excess / (l + k.length) + 0.5 * k.bow_near * near - k.bow_far * far) * k.inverse_length;
-    0.5 * k.axial * k.length * strain * strain
+    let longer = excess / (l + k.length) + 0.5 * k.bow_near * near - k.bow_far * far;
+    0.5 * k.axial * longer * longer
         + 0.5 * k.bending_near * near
         + k.bending_far * far
         + 0.5 * k.twist * p.twist * p.twist

@@ -105,7 +105,7 @@ pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> 
 
 /// Longest step of an element that is lent nothing, by its axial frequency, s.
 fn own_step(k: &Stiffness<f64>, bare: &ElementInertia, beta: f64) -> f64 {
-    let omega = (4.0 * k.axial * k.inverse_length / bare.axial_kg).sqrt();
+    let omega = (4.0 * k.axial / bare.axial_kg).sqrt();
     let xi = 0.5 * beta * omega;
     2.0 * SAFETY / omega * ((1.0 + xi * xi).sqrt() - xi)
 }
@@ -120,11 +120,11 @@ fn frequency_limit(dt: f64, beta: f64) -> f64 {
 /// The inertia with which an element stays below `limit`, rad/s; none where only a shorter step helps.
 fn lend(k: &Stiffness<f64>, bare: &ElementInertia, limit: f64) -> Option<ElementInertia> {
     let square = limit * limit;
-    let over_length = k.inverse_length;
+    let over_length = 1.0 / k.length;
     if 4.0 * k.twist > square * bare.polar_kg_m2 {
         return None;
     }
-    let axial_kg = bare.axial_kg.max(4.0 * k.axial * over_length / square);
+    let axial_kg = bare.axial_kg.max(4.0 * k.axial / square);
     let lateral_kg = bare.lateral_kg.max(axial_kg);
     // Both ends turned alike against a turning chord, and against one another.
     let shear = 2.0 * (k.bending_near + k.bending_far);

@@ -7,7 +7,7 @@ use super::{
 use crate::{
     dynamics::chain::{ElementBlock, Row, Rows, StateBlock},
     rod::{
-        element::{self, Chord, Pose, Stiffness},
+        element::{self, Chord, Pose, Stiffness, Strain},
         number::{Number, Real},
     },
 };
@@ -50,16 +50,20 @@ impl<R: Real> Pull<R> {
     }
 }
 
-/// Chords of a row of elements.
+/// Chords and strains of a row of elements.
 #[derive(Clone, Copy)]
-pub(super) struct Chords<R: Real> {
+pub(super) struct Strains<R: Real> {
     direction: Rows<R>,
     inverse_length: Row<R>,
     longer: Row<R>,
     apart: Row<R>,
+    near1: Row<R>,
+    near2: Row<R>,
+    shared: Row<R>,
+    along: Row<R>,
 }
 
-impl<R: Real> Chords<R> {
+impl<R: Real> Strains<R> {
     pub(super) fn none() -> Self {
         let zero = Row::filled(0.0);
         Self {
@@ -67,15 +71,43 @@ impl<R: Real> Chords<R> {
             inverse_length: zero,
             longer: zero,
             apart: zero,
+            near1: zero,
+            near2: zero,
+            shared: zero,
+            along: zero,
+        }
+    }
+
+    #[inline(always)]
+    fn chord<N: Number<Real = R>>(&self, lane: usize) -> Chord<N> {
+        Chord {
+            direction: at3(&self.direction, lane),
+            inverse_length: at(&self.inverse_length, lane),
+            longer: at(&self.longer, lane),
         }
     }
 }
 
-/// Finds the chords of elements and twists them.
+/// Finds the chords of elements.
+#[inline(always)]
+pub(super) fn chord<N: Number>(
+    strains: &mut Strains<N::Real>,
+    e: &ElementBlock<N::Real>,
+    [above, below]: &[StateBlock<N::Real>; 2],
+    lane: usize,
+) {
+    let pose = pose::<N>(e, above, below, lane);
+    let c = element::chord::<N>(&stiffness(e, lane), &pose);
+    put3(&mut strains.direction, lane, c.direction);
+    put(&mut strains.inverse_length, lane, c.inverse_length);
+    put(&mut strains.longer, lane, c.longer);
+}
+
+/// Twists elements.
 #[inline(always)]
 pub(super) fn twist<N: Number>(
     out: &mut Pull<N::Real>,
-    chords: &mut Chords<N::Real>,
+    strains: &mut Strains<N::Real>,
     e: &mut ElementBlock<N::Real>,
     [above, below]: &[StateBlock<N::Real>; 2],
     input: &StepInput,
@@ -85,24 +117,19 @@ pub(super) fn twist<N: Number>(
     let (dt, beta) = (N::splat(input.dt), N::splat(input.stiffness_damping));
     let k = stiffness(e, lane);
     let pose = pose::<N>(e, above, below, lane);
-    let c = element::chord::<N>(&k, &pose);
     let r = element::twist(&k, &pose, dt, beta);
     put3(&mut out.couple, lane, r.couple);
     put(&mut out.torque, lane, r.torque);
     put(&mut e.torque, lane, r.torque);
     put(&mut e.twist, lane, r.twist);
-    put(&mut chords.apart, lane, r.apart);
+    put(&mut strains.apart, lane, r.apart);
     add(&mut losses.damping, lane, r.damping_power);
-    put3(&mut chords.direction, lane, c.direction);
-    put(&mut chords.inverse_length, lane, c.inverse_length);
-    put(&mut chords.longer, lane, c.longer);
 }
 
-/// Stretches and bends elements whose chords are known.
+/// Strains elements whose chords and twist are known.
 #[inline(always)]
-pub(super) fn bend<N: Number>(
-    out: &mut Pull<N::Real>,
-    chords: &Chords<N::Real>,
+pub(super) fn strain<N: Number>(
+    strains: &mut Strains<N::Real>,
     e: &mut ElementBlock<N::Real>,
     [above, below]: &[StateBlock<N::Real>; 2],
     input: &StepInput,
@@ -110,24 +137,40 @@ pub(super) fn bend<N: Number>(
     lane: usize,
 ) {
     let beta = N::splat(input.stiffness_damping);
-    let chord = Chord {
-        direction: at3(&chords.direction, lane),
-        inverse_length: at(&chords.inverse_length, lane),
-        longer: at(&chords.longer, lane),
+    let (k, pose) = (stiffness(e, lane), pose::<N>(e, above, below, lane));
+    let apart = at(&strains.apart, lane);
+    let r = element::strain(&k, &strains.chord(lane), &pose, apart, beta);
+    put(&mut strains.near1, lane, r.near1);
+    put(&mut strains.near2, lane, r.near2);
+    put(&mut strains.shared, lane, r.shared);
+    put(&mut strains.along, lane, r.along);
+    put(&mut e.tension, lane, r.tension);
+    add(&mut losses.damping, lane, r.damping_power);
+}
+
+/// Lets elements whose strains are known pull at their ends.
+#[inline(always)]
+pub(super) fn bend<N: Number>(
+    out: &mut Pull<N::Real>,
+    strains: &Strains<N::Real>,
+    e: &ElementBlock<N::Real>,
+    [above, below]: &[StateBlock<N::Real>; 2],
+    lane: usize,
+) {
+    let strain = Strain {
+        near1: at(&strains.near1, lane),
+        near2: at(&strains.near2, lane),
+        shared: at(&strains.shared, lane),
+        along: at(&strains.along, lane),
+        // The rest has been taken down.
+        tension: N::zero(),
+        damping_power: N::zero(),
     };
     let pose = pose::<N>(e, above, below, lane);
-    let r = element::bend(
-        &stiffness(e, lane),
-        &chord,
-        &pose,
-        at(&chords.apart, lane),
-        beta,
-    );
+    let r = element::bend(&strains.chord(lane), &pose, &strain);
     put3(&mut out.force, lane, r.force);
     put3(&mut out.bend1, lane, r.bend1);
     put3(&mut out.bend2, lane, r.bend2);
-    put(&mut e.tension, lane, r.tension);
-    add(&mut losses.damping, lane, r.damping_power);
 }
 
 #[inline(always)]

@@ -3,12 +3,13 @@
 //! Leapfrog (central differences): forces at the present positions kick the velocities across the
 //! step, the velocities carry the positions on. Contact and friction act within the step, implicitly
 //! at each node, so that they never limit it. One pass does both: a row of elements is evaluated from
-//! positions that no node has left yet, then the nodes above them are moved, while all of it is
+//! positions that no node has left yet, and the row of nodes above it is moved, while all of it is
 //! still in the first-level cache.
 //!
-//! A row is worked on in short loops, one after the other. What one register of lanes waits for (a root or a division
-//! takes twenty cycles) is then hidden behind the others; in one long loop the processor does not see far enough
-//! ahead.
+//! A row is worked on in short loops, and those of the elements stand between those of the nodes, for neither waits for
+//! the other. What one register of lanes waits for (a root or a division takes twenty cycles) is then hidden behind the
+//! others; in one long loop the processor does not see far enough ahead. Where roots and divisions follow one another,
+//! two registers are worked on in turn.
 //!
 //! Directors move on the sphere by Cayley's rotation, which keeps their length and the right angle
 //! to their angular velocity to rounding.
@@ -18,13 +19,12 @@ mod lane;
 mod nodes;
 mod touch;
 
-use super::chain::{Chain, Row, StateBlock};
+use super::chain::{Chain, ElementBlock, Row, StateBlock};
 use crate::rod::number::{Number, Real};
-#[cfg(not(target_arch = "x86_64"))]
 use crate::rod::wide::Pair;
-use elements::{Chords, Pull, bend, twist};
+use elements::{Pull, Strains, bend, chord, strain, twist};
 use lane::lanes;
-use nodes::{Flight, fly, land, rub, slow, turn};
+use nodes::{Flight, fly, land, reach, rub, slow, turn};
 use touch::push;
 
 /// What is the same for all nodes in a step.
@@ -201,52 +201,71 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
     } = chain;
     let rows = node_blocks.len();
     let mut losses = Losses::none();
-    let mut pulls = [Pull::none(); 2];
-    let (mut chords, mut flight) = (Chords::none(), Flight::none());
-
-    // The last row of elements pulls at the first row of nodes. It is evaluated again when its turn comes.
-    let (mut last, state) = (element_blocks[rows - 1], ends(states, rows - 1));
-    let (above, mut twice) = (&mut pulls[1], Losses::none());
-    for lane in lanes::<N>() {
-        twist::<N>(
-            above,
-            &mut chords,
-            &mut last,
-            state,
-            input,
-            &mut twice,
-            lane,
-        );
+    let (mut strains, mut flight) = (Strains::none(), Flight::none());
+    // The last row of elements pulls at the first row of nodes, too: it and the first come before all nodes.
+    let (mut first, mut last) = (Pull::none(), Pull::none());
+    let e = &mut element_blocks[rows - 1];
+    let under = ends(states, rows - 1);
+    pull::<N>(&mut last, &mut strains, e, under, input, &mut losses);
+    if rows > 1 {
+        let e = &mut element_blocks[0];
+        let under = ends(states, 0);
+        pull::<N>(&mut first, &mut strains, e, under, input, &mut losses);
+    } else {
+        first = last;
     }
-    for lane in lanes::<N>() {
-        bend::<N>(above, &chords, &mut last, state, input, &mut twice, lane);
-    }
-    above.go_on();
+    let mut pulls = [first, Pull::none(), last];
+    pulls[2].go_on();
 
-    for (row, (e, n)) in element_blocks.iter_mut().zip(node_blocks).enumerate() {
-        let state = ends(states, row);
-        let [even, odd] = &mut pulls;
-        let (below, above) = if row % 2 == 0 {
-            (even, odd)
-        } else {
-            (odd, even)
+    for (row, n) in node_blocks.iter_mut().enumerate() {
+        let [a, b, c] = &mut pulls;
+        let (above, below, next) = match row % 3 {
+            0 => (c, a, b),
+            1 => (a, b, c),
+            _ => (b, c, a),
         };
-        for lane in lanes::<N>() {
-            twist::<N>(below, &mut chords, e, state, input, &mut losses, lane);
+        // The next row of elements lies between the nodes below these.
+        let (state, under) = states[row..].split_first_mut().expect("a row of nodes");
+        let mut elements = if row + 2 < rows {
+            Some((&mut element_blocks[row + 1], ends(under, 0)))
+        } else {
+            *next = last;
+            None
+        };
+        for lane in lanes::<Pair<N>>() {
+            slow::<Pair<N>>(&mut flight, n, state, input, lane);
         }
         for lane in lanes::<N>() {
-            slow::<N>(&mut flight, n, &state[0], input, lane);
+            fly::<N, FULL>(&mut flight, n, state, above, below, input, lane);
         }
         for lane in lanes::<N>() {
-            bend::<N>(below, &chords, e, state, input, &mut losses, lane);
+            reach::<N, FULL>(&mut flight, n, state, input, lane);
         }
-        let state = &mut state[0];
-        fly::<N, FULL>(&mut flight, n, state, above, below, input);
+        for lane in lanes::<Pair<N>>() {
+            push::<Pair<N>, HERTZ>(&mut flight, n, input, lane);
+        }
+        if let Some((e, ends)) = &mut elements {
+            for lane in lanes::<Pair<N>>() {
+                chord::<Pair<N>>(&mut strains, e, ends, lane);
+            }
+            for lane in lanes::<N>() {
+                twist::<N>(next, &mut strains, e, ends, input, &mut losses, lane);
+            }
+        }
+        for lane in lanes::<Pair<N>>() {
+            rub::<Pair<N>, VECTOR, FULL>(&mut flight, n, input, lane);
+        }
+        if let Some((e, ends)) = &mut elements {
+            for lane in lanes::<N>() {
+                strain::<N>(&mut strains, e, ends, input, &mut losses, lane);
+            }
+            for lane in lanes::<N>() {
+                bend::<N>(next, &strains, e, ends, lane);
+            }
+        }
         for lane in lanes::<N>() {
-            push::<N, HERTZ>(&mut flight, n, input, lane);
+            land::<N>(&flight, n, state, input, &mut losses, lane);
         }
-        rub::<N, VECTOR, FULL>(&mut flight, n, input);
-        land::<N>(&flight, n, state, input, &mut losses);
         for lane in lanes::<N>() {
             turn::<N>(n, state, above, below, input, lane);
         }
@@ -260,10 +279,34 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
     }
 }
 
+/// A row of elements from its chords to what it does to its ends.
+#[inline(always)]
+fn pull<N: Number>(
+    out: &mut Pull<N::Real>,
+    strains: &mut Strains<N::Real>,
+    e: &mut ElementBlock<N::Real>,
+    ends: &[StateBlock<N::Real>; 2],
+    input: &StepInput,
+    losses: &mut Losses<N::Real>,
+) {
+    for lane in lanes::<N>() {
+        chord::<N>(strains, e, ends, lane);
+    }
+    for lane in lanes::<N>() {
+        twist::<N>(out, strains, e, ends, input, losses, lane);
+    }
+    for lane in lanes::<N>() {
+        strain::<N>(strains, e, ends, input, losses, lane);
+    }
+    for lane in lanes::<N>() {
+        bend::<N>(out, strains, e, ends, lane);
+    }
+}
+
 /// The states of the two ends of a row of elements.
 #[inline(always)]
-fn ends<R: Real>(states: &mut [StateBlock<R>], row: usize) -> &mut [StateBlock<R>; 2] {
+fn ends<R: Real>(states: &[StateBlock<R>], row: usize) -> &[StateBlock<R>; 2] {
     states[row..]
-        .first_chunk_mut()
+        .first_chunk()
         .expect("the states close with a row more")
 }

@@ -3,7 +3,7 @@
 use super::{
     Losses, StepInput,
     elements::Pull,
-    lane::{add, at, at3, lanes, put, put3},
+    lane::{add, at, at3, put, put3},
 };
 use crate::{
     dynamics::chain::{NodeBlock, Row, Rows, StateBlock},
@@ -102,7 +102,7 @@ pub(super) fn slow<N: Number>(
     );
 }
 
-/// Kicks a row of nodes and lets them fly to where the step would end without a wall.
+/// Kicks a row of nodes: how they would fly without a wall.
 #[inline(always)]
 pub(super) fn fly<N: Number, const FULL: bool>(
     flight: &mut Flight<N::Real>,
@@ -111,6 +111,7 @@ pub(super) fn fly<N: Number, const FULL: bool>(
     above: &Pull<N::Real>,
     below: &Pull<N::Real>,
     input: &StepInput,
+    lane: usize,
 ) {
     let splat = N::splat;
     let (half, one, dt) = (splat(0.5), splat(1.0), splat(input.dt));
@@ -118,54 +119,64 @@ pub(super) fn fly<N: Number, const FULL: bool>(
     let (rigid_v, rigid_s) = (splat(input.rigid_velocity), splat(input.rigid_spin));
     // Drag and damping act on the velocity that the node came with. The kick of rod and
     // gravity is left whole: a wall or a hoist that takes it back within the step must feel all of it.
-    for lane in lanes::<N>() {
-        let th = at3::<N>(&n.tangent, lane);
-        let give = at::<N>(&flight.give, lane);
-        let give_axial = dt * at(&n.inv_mass_axial, lane);
-        let per_j = at::<N>(&n.inv_polar, lane);
-        let give_spin = dt * per_j;
-        let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));
-        let axial0 = at::<N>(&flight.axial0, lane);
-        let force = at3::<N>(&above.force, lane) - at3(&below.force, lane) + at3(&n.weight, lane);
-        let along = th.dot(force);
-        let mut slowed_axial = fade * (axial0 - rigid_v);
-        let mut slowed_spin = per_j.if_positive(fade, N::zero()) * (s0 - rigid_s);
-        if FULL {
-            let part = (give_axial * at(&n.mud_axial, lane)).min(half);
-            slowed_axial = part.mul_add(axial0, slowed_axial);
-            let part = (give_spin * at(&n.mud_spin, lane)).min(half);
-            slowed_spin = part.mul_add(s0, slowed_spin);
-        }
-        let kept = one - at(&flight.slowed, lane);
-        let axial = give_axial.mul_add(along, axial0 - slowed_axial);
-        // What the mass across the hole makes of the part along it is replaced.
-        let instead = give.neg_mul_add(along, kept.neg_mul_add(axial0, axial));
-        let v = v0.scaled(kept).plus(force, give).plus(th, instead);
-        let torque = at::<N>(&below.torque, lane) - at(&above.torque, lane);
-        let spin = give_spin.mul_add(torque, s0 - slowed_spin);
-
-        // Where the step would end, against the curved wall.
-        let u = at3::<N>(&state.u, lane).plus(v, dt);
-        let z = th.dot(u);
-        let offset = u
-            .minus(th, z)
-            .minus(at3(&n.curvature, lane), half * (z * z));
-        let clearance = if FULL {
-            at::<N>(&n.clearance_slope, lane).mul_add(z, at(&n.clearance, lane))
-        } else {
-            at(&n.clearance, lane)
-        };
-        put(&mut flight.give_axial, lane, give_axial);
-        put(&mut flight.give_spin, lane, give_spin);
-        put(&mut flight.slowed_axial, lane, slowed_axial);
-        put(&mut flight.slowed_spin, lane, slowed_spin);
-        put3(&mut flight.v, lane, v);
-        put(&mut flight.axial, lane, axial);
-        put(&mut flight.spin, lane, spin);
-        put3(&mut flight.offset, lane, offset);
-        put(&mut flight.clearance, lane, clearance);
-        put(&mut flight.inward, lane, v.dot(offset));
+    let th = at3::<N>(&n.tangent, lane);
+    let give = at::<N>(&flight.give, lane);
+    let give_axial = dt * at(&n.inv_mass_axial, lane);
+    let per_j = at::<N>(&n.inv_polar, lane);
+    let give_spin = dt * per_j;
+    let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));
+    let axial0 = at::<N>(&flight.axial0, lane);
+    let force = at3::<N>(&above.force, lane) - at3(&below.force, lane) + at3(&n.weight, lane);
+    let along = th.dot(force);
+    let mut slowed_axial = fade * (axial0 - rigid_v);
+    let mut slowed_spin = per_j.if_positive(fade, N::zero()) * (s0 - rigid_s);
+    if FULL {
+        let part = (give_axial * at(&n.mud_axial, lane)).min(half);
+        slowed_axial = part.mul_add(axial0, slowed_axial);
+        let part = (give_spin * at(&n.mud_spin, lane)).min(half);
+        slowed_spin = part.mul_add(s0, slowed_spin);
     }
+    let kept = one - at(&flight.slowed, lane);
+    let axial = give_axial.mul_add(along, axial0 - slowed_axial);
+    // What the mass across the hole makes of the part along it is replaced.
+    let instead = give.neg_mul_add(along, kept.neg_mul_add(axial0, axial));
+    let v = v0.scaled(kept).plus(force, give).plus(th, instead);
+    let torque = at::<N>(&below.torque, lane) - at(&above.torque, lane);
+    let spin = give_spin.mul_add(torque, s0 - slowed_spin);
+    put(&mut flight.give_axial, lane, give_axial);
+    put(&mut flight.give_spin, lane, give_spin);
+    put(&mut flight.slowed_axial, lane, slowed_axial);
+    put(&mut flight.slowed_spin, lane, slowed_spin);
+    put3(&mut flight.v, lane, v);
+    put(&mut flight.axial, lane, axial);
+    put(&mut flight.spin, lane, spin);
+}
+
+/// Where a row of nodes would end, against the curved wall.
+#[inline(always)]
+pub(super) fn reach<N: Number, const FULL: bool>(
+    flight: &mut Flight<N::Real>,
+    n: &NodeBlock<N::Real>,
+    state: &StateBlock<N::Real>,
+    input: &StepInput,
+    lane: usize,
+) {
+    let (half, dt) = (N::splat(0.5), N::splat(input.dt));
+    let th = at3::<N>(&n.tangent, lane);
+    let v = at3::<N>(&flight.v, lane);
+    let u = at3::<N>(&state.u, lane).plus(v, dt);
+    let z = th.dot(u);
+    let offset = u
+        .minus(th, z)
+        .minus(at3(&n.curvature, lane), half * (z * z));
+    let clearance = if FULL {
+        at::<N>(&n.clearance_slope, lane).mul_add(z, at(&n.clearance, lane))
+    } else {
+        at(&n.clearance, lane)
+    };
+    put3(&mut flight.offset, lane, offset);
+    put(&mut flight.clearance, lane, clearance);
+    put(&mut flight.inward, lane, v.dot(offset));
 }
 
 /// Rubs a row of nodes that are pushed on the wall.
@@ -174,54 +185,53 @@ pub(super) fn rub<N: Number, const VECTOR: bool, const FULL: bool>(
     flight: &mut Flight<N::Real>,
     n: &NodeBlock<N::Real>,
     input: &StepInput,
+    lane: usize,
 ) {
     let splat = N::splat;
     let per_stribeck2 = splat(1.0 / (input.stribeck_speed * input.stribeck_speed));
-    for lane in lanes::<N>() {
-        let v = at3::<N>(&flight.v, lane);
-        let (axial, spin) = (at::<N>(&flight.axial, lane), at::<N>(&flight.spin, lane));
-        let force = at::<N>(&flight.push, lane);
-        let radius = at::<N>(&n.radius, lane);
-        let around = at3::<N>(&n.tangent, lane).cross(at3(&flight.normal, lane));
-        // At the surface that touches.
-        let slip = radius.mul_add(spin, v.dot(around));
-        let mu = if FULL {
-            let speed2 = slip.mul_add(slip, axial * axial);
-            let rise = at(&n.friction_rise, lane);
-            friction::coefficient(at(&n.friction, lane), rise, speed2, per_stribeck2)
-        } else {
-            at::<N>(&n.friction, lane)
-        };
-        let limit = force * mu;
-        // One newton always takes some speed away: a node that is held everywhere keeps its friction.
-        let least = splat(1e-30);
-        let g_axial = at::<N>(&flight.give_axial, lane).max(least);
-        let g_around = (radius * at(&flight.give_spin, lane))
-            .mul_add(radius, at(&flight.give, lane))
-            .max(least);
-        let limit_around = if FULL {
-            limit * at(&n.friction_around, lane)
-        } else {
-            limit
-        };
-        let (rub_along, rub_around) = match (VECTOR, FULL) {
-            (true, false) => friction::vector(limit, axial, slip, g_axial, g_around),
-            // In the forces' parts of their limits the law is that of one limit, 1.
-            (true, true) => {
-                let g_axial = (g_axial * limit).max(least);
-                let g_around = (g_around * limit_around).max(least);
-                let (a, t) = friction::vector(splat(1.0), axial, slip, g_axial, g_around);
-                (limit * a, limit_around * t)
-            }
-            (false, _) => (
-                friction::independent(limit, axial, g_axial),
-                friction::independent(limit_around, slip, g_around),
-            ),
-        };
-        put3(&mut flight.around, lane, around);
-        put(&mut flight.rub_along, lane, rub_along);
-        put(&mut flight.rub_around, lane, rub_around);
-    }
+    let v = at3::<N>(&flight.v, lane);
+    let (axial, spin) = (at::<N>(&flight.axial, lane), at::<N>(&flight.spin, lane));
+    let force = at::<N>(&flight.push, lane);
+    let radius = at::<N>(&n.radius, lane);
+    let around = at3::<N>(&n.tangent, lane).cross(at3(&flight.normal, lane));
+    // At the surface that touches.
+    let slip = radius.mul_add(spin, v.dot(around));
+    let mu = if FULL {
+        let speed2 = slip.mul_add(slip, axial * axial);
+        let rise = at(&n.friction_rise, lane);
+        friction::coefficient(at(&n.friction, lane), rise, speed2, per_stribeck2)
+    } else {
+        at::<N>(&n.friction, lane)
+    };
+    let limit = force * mu;
+    // One newton always takes some speed away: a node that is held everywhere keeps its friction.
+    let least = splat(1e-30);
+    let g_axial = at::<N>(&flight.give_axial, lane).max(least);
+    let g_around = (radius * at(&flight.give_spin, lane))
+        .mul_add(radius, at(&flight.give, lane))
+        .max(least);
+    let limit_around = if FULL {
+        limit * at(&n.friction_around, lane)
+    } else {
+        limit
+    };
+    let (rub_along, rub_around) = match (VECTOR, FULL) {
+        (true, false) => friction::vector(limit, axial, slip, g_axial, g_around),
+        // In the forces' parts of their limits the law is that of one limit, 1.
+        (true, true) => {
+            let g_axial = (g_axial * limit).max(least);
+            let g_around = (g_around * limit_around).max(least);
+            let (a, t) = friction::vector(splat(1.0), axial, slip, g_axial, g_around);
+            (limit * a, limit_around * t)
+        }
+        (false, _) => (
+            friction::independent(limit, axial, g_axial),
+            friction::independent(limit_around, slip, g_around),
+        ),
+    };
+    put3(&mut flight.around, lane, around);
+    put(&mut flight.rub_along, lane, rub_along);
+    put(&mut flight.rub_around, lane, rub_around);
 }
 
 /// Moves a row of nodes to where the step ends.
@@ -232,60 +242,59 @@ pub(super) fn land<N: Number>(
     state: &mut StateBlock<N::Real>,
     input: &StepInput,
     losses: &mut Losses<N::Real>,
+    lane: usize,
 ) {
     let splat = N::splat;
     let dt = splat(input.dt);
     let half_dt = splat(0.5 * input.dt);
-    for lane in lanes::<N>() {
-        let th = at3::<N>(&n.tangent, lane);
-        let give = at::<N>(&flight.give, lane);
-        let radius = at::<N>(&n.radius, lane);
-        let (normal, around) = (
-            at3::<N>(&flight.normal, lane),
-            at3::<N>(&flight.around, lane),
-        );
-        let force = at::<N>(&flight.push, lane);
-        let along = at::<N>(&flight.rub_along, lane);
-        let across = at::<N>(&flight.rub_around, lane);
-        let torque = across * radius;
-        let stopped = at::<N>(&flight.give_axial, lane) * along;
-        let axial3 = at::<N>(&flight.axial, lane) - stopped;
-        let v3 = at3::<N>(&flight.v, lane)
-            .minus(normal, give * force)
-            .minus(around, give * across)
-            .minus(th, stopped);
-        let spin = at::<N>(&flight.spin, lane);
-        let s3 = at::<N>(&flight.give_spin, lane).neg_mul_add(torque, spin);
+    let th = at3::<N>(&n.tangent, lane);
+    let give = at::<N>(&flight.give, lane);
+    let radius = at::<N>(&n.radius, lane);
+    let (normal, around) = (
+        at3::<N>(&flight.normal, lane),
+        at3::<N>(&flight.around, lane),
+    );
+    let force = at::<N>(&flight.push, lane);
+    let along = at::<N>(&flight.rub_along, lane);
+    let across = at::<N>(&flight.rub_around, lane);
+    let torque = across * radius;
+    let stopped = at::<N>(&flight.give_axial, lane) * along;
+    let axial3 = at::<N>(&flight.axial, lane) - stopped;
+    let v3 = at3::<N>(&flight.v, lane)
+        .minus(normal, give * force)
+        .minus(around, give * across)
+        .minus(th, stopped);
+    let spin = at::<N>(&flight.spin, lane);
+    let s3 = at::<N>(&flight.give_spin, lane).neg_mul_add(torque, spin);
 
-        // Energy that left the string: every impulse but the rod's and gravity's works on the mean of
-        // the velocities before and after the step.
-        let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));
-        let axial0 = at::<N>(&flight.axial0, lane);
-        let (both, both_axial, both_spin) = (v0 + v3, axial0 + axial3, s0 + s3);
-        let contact = force * normal.dot(both);
-        let slid = radius.mul_add(both_spin, around.dot(both));
-        let rubbed = half_dt * along.mul_add(both_axial, across * slid);
-        let drag = at::<N>(&n.mass_lateral, lane) * at(&flight.slowed, lane);
-        let drag_axial = at::<N>(&n.mass_axial, lane) * at(&flight.slowed_axial, lane);
-        let drag_spin = at::<N>(&n.polar, lane) * at(&flight.slowed_spin, lane);
-        let across0 = axial0.neg_mul_add(both_axial, v0.dot(both));
-        let slowed = drag.mul_add(
-            across0,
-            drag_axial.mul_add(both_axial, drag_spin * both_spin),
-        );
+    // Energy that left the string: every impulse but the rod's and gravity's works on the mean of
+    // the velocities before and after the step.
+    let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));
+    let axial0 = at::<N>(&flight.axial0, lane);
+    let (both, both_axial, both_spin) = (v0 + v3, axial0 + axial3, s0 + s3);
+    let contact = force * normal.dot(both);
+    let slid = radius.mul_add(both_spin, around.dot(both));
+    let rubbed = half_dt * along.mul_add(both_axial, across * slid);
+    let drag = at::<N>(&n.mass_lateral, lane) * at(&flight.slowed, lane);
+    let drag_axial = at::<N>(&n.mass_axial, lane) * at(&flight.slowed_axial, lane);
+    let drag_spin = at::<N>(&n.polar, lane) * at(&flight.slowed_spin, lane);
+    let across0 = axial0.neg_mul_add(both_axial, v0.dot(both));
+    let slowed = drag.mul_add(
+        across0,
+        drag_axial.mul_add(both_axial, drag_spin * both_spin),
+    );
 
-        let u0 = at3::<N>(&state.u, lane);
-        put3(&mut state.u, lane, u0.plus(v3, dt));
-        put3(&mut state.v, lane, v3);
-        put(&mut state.spin, lane, s3);
-        add(&mut n.sum_normal, lane, force);
-        add(&mut n.sum_axial, lane, along);
-        add(&mut n.sum_torque, lane, torque);
-        add(&mut n.sum_wear, lane, rubbed);
-        add(&mut losses.friction, lane, rubbed);
-        add(&mut losses.contact, lane, contact);
-        add(&mut losses.mud, lane, slowed);
-    }
+    let u0 = at3::<N>(&state.u, lane);
+    put3(&mut state.u, lane, u0.plus(v3, dt));
+    put3(&mut state.v, lane, v3);
+    put(&mut state.spin, lane, s3);
+    add(&mut n.sum_normal, lane, force);
+    add(&mut n.sum_axial, lane, along);
+    add(&mut n.sum_torque, lane, torque);
+    add(&mut n.sum_wear, lane, rubbed);
+    add(&mut losses.friction, lane, rubbed);
+    add(&mut losses.contact, lane, contact);
+    add(&mut losses.mud, lane, slowed);
 }
 
 /// Turns the directors of nodes.

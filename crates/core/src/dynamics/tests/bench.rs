@@ -225,7 +225,7 @@ impl Bench {
         let (near, far, rotary) = (k.bending_near, k.bending_far, inertia.rotary_kg_m2);
         let chord = 4.0 / (length * length * inertia.lateral_kg);
         let square = [
-            4.0 * k.axial / (length * inertia.axial_kg),
+            4.0 * k.axial / inertia.axial_kg,
             4.0 * k.twist / inertia.polar_kg_m2,
             2.0 * (near + far) * (0.5 / rotary + chord),
             (near - far) / rotary,
