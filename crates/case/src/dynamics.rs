@@ -147,8 +147,8 @@ table! {
         /// Seed of the microscopic lateral disturbance that breaks the symmetry of the start, and of the
         /// bit's excitation.
         seed: u64 = default(Whole, DynamicsSettings::default().seed);
-        /// "double" or "single": sixteen digits, or seven in half the time, for strings that turn all the time in
-        /// elements of at least 1 m. Over ten minutes of quiet rotation the two agree to a millionth.
+        /// "double" or "single": sixteen digits, or seven in six tenths of the time, for strings that turn all the time
+        /// in elements of at least 1 m. Over ten minutes of quiet rotation the two agree to a millionth.
         precision: Precision = default(
             Choice {
                 noun: "a precision",

@@ -20,7 +20,7 @@ pub enum Precision {
     /// Sixteen digits.
     #[default]
     Double,
-    /// Seven digits, in half the time: for strings that turn. See [`Precision::serves`].
+    /// Seven digits, in six tenths of the time: for strings that turn. See [`Precision::serves`].
     Single,
 }
 

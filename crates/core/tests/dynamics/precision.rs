@@ -119,7 +119,7 @@ fn every_node_is_that_of_double_precision() {
 }
 
 /// A string whose bit is shaken by three waves per revolution and by broadband noise: means within 0.1 %, standard
-/// deviations within 1 % of double precision over 60 s.
+/// deviations within 1 % of double precision over 60 s. Another seed moves them by 0.1 % and by 5 %; found: 7e-7 and 6e-5.
 #[test]
 fn a_shaken_string_has_the_same_statistics() {
     let mut case = np13(0.3);
@@ -144,7 +144,7 @@ fn a_shaken_string_has_the_same_statistics() {
             let found = outcome.statistics.iter().find(|(n, _)| *n == name);
             found.expect("a statistic").1
         });
-        let reason = "two stretches of one chaotic motion may differ by so much";
+        let reason = "asked of it: another seed moves means by 0.1 %, deviations by 5 %";
         assert_same(
             &format!("shaken bit: mean {unit}"),
             [double.mean, single.mean],
