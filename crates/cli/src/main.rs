@@ -1,6 +1,7 @@
 //! The `wholestring` command: case files in, torque and drag out.
 
 mod args;
+mod bench;
 mod check;
 mod checkpoint;
 mod comparison;
@@ -34,6 +35,7 @@ fn main() -> ExitCode {
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::sweep(&args),
         Command::Survey(args) => survey::survey(&args),
+        Command::Bench(args) => bench::bench(&args),
         Command::Schema => schema(),
     };
     match done {

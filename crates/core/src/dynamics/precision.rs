@@ -13,7 +13,10 @@ use super::{
 use crate::{
     model::Model,
     operation::Operation,
-    rod::mesh::{Mesh, MeshNode},
+    rod::{
+        counted::Flops,
+        mesh::{Mesh, MeshNode},
+    },
 };
 
 /// Shortest elements that single precision serves, m. Positions are known to 2e-9 m, and what that strains an element
@@ -222,5 +225,17 @@ impl Simulation {
     /// simulation is no more than that afterwards.
     pub fn step_kernel(&mut self, steps: usize) {
         either!(&mut self.0, run => run.step_kernel(steps));
+    }
+
+    /// Takes one step of the inner loop alone, as [`Self::step_kernel`] does, and counts its arithmetic: all of it, that
+    /// of lanes which no element fills, too.
+    pub fn count_kernel(&mut self) -> Flops {
+        either!(&mut self.0, run => run.count_kernel())
+    }
+
+    /// Multiplies and adds in the registers of the inner loop, so wide and so precise, `rounds` times and as fast as the
+    /// processor can; how many floating-point operations that was.
+    pub fn work_at_peak(&self, rounds: usize) -> u64 {
+        either!(&self.0, run => run.work_at_peak(rounds))
     }
 }

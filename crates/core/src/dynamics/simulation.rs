@@ -35,6 +35,7 @@ use crate::{
 };
 
 mod checkpoint;
+mod speed;
 
 pub use checkpoint::{Checkpoint, ResumeError};
 
@@ -298,25 +299,6 @@ impl<R: Real> Run<R> {
             let before = self.chain.velocity(index);
             self.chain.set_velocity(index, before + velocity.into());
             node!(self.chain, index, spin += spin);
-        }
-    }
-
-    /// Goes on with one of the instruction sets; with what it has if there is none of that name.
-    pub fn use_instructions(&mut self, name: &str) {
-        let mut all = Stepper::all(self.abilities).into_iter();
-        if let Some(stepper) = all.find(|stepper| stepper.instructions == name) {
-            self.stepper = stepper;
-        }
-    }
-
-    /// Takes `steps` steps of the inner loop alone, the top held where it is: a measure of speed. The
-    /// simulation is no more than that afterwards.
-    pub fn step_kernel(&mut self, steps: usize) {
-        let spin = node!(self.chain, 0, spin);
-        let input = self.step_input(self.time_s(), spin);
-        node!(self.chain, 0, inv_mass_axial = 0.0);
-        for _ in 0..steps {
-            self.stepper.step(&mut self.chain, &input);
         }
     }
 

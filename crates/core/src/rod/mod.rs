@@ -4,10 +4,12 @@
 //! a [`number::Number`]: an `f64`, or as many numbers as the processor's registers hold ([`wide`]).
 
 pub mod bent;
+pub mod counted;
 pub mod element;
 pub mod lanes;
 pub mod mesh;
 pub mod number;
+pub mod peak;
 pub mod section;
 pub mod stability;
 pub mod torsion;

@@ -20,8 +20,12 @@ mod nodes;
 mod touch;
 
 use super::chain::{Chain, ElementBlock, Row, StateBlock};
-use crate::rod::number::{Number, Real};
-use crate::rod::wide::Pair;
+use crate::rod::{
+    counted::{self, Counted, Flops},
+    number::{Number, Real},
+    peak,
+    wide::Pair,
+};
 use elements::{Pull, Strains, bend, chord, strain, twist};
 use lane::lanes;
 use nodes::{Flight, fly, land, reach, rub, slow, turn};
@@ -75,6 +79,7 @@ pub struct Abilities {
 #[derive(Clone, Copy)]
 pub struct Stepper<R: Real = f64> {
     step: unsafe fn(&mut Chain<R>, &StepInput) -> StepLosses,
+    peak: unsafe fn(usize) -> u64,
     /// Name of the instruction set in use.
     pub instructions: &'static str,
 }
@@ -88,7 +93,7 @@ impl<R: Real> std::fmt::Debug for Stepper<R> {
 }
 
 macro_rules! compiled_for {
-    ($name:ident, $number:ty $(, $features:literal)?) => {
+    ($name:ident, $peak:ident, $number:ty, $work:ident $(, $features:literal)?) => {
         $(#[target_feature(enable = $features)])?
         fn $name<R: Real, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
             chain: &mut Chain<R>,
@@ -96,19 +101,53 @@ macro_rules! compiled_for {
         ) -> StepLosses {
             sweep::<$number, HERTZ, VECTOR, FULL>(chain, input)
         }
+
+        $(#[target_feature(enable = $features)])?
+        fn $peak<R: Real>(rounds: usize) -> u64 {
+            peak::$work::<$number>(rounds)
+        }
     };
 }
 
 #[cfg(target_arch = "x86_64")]
-compiled_for!(avx512, R::Zmm, "avx512f,avx512dq,avx512vl,avx2,fma");
+compiled_for!(
+    avx512,
+    avx512_peak,
+    R::Zmm,
+    work,
+    "avx512f,avx512dq,avx512vl,avx2,fma"
+);
 #[cfg(target_arch = "x86_64")]
-compiled_for!(avx2, R::Ymm, "avx2,fma");
+compiled_for!(avx2, avx2_peak, R::Ymm, work, "avx2,fma");
 #[cfg(target_arch = "x86_64")]
-compiled_for!(baseline, R::Xmm);
+compiled_for!(baseline, baseline_peak, R::Xmm, work_apart);
 #[cfg(target_arch = "aarch64")]
-compiled_for!(baseline, Pair<R::Fused>);
+compiled_for!(baseline, baseline_peak, Pair<R::Fused>, work);
 #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
-compiled_for!(baseline, Pair<R>);
+compiled_for!(baseline, baseline_peak, Pair<R>, work_apart);
+
+fn counting<R: Real, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
+    chain: &mut Chain<R>,
+    input: &StepInput,
+) -> StepLosses {
+    sweep::<Counted<R>, HERTZ, VECTOR, FULL>(chain, input)
+}
+
+/// A function of the step, compiled for the laws that are asked for.
+macro_rules! with_laws {
+    ($function:ident, $abilities:expr) => {
+        match ($abilities.hertz, $abilities.vector, $abilities.full) {
+            (true, true, false) => $function::<R, true, true, false>,
+            (true, false, false) => $function::<R, true, false, false>,
+            (false, true, false) => $function::<R, false, true, false>,
+            (false, false, false) => $function::<R, false, false, false>,
+            (true, true, true) => $function::<R, true, true, true>,
+            (true, false, true) => $function::<R, true, false, true>,
+            (false, true, true) => $function::<R, false, true, true>,
+            (false, false, true) => $function::<R, false, false, true>,
+        }
+    };
+}
 
 impl<R: Real> Stepper<R> {
     /// The fastest code for this processor that does what is asked for.
@@ -118,24 +157,11 @@ impl<R: Real> Stepper<R> {
 
     /// Every code that this processor can run, the fastest first; the baseline always is the last.
     pub fn all(abilities: Abilities) -> Vec<Self> {
-        let Abilities {
-            hertz,
-            vector,
-            full,
-        } = abilities;
         macro_rules! choose {
-            ($function:ident, $name:literal) => {
+            ($function:ident, $peak:ident, $name:literal) => {
                 Self {
-                    step: match (hertz, vector, full) {
-                        (true, true, false) => $function::<R, true, true, false>,
-                        (true, false, false) => $function::<R, true, false, false>,
-                        (false, true, false) => $function::<R, false, true, false>,
-                        (false, false, false) => $function::<R, false, false, false>,
-                        (true, true, true) => $function::<R, true, true, true>,
-                        (true, false, true) => $function::<R, true, false, true>,
-                        (false, true, true) => $function::<R, false, true, true>,
-                        (false, false, true) => $function::<R, false, false, true>,
-                    },
+                    step: with_laws!($function, abilities),
+                    peak: $peak::<R>,
                     instructions: $name,
                 }
             };
@@ -149,14 +175,29 @@ impl<R: Real> Stepper<R> {
                 && is_x86_feature_detected!("avx512dq")
                 && is_x86_feature_detected!("avx512vl")
             {
-                all.push(choose!(avx512, "AVX-512"));
+                all.push(choose!(avx512, avx512_peak, "AVX-512"));
             }
             if fma {
-                all.push(choose!(avx2, "AVX2"));
+                all.push(choose!(avx2, avx2_peak, "AVX2"));
             }
         }
-        all.push(choose!(baseline, "baseline"));
+        all.push(choose!(baseline, baseline_peak, "baseline"));
         all
+    }
+
+    /// Advances the chain by one step of such code, and counts what that takes.
+    pub fn count(abilities: Abilities, chain: &mut Chain<R>, input: &StepInput) -> Flops {
+        let step: fn(&mut Chain<R>, &StepInput) -> StepLosses = with_laws!(counting, abilities);
+        counted::count(|| {
+            step(chain, input);
+        })
+    }
+
+    /// Does as much arithmetic in the step's registers as the processor can, `rounds` times; how many floating-point
+    /// operations that was.
+    pub fn work(&self, rounds: usize) -> u64 {
+        // SAFETY: as for a step.
+        unsafe { (self.peak)(rounds) }
     }
 
     /// Advances the chain by one step.

@@ -1,0 +1,176 @@
+//! What each mechanism costs when it is switched on.
+
+use serde::Serialize;
+
+use super::{Bench, Spread, table::Table, well};
+use crate::failure::Failure;
+
+/// Something that a case can ask for: keys of the case, as for `--set`.
+struct Mechanism {
+    name: &'static str,
+    keys: &'static [&'static str],
+}
+
+const fn with(name: &'static str, keys: &'static [&'static str]) -> Mechanism {
+    Mechanism { name, keys }
+}
+
+/// In the order of the book. Numbers that a driller would give, so that each mechanism does what it is there for.
+const MECHANISMS: &[Mechanism] = &[
+    with("linear contact", &["dynamics.contact_law=linear"]),
+    with(
+        "independent friction",
+        &["dynamics.friction_law=independent"],
+    ),
+    with(
+        "friction at rest",
+        &[
+            "well.hole.0.friction={ kinetic = 0.3, static = 0.4 }",
+            "well.hole.1.friction={ kinetic = 0.3, static = 0.4 }",
+        ],
+    ),
+    with(
+        "friction around other than along",
+        &[
+            "well.hole.0.friction={ kinetic = 0.3, around = 0.25 }",
+            "well.hole.1.friction={ kinetic = 0.3, around = 0.25 }",
+        ],
+    ),
+    with(
+        "rough, winding wall",
+        &[
+            "well.roughness.rms=0.5 mm",
+            "well.roughness.tortuosity=2 mm",
+        ],
+    ),
+    with(
+        "viscous mud, pumps on",
+        &[
+            "mud.rheology=bingham",
+            "mud.plastic_viscosity=20 cP",
+            "mud.yield_point=5 Pa",
+            "operation.flow_rate=30 L/s",
+        ],
+    ),
+    with(
+        "bent motor housing",
+        &["string.1.bend=1.5 deg", "string.1.bend_at=2 m"],
+    ),
+    with("eccentric collar", &["string.4.eccentricity=5 mm"]),
+    with(
+        "eccentric pipe, all of it",
+        &["string.10.eccentricity=1 mm"],
+    ),
+    with("stiff top drive", &["top_drive.control=pi"]),
+    with("SoftTorque", &["top_drive.control=soft-torque"]),
+    with("Z-Torque", &["top_drive.control=z-torque"]),
+    with("block on the hoist", &["hoist.mass=25 t"]),
+    with(
+        "schedule under way",
+        &["operation.schedule=[{ at = 0.5, ramp = 10, rpm = 90 }]"],
+    ),
+    with(
+        "excitation of the bit",
+        &[
+            "bit.excitation.amplitude=1 mm",
+            "bit.excitation.roughness=0.5 mm",
+            "bit.excitation.torque_fluctuation=0.1",
+        ],
+    ),
+    with("regenerative bit", &["bit.law=regenerative"]),
+    with(
+        "statistics every ms, not every 10",
+        &["dynamics.sample_interval=1 ms"],
+    ),
+    with("frames, 10 in a second", &["records.frames=10 Hz"]),
+];
+
+/// What was found.
+#[derive(Serialize)]
+pub(crate) struct Mechanisms {
+    /// Without any of them.
+    ns_per_element_step: f64,
+    rows: Vec<Row>,
+}
+
+#[derive(Serialize)]
+struct Row {
+    mechanism: &'static str,
+    ns_per_element_step: f64,
+    /// Processor time for the same simulated time, over that without it.
+    time_ratio: Spread,
+}
+
+pub(crate) fn measure(bench: &Bench) -> Result<Mechanisms, Failure> {
+    bench.begin(1 + MECHANISMS.len());
+    let plain_case = bench.well.case(&[])?;
+    let plain = well::lay(&plain_case, plain_case.dynamics.precision)?;
+    let mut plain_s = Vec::new();
+    let mut rows = Vec::new();
+    bench.next("a run without any mechanism")?;
+    for mechanism in MECHANISMS {
+        bench.next(mechanism.name)?;
+        let case = bench.well.case(mechanism.keys)?;
+        let simulation = well::lay(&case, case.dynamics.precision)?;
+        let mut run_s = Vec::new();
+        // By turns: a processor that grows slower does so for both.
+        let ratio = bench.repeat(|| {
+            let without = bench.well.run_s(&plain_case, &plain)?;
+            let with = bench.well.run_s(&case, &simulation)?;
+            plain_s.push(without);
+            run_s.push(with);
+            Ok(with / without)
+        })?;
+        rows.push(Row {
+            mechanism: mechanism.name,
+            ns_per_element_step: ns(&simulation, run_s),
+            time_ratio: ratio,
+        });
+    }
+    Ok(Mechanisms {
+        ns_per_element_step: ns(&plain, plain_s),
+        rows,
+    })
+}
+
+/// Nanoseconds per element and step of runs that took so many seconds for one.
+fn ns(simulation: &wholestring::dynamics::Simulation, run_s: Vec<f64>) -> f64 {
+    let element_steps_per_s = simulation.elements() as f64 / simulation.time_step_s();
+    1e9 * Spread::of(run_s).median / element_steps_per_s
+}
+
+impl Mechanisms {
+    pub(crate) fn text(&self) -> String {
+        let mut table = Table::new(
+            "What a mechanism costs a whole run",
+            1,
+            &[
+                "switched on",
+                "ns per element-step",
+                "costs",
+                "least to most",
+            ],
+        );
+        table.row(vec![
+            "nothing".to_owned(),
+            format!("{:.1}", self.ns_per_element_step),
+            String::new(),
+            String::new(),
+        ]);
+        for row in &self.rows {
+            let percent = |ratio: f64| format!("{:+.0} %", 100.0 * (ratio - 1.0));
+            let Spread {
+                median,
+                least,
+                most,
+            } = row.time_ratio;
+            table.row(vec![
+                row.mechanism.to_owned(),
+                format!("{:.1}", row.ns_per_element_step),
+                percent(median),
+                format!("{} to {}", percent(least), percent(most)),
+            ]);
+        }
+        table.text()
+    }
+}

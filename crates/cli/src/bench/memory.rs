@@ -1,0 +1,79 @@
+//! What a run takes from its start to its end: memory, and time on the clock.
+
+use std::{
+    fs, thread,
+    time::{Duration, Instant},
+};
+
+use serde::Serialize;
+
+use super::{Bench, failed, process};
+use crate::failure::Failure;
+
+/// Whether this system tells the memory of another process.
+pub(crate) const IS_MEASURED: bool = cfg!(target_os = "linux");
+
+/// Time between two looks at the process.
+const LOOK_INTERVAL: Duration = Duration::from_millis(5);
+
+#[derive(Serialize)]
+pub(crate) struct Memory {
+    simulated_s: f64,
+    wall_time_s: f64,
+    /// Largest resident memory.
+    peak_MB: f64,
+}
+
+pub(crate) fn measure(bench: &Bench) -> Result<Memory, Failure> {
+    if !IS_MEASURED {
+        return Err(Failure::BadInput(
+            "error: memory is measured on Linux only".to_owned(),
+        ));
+    }
+    bench.begin(1);
+    bench.next("memory of a run")?;
+    let case = bench.well.case(&[])?;
+    let (file, folder) = (bench.well.file(), bench.well.folder());
+    let arguments = [
+        "run",
+        &file.to_string_lossy(),
+        "-o",
+        &folder.to_string_lossy(),
+    ];
+    let start = Instant::now();
+    let mut child = process::start(&arguments, bench.well.changes())?;
+    let mut peak_MB: f64 = 0.0;
+    let status = loop {
+        if let Some(now_MB) = resident_MB(child.id()) {
+            peak_MB = peak_MB.max(now_MB);
+        }
+        if let Some(status) = child.try_wait().map_err(|error| failed(&error))? {
+            break status;
+        }
+        thread::sleep(LOOK_INTERVAL);
+    };
+    process::check(status)?;
+    Ok(Memory {
+        simulated_s: case.operations.len() as f64
+            * (case.dynamics.settle_s + case.dynamics.duration_s),
+        wall_time_s: start.elapsed().as_secs_f64(),
+        peak_MB,
+    })
+}
+
+/// Largest resident memory of a process so far; nothing once it has ended.
+fn resident_MB(process: u32) -> Option<f64> {
+    let status = fs::read_to_string(format!("/proc/{process}/status")).ok()?;
+    let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
+    let kB: f64 = line.split_whitespace().nth(1)?.parse().ok()?;
+    Some(kB * 1024e-6)
+}
+
+impl Memory {
+    pub(crate) fn text(&self) -> String {
+        format!(
+            "`wholestring run` of {:.0} s, results written: {:.1} s on the clock, {:.1} MB of memory at most\n",
+            self.simulated_s, self.wall_time_s, self.peak_MB
+        )
+    }
+}

@@ -1,0 +1,84 @@
+//! Speed of the engine's parts on NP13-X1042, for whoever works on them: `cargo bench -p wholestring`.
+//!
+//! `wholestring bench` tells the speed of a machine; this tells whether a change made a part slower.
+
+#[path = "../tests/common/mod.rs"]
+mod common;
+// It serves the tests of the dynamics.
+#[allow(dead_code)]
+#[path = "../tests/dynamics/wells.rs"]
+mod wells;
+
+use std::{hint::black_box, time::Duration};
+
+use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use wholestring::dynamics::{Precision, Simulation};
+
+use wells::{Case, go, np13};
+
+/// Steps of the inner loop that are timed at once: between two followings of the nodes.
+const STEPS: usize = 16;
+
+/// The string, laid and settled, the window begun.
+fn settled(precision: Precision) -> Simulation {
+    let mut case = np13(0.3);
+    case.settings.precision = precision;
+    case.settings.settle_s = 1.0;
+    let mut simulation = case.start();
+    go(&mut simulation, 1.1);
+    simulation
+}
+
+/// The inner loop, per element and step, with each instruction set.
+fn kernel(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("kernel");
+    for (name, precision) in [("double", Precision::Double), ("single", Precision::Single)] {
+        let mut simulation = settled(precision);
+        group.throughput(Throughput::Elements((STEPS * simulation.elements()) as u64));
+        for instructions in Simulation::instruction_sets() {
+            simulation.use_instructions(instructions);
+            group.bench_function(format!("{name}/{instructions}"), |bencher| {
+                bencher.iter(|| simulation.step_kernel(STEPS));
+            });
+        }
+    }
+    group.finish();
+}
+
+/// A sample of the records with the steps before it, and a frame of the whole string.
+fn records(criterion: &mut Criterion) {
+    let settled = settled(Precision::Double);
+    let sample_s = settled.sample_interval_s();
+    let mut group = criterion.benchmark_group("records");
+    group.bench_function("sample", |bencher| {
+        bencher.iter_batched_ref(
+            || settled.clone(),
+            |simulation| go(simulation, sample_s),
+            BatchSize::LargeInput,
+        );
+    });
+    group.bench_function("frame", |bencher| bencher.iter(|| settled.frame()));
+    group.bench_function("outcome", |bencher| bencher.iter(|| settled.outcome()));
+    group.finish();
+}
+
+/// The soft string, and the start of the dynamics, which is laid by it.
+fn statics(criterion: &mut Criterion) {
+    let case = np13(0.3);
+    criterion.bench_function("soft string", |bencher| {
+        bencher.iter(|| black_box(&case).soft());
+    });
+    let mut group = criterion.benchmark_group("start");
+    group.sample_size(10);
+    group.bench_function("lay", |bencher| {
+        bencher.iter(|| Case::start(black_box(&case)));
+    });
+    group.finish();
+}
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default().measurement_time(Duration::from_secs(3));
+    targets = kernel, records, statics
+}
+criterion_main!(benches);

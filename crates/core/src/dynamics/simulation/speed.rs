@@ -1,0 +1,43 @@
+//! What the speed of a run is measured with.
+
+use super::{Run, Stepper, node};
+use crate::{
+    dynamics::step::StepInput,
+    rod::{counted::Flops, number::Real},
+};
+
+impl<R: Real> Run<R> {
+    /// Goes on with one of the instruction sets; with what it has if there is none of that name.
+    pub fn use_instructions(&mut self, name: &str) {
+        let mut all = Stepper::all(self.abilities).into_iter();
+        if let Some(stepper) = all.find(|stepper| stepper.instructions == name) {
+            self.stepper = stepper;
+        }
+    }
+
+    /// Takes `steps` steps of the inner loop alone, the top held where it is. The run is no more than that afterwards.
+    pub fn step_kernel(&mut self, steps: usize) {
+        let input = self.hold_top();
+        for _ in 0..steps {
+            self.stepper.step(&mut self.chain, &input);
+        }
+    }
+
+    /// Takes one such step and counts its arithmetic.
+    pub fn count_kernel(&mut self) -> Flops {
+        let input = self.hold_top();
+        Stepper::count(self.abilities, &mut self.chain, &input)
+    }
+
+    /// Does as much arithmetic in the registers of the inner loop as the processor can, `rounds` times; how many
+    /// floating-point operations that was.
+    pub fn work_at_peak(&self, rounds: usize) -> u64 {
+        self.stepper.work(rounds)
+    }
+
+    fn hold_top(&mut self) -> StepInput {
+        let spin = node!(self.chain, 0, spin);
+        node!(self.chain, 0, inv_mass_axial = 0.0);
+        self.step_input(self.time_s(), spin)
+    }
+}
