@@ -12,8 +12,8 @@ use wholestring::{
 };
 use wholestring_case::{Case, Records};
 use wholestring_results::{
-    Friction, NODES, Numerics, OperationSummary, ResultsFolder, SCHEMA_VERSION, SPECTRA, Spectrum,
-    Statistic, Status, Summary, TIME, Table, WEAR,
+    FramesSoFar, Friction, NODES, Numerics, OperationSummary, ResultsError, ResultsFolder,
+    SCHEMA_VERSION, SPECTRA, Spectrum, Statistic, Status, Summary, TIME, Table, WEAR,
 };
 use wholestring_units::{Dimension, UnitSet};
 
@@ -28,6 +28,8 @@ pub(crate) struct Solved {
     time: Table,
     wear: Table,
     spectra: Table,
+    /// Frames up to the checkpoint, of the operation under way too.
+    frames: Option<FramesSoFar>,
 }
 
 /// Everything that a run leaves.
@@ -39,7 +41,7 @@ pub(crate) struct Record {
     schedule: Vec<ScheduleStep>,
     wear: Table,
     spectra: Table,
-    /// Frames of the whole string, while they are written.
+    /// Frames of the whole string, where the case asks for them.
     pub(crate) frames: Option<Frames>,
     records: Records,
     settle_s: f64,
@@ -49,7 +51,36 @@ pub(crate) struct Record {
 }
 
 impl Record {
-    pub(crate) fn new(case: &Case, units: UnitSet) -> Self {
+    /// Begins anew in the folder; what an earlier run left to go on with goes.
+    pub(crate) fn begin(
+        case: &Case,
+        units: UnitSet,
+        folder: &ResultsFolder,
+    ) -> Result<Self, ResultsError> {
+        folder.remove_checkpoint()?;
+        let frames = Frames::begin(case, folder, None)?;
+        Ok(Self::empty(case, units, frames))
+    }
+
+    /// Takes up what was solved before, in the same folder.
+    pub(crate) fn resume(
+        case: &Case,
+        units: UnitSet,
+        folder: &ResultsFolder,
+        solved: Solved,
+    ) -> Result<Self, String> {
+        let frames = Frames::begin(case, folder, solved.frames).map_err(|e| e.to_string())?;
+        let mut record = Self::empty(case, units, frames);
+        let operations = serde_json::from_str(&solved.operations);
+        record.summary.operations = operations.map_err(|e| e.to_string())?;
+        record.nodes = solved.nodes;
+        record.time = solved.time;
+        record.wear = solved.wear;
+        record.spectra = solved.spectra;
+        Ok(record)
+    }
+
+    fn empty(case: &Case, units: UnitSet, frames: Option<Frames>) -> Self {
         Self {
             summary: Summary {
                 schema_version: SCHEMA_VERSION,
@@ -62,7 +93,7 @@ impl Record {
             schedule: case.dynamics.schedule.steps.clone(),
             wear: Table::with_columns(WEAR),
             spectra: Table::with_columns(SPECTRA),
-            frames: None,
+            frames,
             records: case.records.clone(),
             settle_s: case.dynamics.settle_s,
             hole: case.model.well.hole.clone(),
@@ -81,7 +112,7 @@ impl Record {
             wear,
             schedule: _,
             spectra,
-            frames: _,
+            frames,
             records: _,
             settle_s: _,
             hole: _,
@@ -94,18 +125,8 @@ impl Record {
             time: time.clone(),
             wear: wear.clone(),
             spectra: spectra.clone(),
+            frames: frames.as_ref().map(|frames| frames.so_far().clone()),
         }
-    }
-
-    /// Takes up what was solved before.
-    pub(crate) fn restore(&mut self, solved: Solved) -> Result<(), String> {
-        let operations = serde_json::from_str(&solved.operations);
-        self.summary.operations = operations.map_err(|error| error.to_string())?;
-        self.nodes = solved.nodes;
-        self.time = solved.time;
-        self.wear = solved.wear;
-        self.spectra = solved.spectra;
-        Ok(())
     }
 
     /// Whether a model has solved an operation already.
@@ -382,7 +403,7 @@ impl Record {
     }
 
     /// Writes everything; what an earlier run left goes.
-    pub(crate) fn write(&self, folder: &ResultsFolder, csv: bool) -> Result<(), Failure> {
+    pub(crate) fn write(&mut self, folder: &ResultsFolder, csv: bool) -> Result<(), Failure> {
         folder.write_table("nodes", &self.nodes, csv)?;
         folder.write_table("time", &self.time, csv)?;
         folder.write_table("wear", &self.wear, csv)?;
@@ -392,8 +413,9 @@ impl Record {
         } else {
             folder.write_table("spectra", &self.spectra, csv)?;
         }
-        if self.frames.is_none() {
-            folder.remove("frames.parquet")?;
+        match &mut self.frames {
+            Some(frames) => frames.write()?,
+            None => folder.remove("frames.parquet")?,
         }
         let picture = picture::draw(
             &self.summary.case,

@@ -19,7 +19,6 @@ use crate::{
     checkpoint::{self, Keeper, Laid, UnderWay},
     comparison,
     failure::Failure,
-    frames::Frames,
     indicators,
     interrupt::Interrupt,
     load,
@@ -31,21 +30,20 @@ use crate::{
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let case = load(&args.case, args.quiet)?;
     let units = args.units.unwrap_or(case.units);
-    let mut record = Record::new(&case, units);
-    let (folder, under_way) = match &args.resume {
+    let (folder, mut record, under_way) = match &args.resume {
         Some(path) => {
             let folder = existing(path)?;
             let laid = laid_aside(&folder, &case)?;
-            record.restore(laid.solved).map_err(bad)?;
-            (folder, laid.under_way)
+            let record = Record::resume(&case, units, &folder, laid.solved).map_err(begin_anew)?;
+            (folder, record, laid.under_way)
         }
         None => {
             let output = args.output.clone();
             let output = output.unwrap_or_else(|| default_output(&case.name));
             // Before anything is solved, so that a long run does not end on a folder it may not write to.
             let folder = ResultsFolder::create(output)?;
-            folder.remove_checkpoint()?;
-            (folder, None)
+            let record = Record::begin(&case, units, &folder)?;
+            (folder, record, None)
         }
     };
     let way = Way {
@@ -83,6 +81,13 @@ fn bad(reason: impl std::fmt::Display) -> Failure {
     Failure::BadInput(format!("error: {reason}"))
 }
 
+/// Why a run cannot go on, with the way out.
+fn begin_anew(reason: String) -> Failure {
+    bad(format!(
+        "{reason}\nrun the case without --resume to begin anew"
+    ))
+}
+
 /// The folder of a run that is to be resumed.
 fn existing(path: &Path) -> Result<ResultsFolder, Failure> {
     if !path.is_dir() {
@@ -94,22 +99,23 @@ fn existing(path: &Path) -> Result<ResultsFolder, Failure> {
 /// The run that was laid aside in the folder, or why there is none.
 fn laid_aside(folder: &ResultsFolder, case: &Case) -> Result<Laid, Failure> {
     let place = folder.path().display();
-    let anew = "run the case without --resume to begin anew";
     match Laid::read(folder, case) {
         Ok(Some(laid)) => return Ok(laid),
         Ok(None) => {}
-        Err(reason) => return Err(bad(format!("{reason}\n{anew}"))),
+        Err(reason) => return Err(begin_anew(reason)),
     }
     let summary = Summary::read(&folder.path().join("summary.json")).ok();
     let statuses = summary.iter().flat_map(|summary| &summary.operations);
     let last = statuses.map(|solved| &solved.status).next_back();
-    Err(bad(match last {
-        Some(Status::Complete) => format!("the run in {place} is finished: nothing is left to do"),
-        Some(Status::Failed(reason)) => {
-            format!("the run in {place} failed and would fail again: {reason}")
-        }
-        _ => format!("there is no checkpoint in {place}\n{anew}"),
-    }))
+    Err(match last {
+        Some(Status::Complete) => bad(format!(
+            "the run in {place} is finished: nothing is left to do"
+        )),
+        Some(Status::Failed(reason)) => bad(format!(
+            "the run in {place} failed and would fail again: {reason}"
+        )),
+        _ => begin_anew(format!("there is no checkpoint in {place}")),
+    })
 }
 
 /// How a case is solved, beside what it says itself.
@@ -173,27 +179,6 @@ impl<E: Into<Failure>> From<E> for Stop {
 /// comes between keeps what was solved. What the record has is solved already, but for one operation that
 /// may be under way.
 pub(crate) fn solve(
-    case: &Case,
-    way: &Way<'_>,
-    record: &mut Record,
-    folder: &ResultsFolder,
-    under_way: Option<UnderWay>,
-) -> Result<(), Stop> {
-    record.frames = Frames::begin(case, folder)?;
-    if let (Some(_), Some(begun)) = (&record.frames, &under_way) {
-        way.watch.tell(&format!(
-            "warning: frames.parquet begins anew, at {:.1} s of the operation under way\n",
-            begun.simulation.time_s()
-        ));
-    }
-    let solved = solve_all(case, way, record, folder, under_way);
-    // However it ended: an interrupted run keeps the frames that it has.
-    let frames = record.frames.take().map_or(Ok(()), Frames::finish);
-    solved?;
-    Ok(frames?)
-}
-
-fn solve_all(
     case: &Case,
     way: &Way<'_>,
     record: &mut Record,
@@ -410,9 +395,9 @@ mod tests {
     #[test]
     fn who_interrupts_the_laying_does_not_wait_for_the_run() {
         let case = slant();
-        let mut record = Record::new(&case, UnitSet::Si);
         let place = tempfile::tempdir().expect("a folder");
         let folder = ResultsFolder::create(place.path()).expect("a folder");
+        let mut record = Record::begin(&case, UnitSet::Si, &folder).expect("a record");
         let asked = Interrupt::already_asked();
         let status = solve_dynamic(
             &case,
@@ -441,7 +426,7 @@ mod tests {
             if model == ModelKind::Dynamic {
                 case.operations.remove(0);
             }
-            let mut record = Record::new(&case, UnitSet::Si);
+            let mut record = Record::begin(&case, UnitSet::Si, &folder).expect("a record");
             let asked = Interrupt::never();
             let stop = solve(&case, &way(&asked), &mut record, &folder, None).unwrap_err();
             let failure = stop.failure(&folder);

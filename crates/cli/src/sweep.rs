@@ -19,7 +19,7 @@ use wholestring_results::{OperationSummary, ResultsFolder, Status, Summary};
 
 use crate::{
     args::{Shard, SweepArgs},
-    checkpoint::{Laid, difference},
+    checkpoint::{Laid, UnderWay, difference},
     color,
     failure::Failure,
     interrupt::Interrupt,
@@ -319,8 +319,7 @@ impl Sweep<'_> {
             .case(&point.changes)
             .map_err(|report| Stop::Unsolved(report.render(false)))?;
         let folder = ResultsFolder::create(self.folder.path().join(&point.name))?;
-        let mut record = Record::new(&case, case.units);
-        let mut under_way = None;
+        let mut begun = None;
         if self.args.resume {
             if let Some(solved) = finished(folder.path(), &case) {
                 // Killed between its last result and its end, a run may leave one.
@@ -329,20 +328,12 @@ impl Sweep<'_> {
                 self.bar.inc(milliseconds(simulated_s));
                 return Ok(Ending { solved, why: None });
             }
-            match Laid::read(&folder, &case) {
-                Ok(Some(laid)) => {
-                    record.restore(laid.solved).map_err(Stop::Unsolved)?;
-                    under_way = laid.under_way;
-                }
-                Ok(None) => {}
-                Err(reason) => Watch::Sweep(self.bar.clone()).tell(&format!(
-                    "warning: {}: {reason}; it begins anew\n",
-                    point.name
-                )),
-            }
-        } else {
-            folder.remove_checkpoint()?;
+            begun = self.begun(point, &case, &folder);
         }
+        let (mut record, under_way) = match begun {
+            Some(begun) => begun,
+            None => (Record::begin(&case, case.units, &folder)?, None),
+        };
         let way = Way {
             csv: self.args.csv,
             checkpoint_every: self
@@ -356,6 +347,27 @@ impl Sweep<'_> {
         Ok(Ending {
             solved: record.summary.operations,
             why,
+        })
+    }
+
+    /// What an earlier sweep began of the case; nothing where it left none to go on with, or none that one can.
+    fn begun(
+        &self,
+        point: &Point,
+        case: &Case,
+        folder: &ResultsFolder,
+    ) -> Option<(Record, Option<UnderWay>)> {
+        let begun = Laid::read(folder, case).and_then(|laid| {
+            let Some(laid) = laid else { return Ok(None) };
+            let record = Record::resume(case, case.units, folder, laid.solved)?;
+            Ok(Some((record, laid.under_way)))
+        });
+        begun.unwrap_or_else(|reason| {
+            Watch::Sweep(self.bar.clone()).tell(&format!(
+                "warning: {}: {reason}; it begins anew\n",
+                point.name
+            ));
+            None
         })
     }
 
