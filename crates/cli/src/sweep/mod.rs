@@ -1,38 +1,40 @@
 //! `wholestring sweep`: solves a case for all combinations of some values.
 
+mod checked;
+mod parallel;
+mod points;
+mod table;
+
 use std::{
-    collections::BTreeSet,
     num::NonZeroUsize,
     path::Path,
-    sync::{
-        Mutex, PoisonError,
-        atomic::{AtomicUsize, Ordering},
-    },
+    sync::Mutex,
     thread,
     time::{Duration, Instant},
 };
 
 use indicatif::ProgressBar;
-use wholestring::{dynamics::Effort, outcome::ModelKind};
-use wholestring_case::{Case, Override, Report, Template, Variation};
+use wholestring_case::{Case, Report, Template, Variation};
 use wholestring_results::{OperationSummary, ResultsFolder, Status, Summary};
 
+use self::{
+    checked::{Checked, check},
+    parallel::{in_parallel, lock},
+    points::{Point, points},
+    table::SweepTable,
+};
 use crate::{
     args::{Shard, SweepArgs},
     checkpoint::{Laid, UnderWay, difference},
     color,
     failure::Failure,
+    folder_name::default_output,
     interrupt::Interrupt,
     progress::{self, Watch, milliseconds},
     record::Record,
-    run::{Stop, Way, checkpoint_every, default_output, file_name, solve},
     say,
-    sweep_table::SweepTable,
-    tell,
+    solve::{Stop, Way, checkpoint_every, solve},
 };
-
-/// More cases than this make no sense in one sweep.
-const MOST_CASES: usize = 100_000;
 
 /// Time between two writings of `sweep.csv` while the sweep goes on.
 const WRITE_INTERVAL: Duration = Duration::from_secs(5);
@@ -76,172 +78,6 @@ pub(crate) fn sweep(args: &SweepArgs) -> Result<(), Failure> {
     in_parallel(jobs, &order, |case| sweep.solve(case));
     sweep.bar.finish_and_clear();
     sweep.conclude()
-}
-
-/// One combination of values.
-struct Point {
-    /// The changes of the case: those of all, then its own.
-    changes: Vec<Override>,
-    /// Its own values, as written.
-    values: Vec<String>,
-    /// Name of its folder.
-    name: String,
-}
-
-/// All combinations, the last key varying fastest.
-fn points(common: &[Override], variations: &[Variation]) -> Result<Vec<Point>, Failure> {
-    let counts = variations.iter().map(|of| of.values.len());
-    let count = counts.clone().try_fold(1_usize, usize::checked_mul);
-    let Some(count) = count.filter(|count| *count <= MOST_CASES) else {
-        let counts: Vec<String> = counts.map(|count| count.to_string()).collect();
-        return Err(Failure::BadInput(format!(
-            "error: a sweep of {} cases, expected at most {MOST_CASES}",
-            counts.join(" × ")
-        )));
-    };
-    let mut points: Vec<Point> = (0..count)
-        .map(|case| {
-            let mut stride = count;
-            let own = variations.iter().map(|of| {
-                stride /= of.values.len();
-                of.values[case / stride % of.values.len()].clone()
-            });
-            let own: Vec<Override> = own.collect();
-            let bare = |value: &str| value.trim_matches(['"', '\'']).to_owned();
-            let values: Vec<String> = own.iter().map(|of| bare(&of.value)).collect();
-            let parts = own.iter().zip(&values);
-            let parts: Vec<_> = parts
-                .map(|(of, value)| format!("{}={value}", of.key))
-                .collect();
-            Point {
-                changes: [common, &own].concat(),
-                values,
-                name: parts.join(","),
-            }
-        })
-        .collect();
-    name_folders(&mut points);
-    Ok(points)
-}
-
-/// Folders bear the values; where those are too long for a name, or some system does not tell them apart,
-/// the number of the case.
-fn name_folders(points: &mut [Point]) {
-    let names: Vec<String> = points.iter().map(|point| file_name(&point.name)).collect();
-    let unique: BTreeSet<String> = names.iter().map(|name| name.to_lowercase()).collect();
-    let whole = points
-        .iter()
-        .zip(&names)
-        .all(|(point, name)| name.chars().count() >= point.name.chars().count());
-    let digits = points.len().to_string().len();
-    let speaking = whole && unique.len() == names.len();
-    for (i, (point, name)) in points.iter_mut().zip(names).enumerate() {
-        point.name = if speaking {
-            name
-        } else {
-            format!("case-{:0digits$}", i + 1)
-        };
-    }
-}
-
-/// What is known of a case before it is solved.
-struct Checked {
-    name: String,
-    /// Element-steps of its dynamic runs.
-    cost: f64,
-    /// Simulated time of its dynamic runs, s.
-    simulated_s: f64,
-    warnings: String,
-}
-
-impl Checked {
-    fn of(case: &Case) -> Self {
-        let dynamic = case.models.contains(&ModelKind::Dynamic);
-        let operations = if dynamic { &case.operations[..] } else { &[] };
-        let cost = operations.iter().filter_map(|operation| {
-            let effort = Effort::of(&case.model, operation, &case.dynamics).ok()?;
-            Some(effort.elements as f64 * effort.steps)
-        });
-        let each_s = case.dynamics.settle_s + case.dynamics.duration_s;
-        Self {
-            name: case.name.clone(),
-            cost: cost.sum(),
-            simulated_s: operations.len() as f64 * each_s,
-            warnings: case.warnings.render(color()),
-        }
-    }
-}
-
-/// Reads and checks every case, so that no sweep ends on a mistake in its last.
-fn check(
-    template: &Template,
-    points: &[Point],
-    jobs: usize,
-    quiet: bool,
-) -> Result<Vec<Checked>, Failure> {
-    /// Mistakes that are told; the same is told once.
-    const SHOWN: usize = 5;
-    let all: Vec<usize> = (0..points.len()).collect();
-    let answers: Vec<Mutex<Option<Result<Checked, Report>>>> =
-        points.iter().map(|_| Mutex::default()).collect();
-    in_parallel(jobs, &all, |i| {
-        let answer = template.case(&points[i].changes);
-        *lock(&answers[i]) = Some(answer.map(|case| Checked::of(&case)));
-    });
-    let mut checked = Vec::new();
-    let mut unsound: Vec<(&Point, String)> = Vec::new();
-    for (point, answer) in points.iter().zip(answers) {
-        let answer = answer.into_inner().unwrap_or_else(PoisonError::into_inner);
-        match answer.expect("every case is checked") {
-            Ok(case) => checked.push(case),
-            Err(report) => unsound.push((point, report.render(color()))),
-        }
-    }
-    if let Some((first, _)) = unsound.first() {
-        let mut told: Vec<&str> = Vec::new();
-        for (_, report) in &unsound {
-            if told.len() < SHOWN && !told.contains(&report.as_str()) {
-                told.push(report);
-            }
-        }
-        let end = match (unsound.len(), points.len()) {
-            (_, 1) => String::new(),
-            (1, all) => format!(
-                "\n1 of {all} cases is not sound, {}: nothing was run",
-                first.name
-            ),
-            (some, all) => format!(
-                "\n{some} of {all} cases are not sound, the first is {}: nothing was run",
-                first.name
-            ),
-        };
-        return Err(Failure::BadInput(format!("{}{end}", told.join("\n"))));
-    }
-    if !quiet {
-        let warnings: BTreeSet<&str> = checked.iter().map(|case| &*case.warnings).collect();
-        warnings.into_iter().take(SHOWN).for_each(tell);
-    }
-    Ok(checked)
-}
-
-/// Does `work` on every item of `order`, on so many threads; each takes the next item that is left.
-fn in_parallel(jobs: usize, order: &[usize], work: impl Fn(usize) + Sync) {
-    let next = AtomicUsize::new(0);
-    let busy = || {
-        while let Some(item) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
-            work(*item);
-        }
-    };
-    thread::scope(|scope| {
-        for _ in 1..jobs.min(order.len()) {
-            scope.spawn(busy);
-        }
-        busy();
-    });
-}
-
-fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Besides its simulated time, a case counts as one millisecond on the bar, so that soft strings move
