@@ -14,6 +14,19 @@ use crate::{
 
 const DEPTH_M: f64 = 300.0;
 
+/// Nothing at the bit.
+const REAM: Operation = Operation {
+    kind: OperationKind::Ream,
+    bit_depth_m: DEPTH_M,
+    rotary_speed_rad_per_s: 7.0,
+    weight_on_bit_N: 0.0,
+    bit_torque_N_m: 0.0,
+    rate_of_penetration_m_per_s: 0.0,
+    trip_speed_m_per_s: 0.2,
+    flow_rate_m3_per_s: 0.0,
+    bit_pressure_drop_Pa: 0.0,
+};
+
 /// Pipe in a hole that builds to 50 deg and turns.
 fn model(at_rest: f64) -> Model {
     let stations = [0.0, 0.5, 1.0].map(|part: f64| Station {
@@ -74,17 +87,6 @@ fn every_instruction_set_moves_the_string_alike() {
         (false, FrictionLaw::Independent, 0.25),
     ] {
         let model = model(at_rest);
-        let operation = Operation {
-            kind: OperationKind::Ream,
-            bit_depth_m: DEPTH_M,
-            rotary_speed_rad_per_s: 7.0,
-            weight_on_bit_N: 0.0,
-            bit_torque_N_m: 0.0,
-            rate_of_penetration_m_per_s: 0.0,
-            trip_speed_m_per_s: 0.2,
-            flow_rate_m3_per_s: 0.0,
-            bit_pressure_drop_Pa: 0.0,
-        };
         let mut settings = DynamicsSettings {
             settle_s: 3.0,
             duration_s: 2.0,
@@ -97,7 +99,7 @@ fn every_instruction_set_moves_the_string_alike() {
                 damping_ratio: 0.05,
             };
         }
-        let laid = Simulation::new(&model, &operation, &settings).unwrap();
+        let laid = Simulation::new(&model, &REAM, &settings).unwrap();
         let vector = friction_law == FrictionLaw::Vector;
         let outcomes: Vec<_> = Stepper::all(Abilities {
             hertz,
@@ -133,23 +135,12 @@ fn every_instruction_set_moves_the_string_alike() {
 #[test]
 fn wear_is_the_loss_to_friction() {
     for friction_law in [FrictionLaw::Vector, FrictionLaw::Independent] {
-        let operation = Operation {
-            kind: OperationKind::Ream,
-            bit_depth_m: DEPTH_M,
-            rotary_speed_rad_per_s: 7.0,
-            weight_on_bit_N: 0.0,
-            bit_torque_N_m: 0.0,
-            rate_of_penetration_m_per_s: 0.0,
-            trip_speed_m_per_s: 0.2,
-            flow_rate_m3_per_s: 0.0,
-            bit_pressure_drop_Pa: 0.0,
-        };
         let settings = DynamicsSettings {
             friction_law,
             ..Default::default()
         };
-        let mut run = Simulation::new(&model(0.3), &operation, &settings).unwrap();
-        let input = run.step_input(0.0, operation.rotary_speed_rad_per_s);
+        let mut run = Simulation::new(&model(0.3), &REAM, &settings).unwrap();
+        let input = run.step_input(0.0, REAM.rotary_speed_rad_per_s);
         let mut lost = 0.0;
         run.chain.clear_sums();
         for _ in 0..2000 {

@@ -46,14 +46,9 @@ fn bent_model() -> Model {
 fn start(kind: OperationKind, rpm: f64) -> Simulation {
     let operation = Operation {
         kind,
-        bit_depth_m: DEPTH_M,
         rotary_speed_rad_per_s: rpm * std::f64::consts::TAU / 60.0,
-        weight_on_bit_N: 0.0,
-        bit_torque_N_m: 0.0,
-        rate_of_penetration_m_per_s: 0.0,
         trip_speed_m_per_s: 0.0,
-        flow_rate_m3_per_s: 0.0,
-        bit_pressure_drop_Pa: 0.0,
+        ..REAM
     };
     let settings = DynamicsSettings {
         settle_s: 5.0,
