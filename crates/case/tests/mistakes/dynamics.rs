@@ -1,6 +1,9 @@
 //! Mistakes in `[dynamics]` and `[mesh]`.
 
-use crate::{common::changed, each_refused, each_warned, texts_refused};
+use crate::{
+    common::{changed, read},
+    each_refused, each_warned, refused, texts_refused,
+};
 
 #[test]
 fn values() {
@@ -64,4 +67,23 @@ fn values() {
             "contact_law = \"linear\"\nhertz_dissipation = 0.1 ",
         ),
     ]);
+}
+
+#[test]
+fn precision() {
+    each_refused(&[
+        (
+            "precision_unknown",
+            "seed = 1",
+            "seed = 1\nprecision = \"half\"",
+        ),
+        (
+            "precision_of_short_elements",
+            "element_length = \"3.2 m\"\n\n[dynamics]",
+            "element_length = \"0.5 m\"\n\n[dynamics]\nprecision = \"single\"",
+        ),
+    ]);
+    let single = changed("seed = 1", "seed = 1\nprecision = \"single\"");
+    let sliding = single.replace("kind = \"drill\"", "kind = \"slide\"");
+    refused("precision_of_a_sliding_string", read(&sliding));
 }
