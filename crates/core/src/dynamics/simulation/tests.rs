@@ -4,7 +4,7 @@ mod body;
 
 use super::*;
 use crate::{
-    dynamics::{settings::FrictionLaw, step::Abilities},
+    dynamics::settings::{ContactLaw, FrictionLaw},
     mud::Mud,
     operation::OperationKind,
     rig::Rig,
@@ -146,9 +146,18 @@ fn wear_is_the_loss_to_friction() {
         for _ in 0..2000 {
             lost += run.stepper.step(&mut run.chain, &input).friction;
         }
-        run.wear.sample(&run.chain, |i| run.anchors[i].md_m);
-        let nodes: f64 = (0..run.chain.nodes()).map(|i| run.wear.string_J(i)).sum();
-        let hole: f64 = run.wear.hole_J_per_m(|i| run.anchors[i].md_m).iter().sum();
+        run.state
+            .wear
+            .sample(&run.chain, |i| run.state.anchors[i].md_m);
+        let nodes: f64 = (0..run.chain.nodes())
+            .map(|i| run.state.wear.string_J(i))
+            .sum();
+        let hole: f64 = run
+            .state
+            .wear
+            .hole_J_per_m(|i| run.state.anchors[i].md_m)
+            .iter()
+            .sum();
         assert!(lost > 1000.0, "{lost}");
         assert!((nodes / lost - 1.0).abs() < 1e-12, "{nodes} {lost}");
         let hole = hole * super::super::wear::HOLE_STEP_M;
