@@ -37,12 +37,11 @@ impl Precision {
         if self == Self::Double {
             return Ok(());
         }
-        let turns = operation.rotation_rad_per_s() != 0.0
-            && settings
-                .schedule
-                .steps
-                .iter()
-                .all(|line| line.rotary_speed_rad_per_s != Some(0.0));
+        // A string that comes to turn the other way stands still between.
+        let speed = operation.rotation_rad_per_s();
+        let lines = settings.schedule.steps.iter();
+        let mut scheduled = lines.filter_map(|line| line.rotary_speed_rad_per_s);
+        let turns = speed != 0.0 && scheduled.all(|other| speed * other > 0.0);
         if !turns {
             return Err(
                 "the string does not turn all the time: which nodes of a string at rest stick, and whether it \
