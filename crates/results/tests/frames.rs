@@ -100,7 +100,7 @@ const CHANNELS: [Channel; 2] = [Channel::Rotation, Channel::Contact];
 /// Frame of that number; one in three has a number that is none.
 fn numbered(number: u32) -> Frame {
     let mut frame = frame(f64::from(number) * 0.1);
-    if number % 3 == 0 {
+    if number.is_multiple_of(3) {
         frame.contact_force_N[number as usize] = f64::NAN;
     }
     frame
@@ -161,7 +161,7 @@ fn frames_that_cannot_go_on_are_refused() {
     for number in 0..100 {
         writer.push("drill", &numbered(number)).unwrap();
     }
-    let so_far = writer.so_far();
+    let so_far = writer.so_far().clone();
     let refused = |channels: &[Channel]| {
         let error = results
             .resume_frames(channels, so_far.clone())
@@ -184,7 +184,6 @@ fn frames_that_cannot_go_on_are_refused() {
         refused(&CHANNELS),
         "cannot read frames.parts/000001.parquet: it does not exist"
     );
-    let mut writer = writer;
     let message = writer.write().unwrap_err().to_string();
     assert!(message.contains("frames.parquet: cannot read"), "{message}");
 }
