@@ -6,6 +6,7 @@ mod check;
 mod checkpoint;
 mod comparison;
 mod failure;
+mod folder_name;
 mod frames;
 mod indicators;
 mod interrupt;
@@ -14,9 +15,9 @@ mod progress;
 mod record;
 mod rig;
 mod run;
+mod solve;
 mod survey;
 mod sweep;
-mod sweep_table;
 
 use std::{
     env,
