@@ -3,6 +3,7 @@
 mod args;
 mod check;
 mod checkpoint;
+mod column;
 mod comparison;
 mod failure;
 mod frames;
@@ -11,6 +12,7 @@ mod interrupt;
 mod picture;
 mod progress;
 mod record;
+mod report;
 mod rig;
 mod run;
 mod survey;
@@ -33,6 +35,7 @@ fn main() -> ExitCode {
         Command::Check(args) => check::check(&args),
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::sweep(&args),
+        Command::Report(args) => report::report(&args),
         Command::Survey(args) => survey::survey(&args),
         Command::Schema => schema(),
     };

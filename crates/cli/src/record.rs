@@ -12,7 +12,7 @@ use wholestring::{
 };
 use wholestring_case::{Case, Records};
 use wholestring_results::{
-    Friction, NODES, Numerics, OperationSummary, ResultsFolder, SCHEMA_VERSION, SPECTRA, Spectrum,
+    CONTACT, Friction, NODES, Numerics, OperationSummary, ResultsFolder, SCHEMA_VERSION, SPECTRA, Spectrum,
     Statistic, Status, Summary, TIME, Table, WEAR,
 };
 use wholestring_units::{Dimension, UnitSet};
@@ -27,6 +27,7 @@ pub(crate) struct Solved {
     nodes: Table,
     time: Table,
     wear: Table,
+    contact: Table,
     spectra: Table,
 }
 
@@ -38,6 +39,7 @@ pub(crate) struct Record {
     /// Lines of the case's schedule.
     schedule: Vec<ScheduleStep>,
     wear: Table,
+    contact: Table,
     spectra: Table,
     /// Frames of the whole string, while they are written.
     pub(crate) frames: Option<Frames>,
@@ -61,6 +63,7 @@ impl Record {
             time: Table::with_columns(TIME),
             schedule: case.dynamics.schedule.steps.clone(),
             wear: Table::with_columns(WEAR),
+            contact: Table::with_columns(CONTACT),
             spectra: Table::with_columns(SPECTRA),
             frames: None,
             records: case.records.clone(),
@@ -79,6 +82,7 @@ impl Record {
             nodes,
             time,
             wear,
+            contact,
             schedule: _,
             spectra,
             frames: _,
@@ -93,6 +97,7 @@ impl Record {
             nodes: nodes.clone(),
             time: time.clone(),
             wear: wear.clone(),
+            contact: contact.clone(),
             spectra: spectra.clone(),
         }
     }
@@ -104,6 +109,7 @@ impl Record {
         self.nodes = solved.nodes;
         self.time = solved.time;
         self.wear = solved.wear;
+        self.contact = solved.contact;
         self.spectra = solved.spectra;
         Ok(())
     }
@@ -167,6 +173,7 @@ impl Record {
             indicators,
             nodes,
             wear,
+            contact,
             series,
         } = outcome;
         let statistics = statistics.iter().map(|(name, of)| {
@@ -209,6 +216,15 @@ impl Record {
                 ("md_m", &wear.md_m),
                 ("wear_work_J_per_m", &wear.wear_work_J_per_m),
                 ("wear_power_W_per_m", &wear.wear_power_W_per_m),
+            ],
+        );
+        self.contact.append(
+            &[("operation", &[operation.kind.name()])],
+            &[
+                ("time_s", &contact.time_s),
+                ("md_m", &contact.md_m),
+                ("side_force_N_per_m", &contact.side_force_N_per_m),
+                ("contact_force_N_per_m", &contact.contact_force_N_per_m),
             ],
         );
         self.add_series(operation, series);
@@ -386,6 +402,7 @@ impl Record {
         folder.write_table("nodes", &self.nodes, csv)?;
         folder.write_table("time", &self.time, csv)?;
         folder.write_table("wear", &self.wear, csv)?;
+        folder.write_table("contact", &self.contact, csv)?;
         if self.records.spectra.is_empty() {
             folder.remove("spectra.parquet")?;
             folder.remove("spectra.csv")?;

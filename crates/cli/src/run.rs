@@ -25,7 +25,7 @@ use crate::{
     load,
     progress::Watch,
     record::{self, Record},
-    rig, say,
+    report, rig, say,
 };
 
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
@@ -71,7 +71,9 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
 "
         ))?;
     }
-    solved.map_err(|stop| stop.failure(&folder))
+    let reported = report::write(&folder, Some(units));
+    solved.map_err(|stop| stop.failure(&folder))?;
+    reported
 }
 
 /// What the case says about the time between checkpoints.

@@ -236,6 +236,28 @@ pub const WEAR: &[ColumnSpec] = &[
     ),
 ];
 
+/// Columns of `contact.parquet`: contact over depth and time, coarse, for each operation that was solved by
+/// dynamics.
+pub const CONTACT: &[ColumnSpec] = &[
+    ColumnSpec::text("operation", "`trip_out`, `drill`, ..."),
+    ColumnSpec::number(
+        "time_s",
+        "s",
+        "Simulated time at the end of the average, settling included",
+    ),
+    ColumnSpec::number("md_m", "m", "Measured depth of the middle of the stretch of string"),
+    ColumnSpec::number(
+        "side_force_N_per_m",
+        "N/m",
+        "Mean side force per length since the time before; positive where the string lies on the high side",
+    ),
+    ColumnSpec::number(
+        "contact_force_N_per_m",
+        "N/m",
+        "Mean magnitude of the contact force per length since the time before",
+    ),
+];
+
 /// Columns of `time.parquet`: the scalars against time, one row per sample, for each operation that was
 /// solved by dynamics.
 pub const TIME: &[ColumnSpec] = &[
@@ -428,7 +450,7 @@ mod tests {
 
     #[test]
     fn names_are_unique_and_end_in_their_unit() {
-        for table in [NODES, TIME, WEAR, FRAMES, SPECTRA] {
+        for table in [NODES, TIME, WEAR, CONTACT, FRAMES, SPECTRA] {
             for (index, column) in table.iter().enumerate() {
                 assert!(
                     table[..index].iter().all(|other| other.name != column.name),

@@ -498,6 +498,8 @@ impl Simulation {
         let time = self.time_s();
         if !self.window_open && time >= self.settings.settle_s {
             self.window_open = true;
+            let before_s = time - self.sample_interval_s();
+            self.record.close_contact_row(&self.anchors, before_s);
             self.record.open_window();
             self.wear.restart(self.anchors[self.anchors.len() - 1].md_m);
             self.ledger = Ledger::open(self.energies(), self.flow_work_J());
@@ -511,6 +513,8 @@ impl Simulation {
         self.wear.sample(&self.chain, |i| self.anchors[i].md_m);
         let sums = std::mem::take(&mut self.since_sample);
         let totals = self.record.sample(&self.chain, &self.high, sums.steps);
+        let run_samples = (self.end_time_s() / self.sample_interval_s()).round() as u64;
+        self.record.map_contact(&self.anchors, time, run_samples);
         let n = sums.steps as f64;
         let last = self.chain.nodes() - 1;
         let elongation = self.elongation_m();
