@@ -12,8 +12,8 @@ use wholestring::{
 };
 use wholestring_case::{Case, Records};
 use wholestring_results::{
-    CONTACT, Friction, NODES, Numerics, OperationSummary, ResultsFolder, SCHEMA_VERSION, SPECTRA, Spectrum,
-    Statistic, Status, Summary, TIME, Table, WEAR,
+    CONTACT, Friction, NODES, Numerics, OperationSummary, ResultsFolder, SCHEMA_VERSION, SPECTRA,
+    Spectrum, Statistic, Status, Summary, TIME, Table, WEAR,
 };
 use wholestring_units::{Dimension, UnitSet};
 

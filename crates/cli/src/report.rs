@@ -30,27 +30,33 @@ const MOST_NODES: usize = 3000;
 
 /// `wholestring report DIR`.
 pub(crate) fn report(args: &ReportArgs) -> Result<(), Failure> {
-    let summary = args.folder.join("summary.json");
-    if !summary.is_file() {
+    if !args.folder.join("summary.json").is_file() {
         let place = args.folder.display();
         return Err(Failure::BadInput(format!(
             "error: {place} is no folder of a run: it holds no summary.json"
         )));
     }
+    // Whatever the folder holds is the input here.
+    let page = page(&args.folder, args.units)
+        .map_err(|error| Failure::BadInput(format!("error: {error}")))?;
     let folder = ResultsFolder::create(&args.folder)?;
-    write(&folder, args.units)?;
+    folder.write_text(FILE, &page)?;
     say(&format!("{}\n", folder.path().join(FILE).display()))
 }
 
 /// Writes the page of the run whose files are in the folder; nothing where nothing was solved.
-pub(crate) fn write(folder: &ResultsFolder, units: Option<UnitSet>) -> Result<(), Failure> {
-    let path = folder.path().join("summary.json");
-    if !path.is_file() {
+pub(crate) fn write(folder: &ResultsFolder, units: UnitSet) -> Result<(), Failure> {
+    if !folder.path().join("summary.json").is_file() {
         return Ok(());
     }
-    let summary = Summary::read(&path)?;
-    let page = report_html(&gather(folder.path(), &summary, units)?);
+    let page = page(folder.path(), Some(units))?;
     Ok(folder.write_text(FILE, &page)?)
+}
+
+/// The page of the run in a folder.
+fn page(folder: &Path, units: Option<UnitSet>) -> Result<String, ResultsError> {
+    let summary = Summary::read(&folder.join("summary.json"))?;
+    Ok(report_html(&gather(folder, &summary, units)?))
 }
 
 /// Everything that the page tells.

@@ -71,7 +71,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
 "
         ))?;
     }
-    let reported = report::write(&folder, Some(units));
+    let reported = report::write(&folder, units);
     solved.map_err(|stop| stop.failure(&folder))?;
     reported
 }

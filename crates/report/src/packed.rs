@@ -159,7 +159,9 @@ mod tests {
     /// Half a step is all that is lost, at the ends of the range too.
     #[test]
     fn short_numbers_come_back_within_half_a_step() {
-        let values: Vec<f64> = (0..1000).map(|i| (f64::from(i) * 0.7).sin() * 3e5).collect();
+        let values: Vec<f64> = (0..1000)
+            .map(|i| (f64::from(i) * 0.7).sin() * 3e5)
+            .collect();
         let step = 6e5 / STEPS;
         for (a, b) in Packed::short(&values).values().iter().zip(&values) {
             assert!((a - b).abs() <= 0.5001 * step, "{a} for {b}");

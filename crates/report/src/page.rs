@@ -9,8 +9,7 @@ const LOOKS: &str = include_str!("../assets/report.css");
 const LICENCES: &str = include_str!("../assets/licences.txt");
 
 /// What the page may do: run what is in it, and nothing else; it never asks the network for anything.
-const POLICY: &str =
-    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
+const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
 
 /// The report as the text of an HTML file.
 ///
@@ -159,7 +158,14 @@ mod tests {
         tame.title = "tame".into();
         let count = |text: &str, what: &str| text.matches(what).count();
         let page = report_html(&tame);
-        for what in ["</script", "<script", "<!--", "</title", "</style", "</template"] {
+        for what in [
+            "</script",
+            "<script",
+            "<!--",
+            "</title",
+            "</style",
+            "</template",
+        ] {
             assert_eq!(count(&nasty, what), count(&page, what), "{what}");
         }
         // One element of data and one of program, each ended once.

@@ -245,7 +245,11 @@ pub const CONTACT: &[ColumnSpec] = &[
         "s",
         "Simulated time at the end of the average, settling included",
     ),
-    ColumnSpec::number("md_m", "m", "Measured depth of the middle of the stretch of string"),
+    ColumnSpec::number(
+        "md_m",
+        "m",
+        "Measured depth of the middle of the stretch of string",
+    ),
     ColumnSpec::number(
         "side_force_N_per_m",
         "N/m",

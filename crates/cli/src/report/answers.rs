@@ -129,7 +129,9 @@ fn side_force(solved: &OperationSummary, nodes: &Table) -> Answer {
         None => Answer {
             label: "Largest side force".into(),
             value: largest_of(solved, nodes, "side_force_N_per_m", f64::abs)
-                .map_or(Cell::Nothing, |force| Cell::quantity(force, "force per length")),
+                .map_or(Cell::Nothing, |force| {
+                    Cell::quantity(force, "force per length")
+                }),
             ..unlimited("no limit in the case")
         },
     }

@@ -22,7 +22,11 @@ pub(super) fn asked(summary: &Summary) -> Vec<Fact> {
     };
     let names: Vec<String> = kinds.iter().map(|kind| spoken(kind.name())).collect();
     tell(
-        if names.len() > 1 { "Operations" } else { "Operation" },
+        if names.len() > 1 {
+            "Operations"
+        } else {
+            "Operation"
+        },
         Cell::Text(names.join(", ")),
     );
     let models: Vec<&str> = texts(&settings["model"])
@@ -61,7 +65,10 @@ pub(super) fn asked(summary: &Summary) -> Vec<Fact> {
     }
     let density = &settings["mud"]["density_kg_per_m3"];
     tell("Mud density", quantity(density, "density"));
-    if operation["flow_rate_m3_per_s"].as_f64().is_some_and(|flow| flow > 0.0) {
+    if operation["flow_rate_m3_per_s"]
+        .as_f64()
+        .is_some_and(|flow| flow > 0.0)
+    {
         let flow = &operation["flow_rate_m3_per_s"];
         tell("Flow rate", quantity(flow, "flow rate"));
     }
@@ -88,7 +95,5 @@ fn quantity(value: &Json, dimension: &str) -> Cell {
 /// The words of a list, or the only one.
 fn texts(value: &Json) -> impl Iterator<Item = &str> {
     let list = value.as_array().map_or(&[][..], |list| list);
-    list.iter()
-        .filter_map(Json::as_str)
-        .chain(value.as_str())
+    list.iter().filter_map(Json::as_str).chain(value.as_str())
 }

@@ -12,7 +12,11 @@ const OTHERS: &[(&str, [(&str, f64); 3])] = &[
     ("turns", [("rev", TAU); 3]),
     (
         "work per length",
-        [("kJ/m", 1e3), ("kJ/m", 1e3), ("ft·lbf/ft", 4.448_221_615_260_5)],
+        [
+            ("kJ/m", 1e3),
+            ("kJ/m", 1e3),
+            ("ft·lbf/ft", 4.448_221_615_260_5),
+        ],
     ),
     (
         "lateral speed",
@@ -20,9 +24,20 @@ const OTHERS: &[(&str, [(&str, f64); 3])] = &[
     ),
     (
         "modulus",
-        [("GPa", 1e9), ("GPa", 1e9), ("Mpsi", 6.894_757_293_168_361e9)],
+        [
+            ("GPa", 1e9),
+            ("GPa", 1e9),
+            ("Mpsi", 6.894_757_293_168_361e9),
+        ],
     ),
-    ("energy", [("kJ", 1e3), ("kJ", 1e3), ("ft·lbf", 1.355_817_948_331_400_4)]),
+    (
+        "energy",
+        [
+            ("kJ", 1e3),
+            ("kJ", 1e3),
+            ("ft·lbf", 1.355_817_948_331_400_4),
+        ],
+    ),
     ("time step", [("ms", 1e-3); 3]),
 ];
 
@@ -69,8 +84,17 @@ fn pretty(symbol: &str) -> String {
 /// The dimension of a key of the settings, by the unit at its end and by what it is; none of a bare number.
 pub(super) fn of_key(key: &str) -> Option<(&'static str, &str)> {
     const SMALL: &[&str] = &[
-        "diameter", "od", "id", "rms", "tortuosity", "amplitude", "roughness", "radius", "wear_flat",
-        "bend_offset", "eccentricity",
+        "diameter",
+        "od",
+        "id",
+        "rms",
+        "tortuosity",
+        "amplitude",
+        "roughness",
+        "radius",
+        "wear_flat",
+        "bend_offset",
+        "eccentricity",
     ];
     let ends: &[(&str, &str)] = &[
         ("_m_per_s_per_N", "hoist gain"),

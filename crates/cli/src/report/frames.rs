@@ -35,13 +35,13 @@ pub(super) fn read(
     if !path.is_file() {
         return Ok(BTreeMap::new());
     }
-    let mut kept: BTreeMap<String, usize> = BTreeMap::new();
+    let mut kept: BTreeMap<String, Kept> = BTreeMap::new();
     Table::read_parquet_pieces(&path, &["operation", "node"], |piece| {
         let operations = words(&piece, "operation").iter();
         for (operation, node) in operations.zip(numbers(&piece, "node")) {
-            if *node == Some(0.0) {
-                *kept.entry(operation.clone()).or_default() += 1;
-            }
+            let kept = kept.entry(operation.clone()).or_default();
+            kept.rows += 1;
+            kept.frames += usize::from(*node == Some(0.0));
         }
     })?;
     let mut reader = Reader {
@@ -58,7 +58,7 @@ pub(super) fn read(
     let taken = reader.taken.into_iter();
     Ok(taken
         .filter_map(|(operation, taken)| {
-            let kept = reader.kept[&operation];
+            let kept = reader.kept[&operation].frames;
             Some((operation, taken.frames(kept)?))
         })
         .collect())
@@ -76,10 +76,16 @@ struct Moment {
     channels: Vec<Vec<f64>>,
 }
 
+/// What the file holds of an operation.
+#[derive(Default)]
+struct Kept {
+    frames: usize,
+    rows: usize,
+}
+
 /// Reads rows, which may end anywhere in a frame.
 struct Reader {
-    /// Frames in the file by operation.
-    kept: BTreeMap<String, usize>,
+    kept: BTreeMap<String, Kept>,
     /// Numbers that an operation may have.
     share: usize,
     /// Frames seen so far by operation.
@@ -116,8 +122,10 @@ impl Reader {
         let seen = self.seen.entry(operation.to_owned()).or_default();
         let place = *seen;
         *seen += 1;
-        let most = (self.share / (MOST_NODES * CHANNELS.len())).max(2);
-        let every = self.kept[operation].div_ceil(most).max(1);
+        let kept = &self.kept[operation];
+        let nodes = (kept.rows / kept.frames).min(MOST_NODES);
+        let most = (self.share / (nodes * CHANNELS.len())).max(2);
+        let every = kept.frames.div_ceil(most).max(1);
         self.moment = place.is_multiple_of(every).then(|| Moment {
             operation: operation.to_owned(),
             time_s,
@@ -194,13 +202,15 @@ impl Taken {
             .map(|(name, values)| ((*name).to_owned(), Packed::short(values)))
             .collect();
         let lies = ["offset_high_m", "offset_right_m"];
-        lies.iter().all(|name| channels.contains_key(*name)).then(|| Frames {
-            time_s: Packed::single(self.time_s),
-            md_m: Packed::single(self.md_m),
-            moved_m: Packed::single(self.bit_md_m.iter().map(|md| md - first)),
-            channels,
-            kept,
-            nodes: self.nodes,
-        })
+        lies.iter()
+            .all(|name| channels.contains_key(*name))
+            .then(|| Frames {
+                time_s: Packed::single(self.time_s),
+                md_m: Packed::single(self.md_m),
+                moved_m: Packed::single(self.bit_md_m.iter().map(|md| md - first)),
+                channels,
+                kept,
+                nodes: self.nodes,
+            })
     }
 }

@@ -37,7 +37,14 @@ pub(super) fn history(time: &Table, operation: &str, many: usize) -> History {
         .iter()
         .map(|column| column.name.as_str())
         .filter(|name| *name != "time_s" && !numbers(time, name).is_empty())
-        .map(|name| (name, rows.iter().map(|row| number(name, row)).collect::<Vec<f64>>()))
+        .map(|name| {
+            (
+                name,
+                rows.iter()
+                    .map(|row| number(name, row))
+                    .collect::<Vec<f64>>(),
+            )
+        })
         .filter(|(_, values)| values.iter().any(|value| value.is_finite()))
         .unzip();
     let slices: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
@@ -107,7 +114,11 @@ pub(super) fn contact(table: &Table, operation: &str, many: usize) -> Option<Con
     };
     Some(ContactPicture {
         from_s: 0.0,
-        time_s: Packed::single(groups.iter().map(|group| times[(group.end - 1) * stretches])),
+        time_s: Packed::single(
+            groups
+                .iter()
+                .map(|group| times[(group.end - 1) * stretches]),
+        ),
         md_m: Packed::single((0..stretches).map(depths)),
         side_force: Packed::short(&mean("side_force_N_per_m")),
         contact_force: Packed::short(&mean("contact_force_N_per_m")),

@@ -45,11 +45,11 @@ fn gather(
     sheets: &mut Vec<Sheet>,
 ) {
     for (key, value) in table {
-        let name = format!("{prefix}{}", label(key));
+        let name = under(prefix, key);
         let below = || format!("{title}: {}", lower(&name));
         match value {
             Json::Object(inner) if is_columns(inner) => sheets.push(columns_sheet(&below(), inner)),
-            Json::Object(inner) => gather(&format!("{name}, "), title, inner, rows, sheets),
+            Json::Object(inner) => gather(&name, title, inner, rows, sheets),
             Json::Array(list) if list.iter().any(Json::is_object) => {
                 sheets.push(list_sheet(&below(), list));
             }
@@ -76,7 +76,12 @@ fn columns_sheet(title: &str, table: &Map<String, Json>) -> Sheet {
     names.sort_by_key(|name| (name.as_str() != "md_m", name.as_str() == "azimuth_rad"));
     let rows = table.values().filter_map(Json::as_array).map(Vec::len);
     let rows = (0..rows.max().unwrap_or(0))
-        .map(|row| names.iter().map(|name| cell(name, &table[*name][row])).collect())
+        .map(|row| {
+            names
+                .iter()
+                .map(|name| cell(name, &table[*name][row]))
+                .collect()
+        })
         .collect();
     sheet(title, names.iter().map(|name| label(name)).collect(), rows)
 }
@@ -114,9 +119,9 @@ fn list_sheet(title: &str, list: &[Json]) -> Sheet {
 
 fn flatten(prefix: &str, item: &Json, cells: &mut Vec<(String, Cell)>) {
     for (key, value) in item.as_object().into_iter().flatten() {
-        let name = format!("{prefix}{}", label(key));
+        let name = under(prefix, key);
         match value {
-            Json::Object(_) => flatten(&format!("{name}, "), value, cells),
+            Json::Object(_) => flatten(&name, value, cells),
             other => cells.push((name, cell(key, other))),
         }
     }
@@ -178,6 +183,17 @@ fn label(key: &str) -> String {
     })
 }
 
+/// A key of a table within a table: `damping.mass_per_s` is "Damping, mass".
+fn under(above: &str, key: &str) -> String {
+    match (above, label(key)) {
+        ("", own) => own,
+        (above, own) if own.chars().nth(1).is_some_and(char::is_uppercase) => {
+            format!("{above}, {own}")
+        }
+        (above, own) => format!("{above}, {}", lower(&own)),
+    }
+}
+
 fn lower(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| {
@@ -213,7 +229,10 @@ mod tests {
         assert_eq!(
             find("Dynamics").rows,
             [
-                vec![Cell::Text("Damping, mass".into()), Cell::quantity(0.5, "frequency")],
+                vec![
+                    Cell::Text("Damping, mass".into()),
+                    Cell::quantity(0.5, "frequency")
+                ],
                 vec![Cell::Text("Seed".into()), Cell::Number(1.0)],
             ]
         );

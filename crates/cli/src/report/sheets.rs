@@ -15,19 +15,68 @@ type Row<'a> = (
 /// Results of all models and operations side by side.
 pub(super) fn results(summary: &Summary) -> Vec<Sheet> {
     let scalars: &[(Row<'_>, &str)] = &[
-        (("Hook load", "force", &|of| Some(of.scalars.hook_load_N)), "hook_load_N"),
-        (("Axial friction", "force", &|of| Some(of.scalars.axial_friction_N)), "axial_friction_N"),
-        (("Weight on bit", "force", &|of| Some(of.scalars.weight_on_bit_N)), "weight_on_bit_N"),
-        (("Side force, total", "force", &|of| Some(of.scalars.side_force_total_N)), "side_force_total_N"),
-        (("Surface torque", "torque", &|of| Some(of.scalars.surface_torque_N_m)), "surface_torque_N_m"),
-        (("Friction torque", "torque", &|of| Some(of.scalars.friction_torque_N_m)), "friction_torque_N_m"),
-        (("Bit torque", "torque", &|of| Some(of.scalars.bit_torque_N_m)), "bit_torque_N_m"),
-        (("Twist", "turns", &|of| Some(of.scalars.twist_rad)), "twist_rad"),
-        (("Stretch", "length", &|of| Some(of.scalars.stretch_m)), "stretch_m"),
-        (("Neutral point", "length", &|of| of.scalars.neutral_point_m), ""),
-        (("Cut-off depth", "length", &|of| of.scalars.cutoff_depth_m), ""),
+        (
+            ("Hook load", "force", &|of| Some(of.scalars.hook_load_N)),
+            "hook_load_N",
+        ),
+        (
+            ("Axial friction", "force", &|of| {
+                Some(of.scalars.axial_friction_N)
+            }),
+            "axial_friction_N",
+        ),
+        (
+            ("Weight on bit", "force", &|of| {
+                Some(of.scalars.weight_on_bit_N)
+            }),
+            "weight_on_bit_N",
+        ),
+        (
+            ("Side force, total", "force", &|of| {
+                Some(of.scalars.side_force_total_N)
+            }),
+            "side_force_total_N",
+        ),
+        (
+            ("Surface torque", "torque", &|of| {
+                Some(of.scalars.surface_torque_N_m)
+            }),
+            "surface_torque_N_m",
+        ),
+        (
+            ("Friction torque", "torque", &|of| {
+                Some(of.scalars.friction_torque_N_m)
+            }),
+            "friction_torque_N_m",
+        ),
+        (
+            ("Bit torque", "torque", &|of| {
+                Some(of.scalars.bit_torque_N_m)
+            }),
+            "bit_torque_N_m",
+        ),
+        (
+            ("Twist", "turns", &|of| Some(of.scalars.twist_rad)),
+            "twist_rad",
+        ),
+        (
+            ("Stretch", "length", &|of| Some(of.scalars.stretch_m)),
+            "stretch_m",
+        ),
+        (
+            ("Neutral point", "length", &|of| of.scalars.neutral_point_m),
+            "",
+        ),
+        (
+            ("Cut-off depth", "length", &|of| of.scalars.cutoff_depth_m),
+            "",
+        ),
     ];
-    let mut sheet = side_by_side(Place::Results, "All models and operations", &summary.operations);
+    let mut sheet = side_by_side(
+        Place::Results,
+        "All models and operations",
+        &summary.operations,
+    );
     for ((label, dimension, value), key) in scalars {
         let cells = summary.operations.iter().map(|of| {
             let spread = of.statistics.as_ref().and_then(|all| all.get(*key));
@@ -35,7 +84,9 @@ pub(super) fn results(summary: &Summary) -> Vec<Sheet> {
                 Some(value) => Cell::Quantity {
                     value,
                     dimension: (*dimension).into(),
-                    std: spread.map(|spread| spread.std).filter(|std| std.is_finite()),
+                    std: spread
+                        .map(|spread| spread.std)
+                        .filter(|std| std.is_finite()),
                 },
                 None => Cell::Nothing,
             }
@@ -45,15 +96,31 @@ pub(super) fn results(summary: &Summary) -> Vec<Sheet> {
     let stick = |of: &OperationSummary| of.indicators.and_then(|all| all.stick_slip);
     let more: &[Row<'_>] = &[
         ("Stick-slip severity", "ratio", &|of| stick(of)?.severity),
-        ("Bit stuck", "percent", &|of| Some(stick(of)?.stuck_fraction)),
-        ("Fastest turn of the bit", "rotary speed", &|of| Some(stick(of)?.bit_speed_max_rad_per_s)),
+        ("Bit stuck", "percent", &|of| {
+            Some(stick(of)?.stuck_fraction)
+        }),
+        ("Fastest turn of the bit", "rotary speed", &|of| {
+            Some(stick(of)?.bit_speed_max_rad_per_s)
+        }),
         ("Stick-slip period", "time", &|of| stick(of)?.period_s),
-        ("Backward whirl", "rotary speed", &|of| Some(of.indicators?.backward_whirl?.rate_rad_per_s)),
-        ("Forward whirl", "rotary speed", &|of| Some(of.indicators?.forward_whirl?.rate_rad_per_s)),
-        ("Use of the top drive, largest", "percent", &|of| Some(of.indicators?.top_drive?.max)),
-        ("Drag of the mud", "force", &|of| Some(of.hydraulics?.mud_drag_N)),
-        ("Torque of the mud", "torque", &|of| Some(of.hydraulics?.mud_torque_N_m)),
-        ("Pump pressure", "pressure", &|of| Some(of.hydraulics?.pump_pressure_Pa)),
+        ("Backward whirl", "rotary speed", &|of| {
+            Some(of.indicators?.backward_whirl?.rate_rad_per_s)
+        }),
+        ("Forward whirl", "rotary speed", &|of| {
+            Some(of.indicators?.forward_whirl?.rate_rad_per_s)
+        }),
+        ("Use of the top drive, largest", "percent", &|of| {
+            Some(of.indicators?.top_drive?.max)
+        }),
+        ("Drag of the mud", "force", &|of| {
+            Some(of.hydraulics?.mud_drag_N)
+        }),
+        ("Torque of the mud", "torque", &|of| {
+            Some(of.hydraulics?.mud_torque_N_m)
+        }),
+        ("Pump pressure", "pressure", &|of| {
+            Some(of.hydraulics?.pump_pressure_Pa)
+        }),
     ];
     add(&mut sheet, more, &summary.operations);
     vec![sheet]
@@ -74,18 +141,38 @@ pub(super) fn numerics(summary: &Summary) -> Vec<Sheet> {
     let numerics = |of: &OperationSummary| of.numerics.clone();
     let energy = |of: &OperationSummary| of.numerics.as_ref().and_then(|all| all.energy);
     let rows: &[Row<'_>] = &[
-        ("Elements", "ratio", &|of| Some(numerics(of)?.elements as f64)),
-        ("Time step", "time step", &|of| Some(numerics(of)?.time_step_s)),
+        ("Elements", "ratio", &|of| {
+            Some(numerics(of)?.elements as f64)
+        }),
+        ("Time step", "time step", &|of| {
+            Some(numerics(of)?.time_step_s)
+        }),
         ("Steps", "ratio", &|of| Some(numerics(of)?.steps as f64)),
-        ("Axial mass added", "percent", &|of| Some(numerics(of)?.added_axial_mass_fraction)),
-        ("Deepest penetration of the wall", "diameter", &|of| Some(numerics(of)?.max_penetration_m)),
-        ("Energy residual", "percent", &|of| Some(numerics(of)?.energy_residual)),
-        ("Work of top drive, hoist, bit, mud", "energy", &|of| Some(energy(of)?.work_J())),
+        ("Axial mass added", "percent", &|of| {
+            Some(numerics(of)?.added_axial_mass_fraction)
+        }),
+        ("Deepest penetration of the wall", "diameter", &|of| {
+            Some(numerics(of)?.max_penetration_m)
+        }),
+        ("Energy residual", "percent", &|of| {
+            Some(numerics(of)?.energy_residual)
+        }),
+        ("Work of top drive, hoist, bit, mud", "energy", &|of| {
+            Some(energy(of)?.work_J())
+        }),
         ("Losses", "energy", &|of| Some(energy(of)?.loss_J())),
-        ("Lost to friction on the wall", "energy", &|of| Some(energy(of)?.friction_loss_J)),
-        ("Change of energy", "energy", &|of| Some(energy(of)?.change_J())),
-        ("Time that it took", "time", &|of| Some(numerics(of)?.wall_time_s)),
-        ("Simulated time over that", "ratio", &|of| Some(numerics(of)?.real_time_factor)),
+        ("Lost to friction on the wall", "energy", &|of| {
+            Some(energy(of)?.friction_loss_J)
+        }),
+        ("Change of energy", "energy", &|of| {
+            Some(energy(of)?.change_J())
+        }),
+        ("Time that it took", "time", &|of| {
+            Some(numerics(of)?.wall_time_s)
+        }),
+        ("Simulated time over that", "ratio", &|of| {
+            Some(numerics(of)?.real_time_factor)
+        }),
     ];
     add(&mut sheet, rows, &solved);
     let instructions = solved
@@ -129,5 +216,7 @@ fn add(sheet: &mut Sheet, rows: &[Row<'_>], solved: &[OperationSummary]) {
 }
 
 fn named(label: &str, cells: impl IntoIterator<Item = Cell>) -> Vec<Cell> {
-    std::iter::once(Cell::Text(label.into())).chain(cells).collect()
+    std::iter::once(Cell::Text(label.into()))
+        .chain(cells)
+        .collect()
 }

@@ -39,7 +39,10 @@ impl<'a> WellBore<'a> {
 
     /// The path down to the bit.
     pub(super) fn path(&self) -> Well {
-        let depths = self.path.as_ref().map_or(Vec::new(), |path| self.depths(path));
+        let depths = self
+            .path
+            .as_ref()
+            .map_or(Vec::new(), |path| self.depths(path));
         let column = |of: &dyn Fn(&Path, f64) -> f64| match &self.path {
             Some(path) => Packed::single(depths.iter().map(|md| of(path, *md))),
             None => Packed::single([]),

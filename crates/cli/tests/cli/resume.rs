@@ -13,7 +13,9 @@ use serde_json::Value;
 
 use crate::desk::{Desk, transcript};
 
-const TABLES: [&str; 7] = [
+const TABLES: [&str; 9] = [
+    "contact.csv",
+    "contact.parquet",
     "nodes.csv",
     "nodes.parquet",
     "profile.svg",

@@ -26,9 +26,9 @@ function judged(part) {
 
 function card(answer, softAnswer) {
   const dimension = answer.value?.dimension;
-  const children = [el("h3", {}, answer.label), el("p", { class: "number" }, cellText(answer.value))];
+  const children = [el("h3", {}, answer.label), el("p", { class: "number" }, cellText(answer.value, dimension === "ratio" || dimension === "percent" ? 3 : 4))];
   if (answer.worst !== null && dimension) children.push(el("p", { class: "note" }, `mean; at most ${quantity(answer.worst, dimension)}`));
-  if (softAnswer?.value?.dimension === dimension && dimension) children.push(el("p", { class: "note" }, `soft string ${cellText(softAnswer.value)}`));
+  if (softAnswer?.value?.dimension === dimension && dimension) children.push(el("p", { class: "note" }, `soft string ${cellText(softAnswer.value, 4)}`));
   const worst = answer.worst ?? answer.value?.value;
   if (answer.limit !== null && Number.isFinite(worst)) {
     const part = worst / answer.limit;

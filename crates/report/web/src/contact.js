@@ -2,9 +2,10 @@
 
 import { choice, el } from "./dom.js";
 import { nearest } from "./history.js";
-import { colour, divergingTable, sequential } from "./palette.js";
+import { colour, colourScale } from "./palette.js";
 import { chosenRun } from "./solutions.js";
 import { choose, on, state } from "./state.js";
+import { isPrinting } from "./theme.js";
 import { ticks, tickText } from "./ticks.js";
 import { digits, quantity, shown, si, symbol } from "./units.js";
 
@@ -14,9 +15,12 @@ const TOP = 10;
 const BOTTOM = 34;
 const HEIGHT = 430;
 
+/** Width on paper. */
+const PAPER = 730;
+
 /** The value below which so large a part of the magnitudes lies. */
 function percentile(values, part) {
-  const sizes = values.filter(Number.isFinite).map(Math.abs).sort();
+  const sizes = values.filter(Number.isFinite).map(Math.abs).sort((a, b) => a - b);
   return sizes[Math.floor(part * (sizes.length - 1))] || 1;
 }
 
@@ -44,7 +48,7 @@ export function contactMap(report) {
     const run = chosenRun(report);
     if (!run?.contact) return;
     const ratio = Math.max(devicePixelRatio, 2);
-    const width = holder.clientWidth || 1200;
+    const width = isPrinting() ? PAPER : holder.clientWidth || 1200;
     canvas.width = width * ratio;
     canvas.height = HEIGHT * ratio;
     canvas.style.aspectRatio = `${width} / ${HEIGHT}`;
@@ -54,8 +58,9 @@ export function contactMap(report) {
     const { depths, times } = views(run);
     const box = { left: LEFT, top: TOP, width: width - LEFT - RIGHT, height: HEIGHT - TOP - BOTTOM };
     const largest = percentile(Array.from(run.contact[kind]), 0.985);
-    const table = kind === "side_force" ? divergingTable() : Array.from({ length: 511 }, (_, i) => sequential(Math.max(i - 255, 0) / 255));
-    const paint = (value) => table[255 + Math.round(255 * Math.min(Math.max(value / largest, -1), 1))];
+    const signed = kind === "side_force";
+    const scaled = colourScale(signed);
+    const paint = (value) => scaled(signed ? 0.5 + (0.5 * value) / largest : value / largest);
     picture(ink, run, box, depths, times, paint);
     axes(ink, box, depths, times, run);
     scale(ink, box, largest, paint);

@@ -93,6 +93,18 @@ export function area(depths, lows, highs, view, x, y) {
   return there.length > 1 ? `M${there.join("L")}L${back.reverse().join("L")}Z` : "";
 }
 
+/** The mean of the values within `reach` of each depth. */
+export function meanNear(depths, values, reach) {
+  const mean = new Float32Array(values.length);
+  let [from, to, sum] = [0, 0, 0];
+  for (let i = 0; i < values.length; i++) {
+    while (to < values.length && depths[to] <= depths[i] + reach) sum += values[to++];
+    while (depths[from] < depths[i] - reach) sum -= values[from++];
+    mean[i] = sum / (to - from);
+  }
+  return mean;
+}
+
 /** The largest value within `reach` of each depth. */
 export function largestNear(depths, values, reach) {
   const largest = new Float32Array(values.length);

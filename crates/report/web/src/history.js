@@ -49,11 +49,11 @@ const PLOTS = [
   },
   { title: "Axial friction", dimension: "force", columns: [["axial_friction_N", "along the string"]] },
   {
-    title: "Neutral point and cut-off",
+    title: "Neutral point and cut-off depth",
     dimension: "length",
     columns: [
       ["neutral_point_m", "neutral point"],
-      ["cutoff_depth_m", "cut-off"],
+      ["cutoff_depth_m", "cut-off depth"],
     ],
     points: true,
     down: true,
@@ -82,7 +82,7 @@ export function history(report) {
     const columns = run.history;
     const fixed = PLOTS.map((plot) => ({ ...plot, columns: plot.columns.filter(([name]) => columns[name]) }))
       .filter((plot) => plot.columns.length)
-      .filter((plot) => plot.dimension !== "force" || plot.columns.some(([name]) => columns[name].some((value) => value !== 0)))
+      .filter((plot) => plot.columns.some(([name]) => columns[name].some((value) => value !== 0)))
       .map((plot) => ({ ...plot, times: columns.time_s, values: plot.columns.map(([name]) => columns[name]) }));
     const node = nodePlot(run);
     return node ? [...fixed, node] : fixed;
@@ -121,7 +121,7 @@ export function history(report) {
   function card(plot, run) {
     const body = el("div", { class: "plot" });
     const unit = symbol(plot.dimension);
-    const head = el("h3", {}, plot.title, unit && el("span", { class: "unit" }, ` ${unit}`));
+    const head = el("h3", {}, plot.points && plot.columns.length === 1 ? plot.columns[0][1].replace(/^./, (letter) => letter.toUpperCase()) : plot.title, unit && el("span", { class: "unit" }, ` ${unit}`));
     if (plot.chooses)
       head.append(
         el(
@@ -147,7 +147,7 @@ export function history(report) {
       const set = label === "set";
       return {
         label,
-        stroke: set ? colour("muted") : line([0, 2, 1][i] ?? i),
+        stroke: set ? colour("muted") : line([0, 2, 3][i] ?? i),
         width: set ? 1 : 1.4,
         dash: set ? [5, 4] : undefined,
         spanGaps: Boolean(plot.points),
@@ -166,7 +166,7 @@ export function history(report) {
         width: Math.max(body.clientWidth, 200),
         height: 200,
         cursor: { sync: { key: SYNC.key, scales: ["x", null] }, drag: { x: true, y: false, uni: 8 }, points: { size: 6 } },
-        legend: { live: true },
+        legend: { live: true, markers: { width: 0, fill: (plot, i) => plot.series[i].stroke(plot, i) } },
         scales: {
           x: { time: false, min: view[0], max: view[1] },
           y: { dir: plot.down ? -1 : 1, range: (_, low, high) => air(low, high, plot.dimension) },
@@ -228,6 +228,7 @@ export function history(report) {
     let free = -Infinity;
     ctx.save();
     ctx.font = `${10 * ratio}px system-ui, sans-serif`;
+    ctx.textAlign = "left";
     ctx.fillStyle = colour("muted");
     ctx.strokeStyle = colour("muted");
     ctx.setLineDash([2 * ratio, 3 * ratio]);

@@ -17,22 +17,21 @@ export function rgb(hex) {
 const CIVIDIS = ["#00224e", "#123570", "#3b496c", "#575d6d", "#707173", "#8a8678", "#a59c74", "#c3b369", "#e1cc55", "#fee838"].map(rgb);
 
 function between(stops, part) {
-  const place = Math.min(Math.max(part, 0), 1) * (stops.length - 1);
+  const place = part * (stops.length - 1);
   const low = Math.min(Math.floor(place), stops.length - 2);
   const rest = place - low;
   return stops[low].map((value, i) => value + rest * (stops[low + 1][i] - value));
 }
 
-/** From nothing to the largest, part from 0 to 1. */
-export const sequential = (part) => between(CIVIDIS, part);
+/** Steps of a scale of colours. */
+const STEPS = 512;
 
-/** From the low side over nothing to the high side, part from -1 to 1. */
-export function diverging(part) {
-  const stops = ["low-side-strong", "low-side", "middle", "high-side", "high-side-strong"].map((name) => rgb(colour(name)));
-  return between(stops, 0.5 + 0.5 * part);
-}
-
-/** The same, faster for many: a table of 511 colours. */
-export function divergingTable() {
-  return Array.from({ length: 511 }, (_, i) => diverging((i - 255) / 255));
+/**
+ * A scale of colours: gives red, green and blue for a part from 0 to 1. A signed one goes from the low side over nothing
+ * to the high side.
+ */
+export function colourScale(signed) {
+  const stops = signed ? ["low-side-strong", "low-side", "middle", "high-side", "high-side-strong"].map((name) => rgb(colour(name))) : CIVIDIS;
+  const table = Array.from({ length: STEPS + 1 }, (_, i) => between(stops, i / STEPS));
+  return (part) => table[Math.round(Math.min(Math.max(part, 0), 1) * STEPS)];
 }

@@ -1,33 +1,17 @@
 // The well in space with the string in it: across the hole everything is larger than along it.
 
-import {
-  AmbientLight,
-  BufferGeometry,
-  CanvasTexture,
-  Color,
-  DirectionalLight,
-  DoubleSide,
-  Float32BufferAttribute,
-  LineBasicMaterial,
-  LineSegments,
-  Mesh,
-  MeshLambertMaterial,
-  PerspectiveCamera,
-  Scene,
-  Sprite,
-  SpriteMaterial,
-  Vector3,
-  WebGLRenderer,
-} from "three";
+import { AmbientLight, Color, DirectionalLight, DoubleSide, Mesh, MeshLambertMaterial, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { Course, Tube } from "./bore.js";
 import { el, select } from "./dom.js";
-import { colour, diverging, sequential } from "./palette.js";
+import { colour, colourScale } from "./palette.js";
 import { frameAt, poseOf, quantitiesOf, rangeOf } from "./pose.js";
+import { bounds, reference } from "./reference.js";
 import { chosenRun, spoken } from "./solutions.js";
 import { choose, on, state } from "./state.js";
+import { isPrinting } from "./theme.js";
 import { ticks, tickText } from "./ticks.js";
-import { digits, shown, si, symbol } from "./units.js";
+import { digits, shown, symbol } from "./units.js";
 
 const HEIGHT = 520;
 const SIDES = 10;
@@ -51,13 +35,15 @@ export function scene(report) {
   const deepest = report.well.md_m.at(-1);
   const widest = Math.max(...report.hole.map((section) => section.diameter_m), 0.1);
   // So that the hole is as thick as an eye can tell the sides of.
-  let exaggeration = niceBelow((0.012 * deepest) / widest);
+  let exaggeration = niceBelow((0.03 * deepest) / widest);
   let quantity = null;
   let frame = null;
   let playing = null;
   let items = [];
 
-  const holder = el("div", { class: "space-holder" }, canvas);
+  // Browsers print the picture that was last on the screen: paper gets a copy of the one that is meant for it.
+  const paper = el("canvas", { class: "space-paper" });
+  const holder = el("div", { class: "space-holder" }, canvas, paper);
   const key = el("div", { class: "colour-key" });
   const time = el("output", {});
   const scrubber = el("input", {
@@ -88,10 +74,10 @@ export function scene(report) {
   });
   const quantityHolder = el("span", {});
   const views = [
-    ["Whole well", [0.75, 0.35, 1]],
-    ["From the side", "side"],
-    ["From above", [0.001, 1, 0.001]],
-  ].map(([name, from]) => el("button", { type: "button", onclick: () => look(from) }, name));
+    ["Whole well", () => across(0.3)],
+    ["From the side", () => across(0.02)],
+    ["From above", () => [0.001, 1, 0.001]],
+  ].map(([name, from]) => el("button", { type: "button", onclick: () => look(from()) }, name));
   const tools = el("div", { class: "tools noprint" }, quantityHolder, el("label", {}, "Across × ", slider, factor), views, el("span", { class: "hint" }, "drag to turn, right-drag to move, Ctrl + wheel to go nearer; shows the depths in view above"));
 
   canvas.addEventListener(
@@ -167,7 +153,7 @@ export function scene(report) {
       const material = new MeshLambertMaterial({ color: colour(casing ? "casing" : "rock"), transparent: true, opacity: casing ? 0.16 : 0.26, side: DoubleSide, depthWrite: false });
       add(new Mesh(tube, material)).renderOrder = 2;
     }
-    reference([from, to]);
+    reference(course, [from, to], (widest / 2) * exaggeration).forEach(add);
     string();
     factor.textContent = ` ${digits(exaggeration, 2)}`;
     render();
@@ -200,10 +186,8 @@ export function scene(report) {
     if (!items.includes(drawn)) add(drawn);
     const values = pose.values(quantity);
     const range = rangeOf(pose, run, frame, quantity, signed);
-    const paint = (value) => {
-      const part = (value - range[0]) / (range[1] - range[0]);
-      return (signed ? diverging(2 * part - 1) : sequential(part)).map((of) => of / 255);
-    };
+    const scale = colourScale(signed);
+    const paint = (value) => scale((value - range[0]) / (range[1] - range[0])).map((of) => of / 255);
     const out = {};
     const tint = new Color();
     const parts = report.string;
@@ -218,7 +202,7 @@ export function scene(report) {
       tube.paint(ring, tint.r, tint.g, tint.b);
     });
     tube.changed();
-    drawKey(name, dimension, range, signed);
+    drawKey(name, dimension, range, signed, scale);
     moments.hidden = !run?.frames;
     if (run?.frames) {
       scrubber.max = run.frames.time_s.length - 1;
@@ -228,12 +212,8 @@ export function scene(report) {
     }
   }
 
-  function drawKey(name, dimension, range, signed) {
-    const stops = Array.from({ length: 21 }, (_, i) => {
-      const part = i / 20;
-      const [r, g, b] = signed ? diverging(2 * part - 1) : sequential(part);
-      return `rgb(${r} ${g} ${b}) ${part * 100}%`;
-    });
+  function drawKey(name, dimension, range, signed, scale) {
+    const stops = Array.from({ length: 21 }, (_, i) => `rgb(${scale(i / 20).join(" ")}) ${i * 5}%`);
     const ends = range.map((value) => shown(value, dimension));
     const { values, step } = ticks(ends[0], ends[1], 4);
     key.replaceChildren(
@@ -243,96 +223,41 @@ export function scene(report) {
     );
   }
 
-  /** Depths along the well and a box around it with vertical depth, north and east. */
-  function reference(range) {
-    const out = {};
-    const size = span(range).length();
-    const { values, step } = ticks(shown(range[0], "length"), shown(range[1], "length"), 8);
-    for (const value of values) {
-      course.at(si(value, "length"), out);
-      const away = 0.5 * widest * exaggeration + 0.022 * size;
-      label(tickText(value, step), out.place.map((at, axis) => at + away * out.right[axis]), 0.02 * size);
-    }
-    const box = bounds(range);
-    const [low, high] = [box.low, box.high];
-    const lines = [];
-    const edge = (a, b) => lines.push(...a, ...b);
-    const down = ticks(shown(-high.y, "length"), shown(-low.y, "length"), 5);
-    for (const value of down.values) {
-      const y = -si(value, "length");
-      edge([low.x, y, low.z], [high.x, y, low.z]);
-      edge([low.x, y, low.z], [low.x, y, high.z]);
-      label(`TVD ${tickText(value, down.step)} ${symbol("length")}`, [low.x, y, high.z], 0.018 * size, "muted");
-    }
-    for (const [x, z] of [[low.x, low.z], [high.x, low.z], [low.x, high.z]]) edge([x, low.y, z], [x, high.y, z]);
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new Float32BufferAttribute(lines, 3));
-    add(new LineSegments(geometry, new LineBasicMaterial({ color: colour("frame"), transparent: true, opacity: 0.35 })));
-    const north = [(low.x + high.x) / 2, high.y, low.z];
-    label("N", north, 0.024 * size);
-    label("E", [high.x, high.y, (low.z + high.z) / 2], 0.024 * size);
+  /** Places along the path in view. */
+  function along() {
+    const [from, to] = view();
+    return Array.from({ length: 41 }, (_, i) => course.at(from + ((to - from) * i) / 40, {}).place);
   }
 
-  function label(text, place, size, ink = "text") {
-    const sheet = el("canvas", {});
-    const pen = sheet.getContext("2d");
-    const font = "600 44px system-ui, sans-serif";
-    pen.font = font;
-    sheet.width = Math.ceil(pen.measureText(text).width) + 8;
-    sheet.height = 56;
-    pen.font = font;
-    pen.textBaseline = "middle";
-    pen.fillStyle = colour(ink);
-    pen.fillText(text, 4, 30);
-    const sprite = new Sprite(new SpriteMaterial({ map: new CanvasTexture(sheet), depthTest: false, transparent: true }));
-    sprite.position.set(...place);
-    sprite.scale.set((size * sheet.width) / sheet.height, size, 1);
-    sprite.renderOrder = 3;
-    add(sprite);
+  /** Across the vertical plane in which the well goes, so much from above. */
+  function across(above) {
+    const [a, b] = view().map((depth) => course.at(depth, {}).place);
+    const [x, z] = [b[0] - a[0], b[2] - a[2]];
+    const flat = Math.hypot(x, z);
+    if (flat < 1e-3) return [0.6, above, 0.8];
+    const side = x - z < 0 ? -1 : 1;
+    return [(-z / flat) * side, above, (x / flat) * side];
   }
-
-  /** Corners of a box around the path between two depths, never flat. */
-  function bounds([from, to]) {
-    const out = {};
-    const low = new Vector3(Infinity, Infinity, Infinity);
-    const high = low.clone().negate();
-    for (let i = 0; i <= 100; i++) {
-      const at = new Vector3(...course.at(from + ((to - from) * i) / 100, out).place);
-      low.min(at);
-      high.max(at);
-    }
-    const least = 0.22 * high.clone().sub(low).length();
-    for (const axis of ["x", "y", "z"]) {
-      const short = Math.max(least - (high[axis] - low[axis]), 0) / 2;
-      low[axis] -= short + (axis === "y" ? 0 : 0.03 * least);
-      high[axis] += short + (axis === "y" ? 0 : 0.03 * least);
-    }
-    return { low, high };
-  }
-
-  const span = (range) => {
-    const { low, high } = bounds(range);
-    return high.clone().sub(low);
-  };
 
   /** Looks at the depths in view from a direction. */
-  function look(from) {
-    const { low, high } = bounds(view());
+  function look(direction) {
+    const { low, high } = bounds(course, view());
     const middle = low.clone().add(high).multiplyScalar(0.5);
-    const size = high.clone().sub(low).length();
-    let direction = from;
-    if (from === "side") {
-      // Across the vertical plane in which the well goes.
-      const [a, b] = [course.at(view()[0], {}).place, course.at(view()[1], {}).place];
-      const [x, z] = [b[0] - a[0], b[2] - a[2]];
-      const flat = Math.hypot(x, z);
-      direction = flat > 0 ? [-z / flat, 0.03, x / flat] : [0, 0.03, 1];
-      if (direction[2] < 0) direction = [-direction[0], 0.03, -direction[2]];
-    }
     orbit.target.copy(middle);
     const wide = canvas.clientWidth / HEIGHT;
-    const far = (0.56 * size) / Math.tan((camera.fov * Math.PI) / 360) / Math.min(wide, 1);
-    camera.position.copy(middle).add(new Vector3(...direction).normalize().multiplyScalar(far));
+    const towards = new Vector3(...direction).normalize();
+    const right = new Vector3(0, 1, 0).cross(towards).normalize();
+    const up = towards.clone().cross(right);
+    const tall = Math.tan((camera.fov * Math.PI) / 360);
+    // As near as the path and the drawn corners of the box allow, with room for their labels.
+    let far = 0;
+    const corners = [[low.x, low.z], [high.x, low.z], [low.x, high.z]].flatMap(([x, z]) => [low.y, high.y].map((y) => [x, y, z]));
+    for (const corner of [...corners, ...along()]) {
+      const at = new Vector3(...corner).sub(middle);
+      const needs = Math.max(Math.abs(at.dot(right)) / (tall * wide * 0.86), Math.abs(at.dot(up)) / (tall * 0.93));
+      far = Math.max(far, needs + at.dot(towards));
+    }
+    camera.position.copy(middle).addScaledVector(towards, far);
     camera.near = far / 200;
     camera.far = far * 20;
     camera.updateProjectionMatrix();
@@ -345,6 +270,9 @@ export function scene(report) {
     sun.target.position.copy(orbit.target);
     sun.target.updateMatrixWorld();
     renderer.render(world, camera);
+    if (!isPrinting()) return;
+    [paper.width, paper.height] = [canvas.width, canvas.height];
+    paper.getContext("2d").drawImage(canvas, 0, 0);
   }
 
   function size() {
@@ -358,7 +286,7 @@ export function scene(report) {
   function redraw() {
     size();
     build();
-    look([0.75, 0.35, 1]);
+    look(across(0.3));
   }
 
   on("units operation", () => {

@@ -5,6 +5,9 @@ import { choose, state } from "./state.js";
 const system = matchMedia("(prefers-color-scheme: dark)");
 let printing = false;
 
+/** Whether the page is on its way to paper. */
+export const isPrinting = () => printing;
+
 /** Whether the page is dark now. */
 export const isDark = () =>
   !printing && (state.theme === "dark" || (state.theme === "auto" && system.matches));

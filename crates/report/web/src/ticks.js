@@ -24,7 +24,7 @@ export function tickText(value, step) {
 
 /** The interval with some air, and round zero where values keep to one side of it and come near. */
 export function domain(low, high, withZero) {
-  if (!(low <= high)) return [0, 1];
+  if (!(low <= high) || (low === 0 && high === 0)) return [0, 1];
   if (withZero || (low > 0 && low < 0.35 * high)) low = Math.min(low, 0);
   if (withZero || (high < 0 && high > 0.35 * low)) high = Math.max(high, 0);
   const span = high - low || Math.abs(high) * 0.2 || 1;

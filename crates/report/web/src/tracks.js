@@ -1,26 +1,33 @@
 // Tracks against measured depth, which points down, side by side over one depth axis that zooms.
 
-import { area, extent, largestNear, path, valueAt } from "./curve.js";
+import { area, extent, largestNear, meanNear, path, valueAt } from "./curve.js";
 import { el, svg } from "./dom.js";
 import { schematic, lies } from "./schematic.js";
 import { chosen, curveName, look, operations } from "./solutions.js";
 import { choose, on, state } from "./state.js";
+import { isPrinting } from "./theme.js";
 import { domain, ticks, tickText } from "./ticks.js";
 import { digits, shown, si, symbol } from "./units.js";
 
-/** Distance within which a joint touches for the string around it, m. */
+/** Half of the distance between joints, and a little: what touches or bends most within it counts for all of it, m. */
 const JOINT_REACH_M = 6;
+
+/** Where more of the string than this is in view, joints are too many to tell apart, m. */
+const FAR_M = 400;
 
 const TRACKS = [
   { title: "Effective tension", dimension: "force", column: "tension_N", band: ["tension_p05_N", "tension_p95_N"], zero: true },
   { title: "Torque", dimension: "torque", column: "torque_N_m", band: ["torque_p05_N_m", "torque_p95_N_m"] },
   { title: "Side force", dimension: "force per length", column: "side_force_N_per_m", sides: true },
-  { title: "In contact", dimension: "percent", column: "contact_fraction", reach: JOINT_REACH_M, range: [0, 1], classes: true },
-  { title: "Bending moment", dimension: "torque", column: "bending_moment_N_m", band: ["bending_moment_p05_N_m", "bending_moment_p95_N_m"] },
+  { title: "In contact", dimension: "percent", column: "contact_fraction", touches: true, range: [0, 1.04], classes: true },
+  { title: "Bending moment", dimension: "torque", column: "bending_moment_N_m", band: ["bending_moment_p05_N_m", "bending_moment_p95_N_m"], swings: true },
   { title: "Wear work, hole", dimension: "work per length", column: "wear_work_J_per_m", from: "wear" },
   { title: "Inclination", dimension: "angle", column: "inclination_rad", from: "well", zero: true },
   { title: "Dogleg severity", dimension: "dogleg severity", column: "dogleg_rad_per_m", from: "well", zero: true },
 ];
+
+/** Width on paper, so that letters are of a size to be read there. */
+const PAPER = 730;
 
 const AXIS = 54;
 const WELL = 88;
@@ -40,7 +47,16 @@ function curvesOf(report, track) {
     if (!values) return [];
     const depths = table.md_m;
     const [low, high] = (track.band ?? []).map((name) => table[name]);
-    return [{ solved, depths, values: track.reach ? largestNear(depths, values, track.reach) : values, low, high }];
+    const curve = { solved, depths, values, low, high };
+    if (track.touches) curve.values = largestNear(depths, values, JOINT_REACH_M);
+    // Bending swings from joint to joint: from afar, what it swings about and how far.
+    if (track.swings)
+      curve.far = {
+        values: meanNear(depths, values, JOINT_REACH_M),
+        low: low && largestNear(depths, low.map((v) => -v), JOINT_REACH_M).map((v) => -v),
+        high: high && largestNear(depths, high, JOINT_REACH_M),
+      };
+    return [curve];
   });
 }
 
@@ -76,12 +92,12 @@ export function tracks(report) {
   }
 
   function draw() {
-    const width = holder.clientWidth || 1360;
-    const narrowest = 138;
+    const width = isPrinting() ? PAPER : holder.clientWidth || 1360;
+    const narrowest = 126;
     const fit = Math.max(Math.floor((width - AXIS - WELL - GAP) / (narrowest + GAP)), 1);
     const lines = Math.ceil(all.length / Math.min(fit, all.length));
     const each = Math.ceil(all.length / lines);
-    const height = lines === 1 ? 640 : 500;
+    const height = lines === 1 ? 640 : isPrinting() ? 370 : 500;
     rows = Array.from({ length: lines }, (_, i) => row(all.slice(i * each, (i + 1) * each), width, each, height));
     holder.replaceChildren(...rows.map((row) => row.picture));
     const [from, to] = view();
@@ -135,25 +151,28 @@ export function tracks(report) {
   /** Where readouts go. */
   function drawTrack(picture, track, box, [from, to], y) {
     const view = [from, to];
+    const far = to - from > FAR_M;
+    const curves = track.curves.map((curve) => (far && curve.far ? { ...curve, ...curve.far } : curve));
     let range = track.range;
     if (!range) {
-      const ends = track.curves.flatMap((curve) => [curve.values, curve.low, curve.high].filter(Boolean).map((values) => extent(curve.depths, values, view)));
+      const ends = curves.flatMap((curve) => [curve.values, curve.low, curve.high].filter(Boolean).map((values) => extent(curve.depths, values, view)));
       range = domain(Math.min(...ends.map((end) => end[0])), Math.max(...ends.map((end) => end[1])), track.zero || track.sides);
     }
     const x = (value) => box.left + ((value - range[0]) / (range[1] - range[0])) * box.width;
     const clip = svg("svg", { x: box.left, y: box.top, width: box.width, height: box.height, viewBox: `${box.left} ${box.top} ${box.width} ${box.height}` });
-    const scale = ticks(shown(range[0], track.dimension), shown(range[1], track.dimension), box.width / 52);
+    const scale = ticks(shown(range[0], track.dimension), shown(range[1], track.dimension), box.width / 44);
     for (const value of scale.values) {
       const at = x(si(value, track.dimension));
+      const place = at < box.left + 8 ? "start" : at > box.left + box.width - 8 ? "end" : "middle";
       picture.append(
         svg("line", { x1: at, x2: at, y1: box.top, y2: box.top + box.height, class: value === 0 ? "zero" : "grid" }),
-        svg("text", { x: at, y: box.top - 7, class: "tick middle" }, tickText(value, scale.step)),
+        svg("text", { x: at, y: box.top - 7, class: `tick ${place}` }, tickText(value, scale.step)),
       );
     }
     for (const section of report.hole.filter((section) => section.kind === "casing" && section.to_m > from && section.to_m < to))
       clip.append(svg("line", { x1: box.left, x2: box.left + box.width, y1: y(section.to_m), y2: y(section.to_m), class: "shoe-depth" }));
     if (track.sides) fillSides(clip, track, view, x, y);
-    for (const curve of track.curves) {
+    for (const curve of curves) {
       const { colour, dashed } = curve.well ? { colour: "var(--text)", dashed: false } : look(report, curve.solved);
       const faint = !curve.well && operations(report).length > 1 && curve.solved.operation !== state.operation;
       if (curve.low && curve.high) clip.append(svg("path", { d: area(curve.depths, curve.low, curve.high, view, x, y), fill: colour, class: faint ? "band faint" : "band" }));
@@ -172,6 +191,7 @@ export function tracks(report) {
         svg("text", { x: box.left, y: box.top + box.height + 14, class: "side low" }, "◂ low side"),
         svg("text", { x: box.left + box.width, y: box.top + box.height + 14, class: "side high end" }, "high side ▸"),
       );
+    if (track.swings && far) picture.append(svg("text", { x: box.left, y: box.top + box.height + 14, class: "side" }, "joint to joint"));
     if (track.classes) picture.append(svg("text", { x: box.left, y: box.top + box.height + 14, class: "side" }, "▌ always ", svg("tspan", { class: "sometimes" }, "▌"), " at times"));
     const text = svg("text", { x: middle, y: 48, class: "readout middle" });
     picture.append(text);
@@ -314,6 +334,6 @@ export function tracks(report) {
   };
   on("units depths operation", redraw);
   on("pointer depth", point);
-  new ResizeObserver(() => holder.clientWidth !== Number(rows[0]?.picture.getAttribute("width")) && draw()).observe(holder);
+  new ResizeObserver(() => !isPrinting() && holder.clientWidth !== Number(rows[0]?.picture.getAttribute("width")) && draw()).observe(holder);
   return { element: el("div", {}, keys, tools, holder), redraw, full };
 }

@@ -52,10 +52,16 @@ export function grouped(text) {
   return minus(part === undefined ? apart : `${apart}.${part}`);
 }
 
+/** A number in no more digits than it has. */
+export function plain(value, significant = 6) {
+  const text = digits(value, significant);
+  return /\.\d*0$/.test(text) ? text.replace(/\.?0+$/, "") : text;
+}
+
 /** A quantity with its unit. */
-export function quantity(value, dimension, significant = 4) {
+export function quantity(value, dimension, significant = 4, write = digits) {
   const sign = symbol(dimension);
-  const text = digits(shown(value, dimension), significant);
+  const text = write(shown(value, dimension), significant);
   return sign === "" ? text : `${text}\u00a0${sign}`;
 }
 
