@@ -5,6 +5,7 @@ use super::{
     chain::{Chain, Rows, element, node},
     record::{Look, Strength},
 };
+use crate::rod::number::Real;
 
 /// A group of quantities that a frame holds of every node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -161,8 +162,8 @@ impl Frame {
 }
 
 /// What a frame is read from.
-pub(super) struct Scene<'a> {
-    pub chain: &'a Chain,
+pub(super) struct Scene<'a, R: Real> {
+    pub chain: &'a Chain<R>,
     pub anchors: &'a [Anchor],
     pub high: &'a [Rows<f64>],
     pub strength: &'a Strength,
@@ -171,7 +172,7 @@ pub(super) struct Scene<'a> {
     pub summed_steps: u64,
 }
 
-impl Scene<'_> {
+impl<R: Real> Scene<'_, R> {
     pub(super) fn frame(&self) -> Frame {
         let chain = self.chain;
         let last = chain.nodes() - 1;
@@ -179,13 +180,13 @@ impl Scene<'_> {
             time_s: self.time_s,
             ..Frame::default()
         };
-        let looks: Vec<Look> = (0..chain.node_blocks.len())
-            .map(|row| self.look(row))
+        let looks: Vec<Look> = (0..chain.layout().blocks())
+            .map(|block| self.look(block))
             .collect();
         let mut above = None;
         for i in 0..=last {
-            let (row, lane) = chain.place(i);
-            let look = &looks[row];
+            let (block, lane) = chain.layout().place(i);
+            let look = &looks[block];
             let anchor = &self.anchors[i];
             let tangent = chain.tangent(i);
             let high = anchor.high_side.into();
@@ -231,8 +232,8 @@ impl Scene<'_> {
         frame
     }
 
-    fn look(&self, row: usize) -> Look {
+    fn look(&self, block: usize) -> Look {
         let per_step = 1.0 / self.summed_steps as f64;
-        Look::at(self.chain, self.high, self.strength, row, per_step)
+        Look::at(self.chain, self.high, self.strength, block, per_step)
     }
 }

@@ -23,6 +23,7 @@ mod mud;
 mod np13;
 mod numerics;
 mod operations;
+mod precision;
 mod rough;
 mod schedule;
 mod steadiness;

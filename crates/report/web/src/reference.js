@@ -45,9 +45,18 @@ export function bounds(course, [from, to]) {
   return { low, high };
 }
 
-/** The signs for the depths in view, beside a hole of this radius in the scene. */
-export function reference(course, range, radius) {
-  const { low, high } = bounds(course, range);
+/** Corners, across, of the two walls of the box that lie behind the well to a reader who looks from there. */
+export function walls({ low, high }, [x, , z]) {
+  const [west, east] = x >= 0 ? [low.x, high.x] : [high.x, low.x];
+  const [north, south] = z >= 0 ? [low.z, high.z] : [high.z, low.z];
+  return [[west, north], [east, north], [west, south]];
+}
+
+/** The signs for the depths in view, beside a hole of this radius in the scene, to a reader who looks from there. */
+export function reference(course, range, radius, from) {
+  const box = bounds(course, range);
+  const { low, high } = box;
+  const [behind, right, left] = walls(box, from);
   const size = high.clone().sub(low).length();
   const unit = symbol("length");
   const along = ticks(shown(range[0], "length"), shown(range[1], "length"), 8);
@@ -61,18 +70,19 @@ export function reference(course, range, radius) {
   const down = ticks(shown(-high.y, "length"), shown(-low.y, "length"), 5);
   const levels = down.values.map((value) => {
     const y = -si(value, "length");
-    edge([low.x, y, low.z], [high.x, y, low.z]);
-    edge([low.x, y, low.z], [low.x, y, high.z]);
-    return label(`TVD ${tickText(value, down.step)} ${unit}`, [low.x, y, high.z], 0.019 * size, "muted", 1.06);
+    const at = ([x, z]) => [x, y, z];
+    edge(at(behind), at(right));
+    edge(at(behind), at(left));
+    return label(`TVD ${tickText(value, down.step)} ${unit}`, at(left), 0.019 * size, "muted", 1.06);
   });
-  for (const [x, z] of [[low.x, low.z], [high.x, low.z], [low.x, high.z]]) edge([x, low.y, z], [x, high.y, z]);
-  const box = new BufferGeometry();
-  box.setAttribute("position", new Float32BufferAttribute(lines, 3));
+  for (const [x, z] of [behind, right, left]) edge([x, low.y, z], [x, high.y, z]);
+  const frame = new BufferGeometry();
+  frame.setAttribute("position", new Float32BufferAttribute(lines, 3));
   return [
-    new LineSegments(box, new LineBasicMaterial({ color: colour("frame"), transparent: true, opacity: 0.35 })),
+    new LineSegments(frame, new LineBasicMaterial({ color: colour("frame"), transparent: true, opacity: 0.35 })),
     ...depths,
     ...levels,
-    label("N", [(low.x + high.x) / 2, high.y, low.z], 0.024 * size),
-    label("E", [high.x, high.y, (low.z + high.z) / 2], 0.024 * size),
+    label("N", [(low.x + high.x) / 2, high.y, low.z - 0.04 * size], 0.024 * size),
+    label("E", [high.x + 0.04 * size, high.y, (low.z + high.z) / 2], 0.024 * size),
   ];
 }

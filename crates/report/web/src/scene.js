@@ -6,7 +6,7 @@ import { Course, Tube } from "./bore.js";
 import { el, select } from "./dom.js";
 import { colour, colourScale } from "./palette.js";
 import { frameAt, poseOf, quantitiesOf, rangeOf } from "./pose.js";
-import { bounds, reference } from "./reference.js";
+import { bounds, reference, walls } from "./reference.js";
 import { chosenRun, spoken } from "./solutions.js";
 import { choose, on, state } from "./state.js";
 import { isPrinting } from "./theme.js";
@@ -153,7 +153,7 @@ export function scene(report) {
       const material = new MeshLambertMaterial({ color: colour(casing ? "casing" : "rock"), transparent: true, opacity: casing ? 0.16 : 0.26, side: DoubleSide, depthWrite: false });
       add(new Mesh(tube, material)).renderOrder = 2;
     }
-    reference(course, [from, to], (widest / 2) * exaggeration).forEach(add);
+    reference(course, [from, to], (widest / 2) * exaggeration, across(0.3)).forEach(add);
     string();
     factor.textContent = ` ${digits(exaggeration, 2)}`;
     render();
@@ -251,7 +251,7 @@ export function scene(report) {
     const tall = Math.tan((camera.fov * Math.PI) / 360);
     // As near as the path and the drawn corners of the box allow, with room for their labels.
     let far = 0;
-    const corners = [[low.x, low.z], [high.x, low.z], [low.x, high.z]].flatMap(([x, z]) => [low.y, high.y].map((y) => [x, y, z]));
+    const corners = walls({ low, high }, across(0.3)).flatMap(([x, z]) => [low.y, high.y].map((y) => [x, y, z]));
     for (const corner of [...corners, ...along()]) {
       const at = new Vector3(...corner).sub(middle);
       const needs = Math.max(Math.abs(at.dot(right)) / (tall * wide * 0.86), Math.abs(at.dot(up)) / (tall * 0.93));

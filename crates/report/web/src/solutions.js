@@ -24,8 +24,9 @@ export function look(report, solved) {
 
 /** The name of a curve, no longer than needed. */
 export function curveName(report, solved) {
-  const one = operations(report).length === 1;
-  return one ? modelName(solved.model) : `${spoken(solved.operation)}, ${modelName(solved.model)}`;
+  if (operations(report).length === 1) return modelName(solved.model);
+  const models = new Set(report.solved.map((other) => other.model)).size;
+  return models === 1 ? spoken(solved.operation) : `${spoken(solved.operation)}, ${modelName(solved.model)}`;
 }
 
 /** What a model answered for the operation that the reader looks at. */

@@ -22,9 +22,12 @@ export function tickText(value, step) {
   return grouped(rounded.toFixed(decimals));
 }
 
-/** The interval with some air, and round zero where values keep to one side of it and come near. */
-export function domain(low, high, withZero) {
-  if (!(low <= high) || (low === 0 && high === 0)) return [0, 1];
+/**
+ * The interval with some air, and round zero where values keep to one side of it and come near; of nothing, or nothing
+ * but zeros, the interval up to `one`.
+ */
+export function domain(low, high, withZero, one) {
+  if (!(low <= high) || (low === 0 && high === 0)) return [0, one];
   if (withZero || (low > 0 && low < 0.35 * high)) low = Math.min(low, 0);
   if (withZero || (high < 0 && high > 0.35 * low)) high = Math.max(high, 0);
   const span = high - low || Math.abs(high) * 0.2 || 1;

@@ -156,7 +156,7 @@ export function tracks(report) {
     let range = track.range;
     if (!range) {
       const ends = curves.flatMap((curve) => [curve.values, curve.low, curve.high].filter(Boolean).map((values) => extent(curve.depths, values, view)));
-      range = domain(Math.min(...ends.map((end) => end[0])), Math.max(...ends.map((end) => end[1])), track.zero || track.sides);
+      range = domain(Math.min(...ends.map((end) => end[0])), Math.max(...ends.map((end) => end[1])), track.zero || track.sides, si(1, track.dimension));
     }
     const x = (value) => box.left + ((value - range[0]) / (range[1] - range[0])) * box.width;
     const clip = svg("svg", { x: box.left, y: box.top, width: box.width, height: box.height, viewBox: `${box.left} ${box.top} ${box.width} ${box.height}` });

@@ -1,18 +1,21 @@
-//! What eight nodes, and the elements below them, show at a moment: the one place that reads the chain
+//! What a block of nodes, and the elements below them, show at a moment: the one place that reads the chain
 //! for the record.
 
 use super::strength::Strength;
 use crate::{
-    dynamics::chain::{Chain, Rows},
-    rod::{lanes::LANES, vector::Vector},
+    dynamics::{
+        chain::{Chain, Rows},
+        layout::Layout,
+    },
+    rod::{lanes::DOUBLES, number::Real, vector::Vector},
 };
 
 /// One number for each lane.
-pub type Lane = [f64; LANES];
+pub type Lane = [f64; DOUBLES];
 
-const NONE: Lane = [0.0; LANES];
+const NONE: Lane = [0.0; DOUBLES];
 
-/// A row of nodes as they are; contact quantities are averages over the steps since the last sample.
+/// A block of nodes as they are; contact quantities are averages over the steps since the last sample.
 #[derive(Debug, Clone, Copy)]
 pub struct Look {
     /// Effective tension of the element below, N.
@@ -60,38 +63,52 @@ impl Look {
         speed_square: NONE,
     };
 
-    /// Looks at a row. `high` holds the high sides, row by row, `per_step` the inverse of the number of
+    /// Looks at a block. `high` holds the high sides, block by block, `per_step` the inverse of the number of
     /// steps since the last sample.
     #[inline(always)]
-    pub fn at(
-        chain: &Chain,
+    pub fn at<R: Real>(
+        chain: &Chain<R>,
         high: &[Rows<f64>],
         strength: &Strength,
-        row: usize,
+        block: usize,
         per_step: f64,
     ) -> Self {
         let mut look = Self::EMPTY;
-        look.across_the_hole(chain, high, row, per_step);
-        look.along_the_string(chain, strength, row);
+        look.across_the_hole(chain, high, block, per_step);
+        look.along_the_string(chain, strength, block);
         look
     }
 
     /// How the nodes lie and move in the hole, and what the wall does to them.
     #[inline(always)]
-    fn across_the_hole(&mut self, chain: &Chain, high: &[Rows<f64>], row: usize, per_step: f64) {
-        let nodes = &chain.node_blocks[row];
-        let state = &chain.states[row];
-        for lane in 0..LANES {
-            let (u, v) = (of(&state.u, lane), of(&state.v, lane));
-            let h = of(&high[row], lane);
-            let tangent = of(&nodes.tangent, lane);
-            let curvature = of(&nodes.curvature, lane);
+    fn across_the_hole<R: Real>(
+        &mut self,
+        chain: &Chain<R>,
+        high: &[Rows<f64>],
+        block: usize,
+        per_step: f64,
+    ) {
+        let (row, part) = Layout::row_of::<R>(block);
+        let (nodes, state) = (&chain.node_blocks[row], &chain.states[row]);
+        let high = parts(&high[block], 0);
+        let (u, v) = (parts(&state.u, part), parts(&state.v, part));
+        let tangents = parts(&nodes.tangent, part);
+        let curvatures = parts(&nodes.curvature, part);
+        let stiffness = nodes.stiffness.part(part);
+        let clearances = nodes.clearance.part(part);
+        let slopes = nodes.clearance_slope.part(part);
+        let sum_normal = nodes.sum_normal.part(part);
+        let sum_axial = nodes.sum_axial.part(part);
+        let sum_torque = nodes.sum_torque.part(part);
+        for lane in 0..DOUBLES {
+            let (u, v, h) = (of(u, lane), of(v, lane), of(high, lane));
+            let (tangent, curvature) = (of(tangents, lane), of(curvatures, lane));
             let z = u.dot(tangent);
             let across = u.minus(tangent, z).minus(curvature, 0.5 * z * z);
             let offset = across.dot(across).sqrt();
             let lateral = v.minus(tangent, v.dot(tangent));
-            let touchable = nodes.stiffness.0[lane] > 0.0;
-            let clearance = nodes.clearance.0[lane] + nodes.clearance_slope.0[lane] * z;
+            let touchable = stiffness[lane].to_f64() > 0.0;
+            let clearance = clearances[lane].to_f64() + slopes[lane].to_f64() * z;
             let penetration = offset - clearance;
             let per_offset = 1.0 / offset.max(f64::MIN_POSITIVE);
             self.offset[lane] = offset;
@@ -100,33 +117,40 @@ impl Look {
             self.right[lane] = across.dot(tangent.cross(h)) * per_offset;
             self.circling[lane] = tangent.dot(across.cross(lateral));
             self.speed_square[lane] = lateral.dot(lateral);
-            self.normal[lane] = nodes.sum_normal.0[lane] * per_step;
-            self.axial[lane] = nodes.sum_axial.0[lane] * per_step;
-            self.rub[lane] = nodes.sum_torque.0[lane] * per_step;
+            self.normal[lane] = sum_normal[lane].to_f64() * per_step;
+            self.axial[lane] = sum_axial[lane].to_f64() * per_step;
+            self.rub[lane] = sum_torque[lane].to_f64() * per_step;
         }
     }
 
     /// What the string carries at the nodes. The bending moment is the elastic one that the element
     /// below has at its upper end; the bit, below which there is none, carries none.
     #[inline(always)]
-    fn along_the_string(&mut self, chain: &Chain, strength: &Strength, row: usize) {
-        let elements = &chain.element_blocks[row];
-        let state = &chain.states[row];
+    fn along_the_string<R: Real>(&mut self, chain: &Chain<R>, strength: &Strength, block: usize) {
+        let (row, part) = Layout::row_of::<R>(block);
+        let (elements, state) = (&chain.element_blocks[row], &chain.states[row]);
         let ends = chain.ends(row);
-        let body = strength.block(row);
-        for lane in 0..LANES {
-            let (u1, u2) = (of(&state.u, lane), of(&ends.u, lane));
-            let (d1, d2) = (of(&state.d, lane), of(&ends.d, lane));
-            let chord = of(&elements.chord, lane) + (u2 - u1);
+        let body = strength.block(block);
+        let (u1, u2) = (parts(&state.u, part), parts(&ends.u, part));
+        let (d1, d2) = (parts(&state.d, part), parts(&ends.d, part));
+        let chords = parts(&elements.chord, part);
+        let inverse_lengths = elements.inverse_length.part(part);
+        let (tensions, torques) = (elements.tension.part(part), elements.torque.part(part));
+        let bending_near = elements.bending_near.part(part);
+        let bending_far = elements.bending_far.part(part);
+        let (bow_near, bow_far) = (elements.bow_near.part(part), elements.bow_far.part(part));
+        for lane in 0..DOUBLES {
+            let (u1, u2) = (of(u1, lane), of(u2, lane));
+            let (d1, d2) = (of(d1, lane), of(d2, lane));
+            let chord = of(chords, lane) + (u2 - u1);
             // Newton's step from the rest length to the inverse of the chord's: a stretch of 1e-3 leaves
             // 1.5e-6, and no root is drawn.
-            let rest = elements.inverse_length.0[lane];
+            let rest = inverse_lengths[lane].to_f64();
             let t = chord.scaled(rest * (1.5 - 0.5 * chord.dot(chord) * rest * rest));
-            let tension = elements.tension.0[lane];
-            let torque = elements.torque.0[lane];
+            let (tension, torque) = (tensions[lane].to_f64(), torques[lane].to_f64());
             // The gradient of the element's energy on its upper director: `rod::element`.
-            let near = elements.bending_near.0[lane] + elements.bow_near.0[lane] * tension;
-            let far = elements.bending_far.0[lane] - elements.bow_far.0[lane] * tension;
+            let near = bending_near[lane].to_f64() + bow_near[lane].to_f64() * tension;
+            let far = bending_far[lane].to_f64() - bow_far[lane].to_f64() * tension;
             let pull = near * t.dot(d1) + far * t.dot(d2);
             let moment = d2.scaled(far).minus(t, pull).cross(d1);
             let bending = moment.dot(moment).sqrt();
@@ -142,7 +166,14 @@ impl Look {
     }
 }
 
+/// The part of rows that stands beside a block.
 #[inline(always)]
-fn of(rows: &Rows<f64>, lane: usize) -> Vector<f64> {
-    Vector(rows[0].0[lane], rows[1].0[lane], rows[2].0[lane])
+fn parts<R: Real>(rows: &Rows<R>, part: usize) -> [&[R; DOUBLES]; 3] {
+    rows.each_ref().map(|row| row.part(part))
+}
+
+#[inline(always)]
+fn of<R: Real>(rows: [&[R; DOUBLES]; 3], lane: usize) -> Vector<f64> {
+    let [x, y, z] = rows.map(|row| row[lane].to_f64());
+    Vector(x, y, z)
 }

@@ -4,20 +4,21 @@ use serde::{Deserialize, Serialize};
 
 use super::look::Lane;
 use crate::{
-    dynamics::chain::place,
+    dynamics::layout::Layout,
     model::Model,
-    rod::{lanes::LANES, mesh::Mesh},
+    rod::{lanes::DOUBLES, mesh::Mesh},
 };
 
 /// Of each node, the weakest body within half an element on either side: the one with the smallest
 /// section modulus `I/(D/2)`.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Strength {
+    layout: Layout,
     blocks: Vec<Body>,
     yield_Pa: Vec<Option<f64>>,
 }
 
-/// Bodies at eight nodes.
+/// Bodies at a block of nodes.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct Body {
     /// Inverse of the metal's area, 1/m².
@@ -28,13 +29,13 @@ pub struct Body {
 
 impl Strength {
     /// The bodies of a string.
-    pub fn new(model: &Model, mesh: &Mesh) -> Self {
+    pub fn new(model: &Model, mesh: &Mesh, layout: Layout) -> Self {
         let mut blocks = vec![
             Body {
-                per_area: [0.0; LANES],
-                per_modulus: [0.0; LANES],
+                per_area: [0.0; DOUBLES],
+                per_modulus: [0.0; DOUBLES],
             };
-            mesh.nodes.len().div_ceil(LANES)
+            layout.blocks()
         ];
         let components = model.string.components();
         let mut yield_Pa = Vec::with_capacity(mesh.nodes.len());
@@ -51,16 +52,20 @@ impl Strength {
             let weakest = (first..=last)
                 .min_by(|a, b| modulus(*a).total_cmp(&modulus(*b)))
                 .unwrap_or(first);
-            let (row, lane) = place(blocks.len(), index);
-            let body = &mut blocks[row];
+            let (block, lane) = layout.place(index);
+            let body = &mut blocks[block];
             body.per_area[lane] = 1.0 / components[weakest].area_m2();
             body.per_modulus[lane] = 1.0 / modulus(weakest);
             yield_Pa.push(components[weakest].yield_strength_Pa);
         }
-        Self { blocks, yield_Pa }
+        Self {
+            layout,
+            blocks,
+            yield_Pa,
+        }
     }
 
-    /// Eight nodes.
+    /// A block of nodes.
     #[inline(always)]
     pub fn block(&self, block: usize) -> &Body {
         &self.blocks[block]
@@ -68,8 +73,8 @@ impl Strength {
 
     /// Inverse of the section modulus at a node, 1/m³.
     pub fn per_modulus_m3(&self, index: usize) -> f64 {
-        let (row, lane) = place(self.blocks.len(), index);
-        self.blocks[row].per_modulus[lane]
+        let (block, lane) = self.layout.place(index);
+        self.blocks[block].per_modulus[lane]
     }
 
     /// Minimum yield strength at a node, Pa, where it is known.

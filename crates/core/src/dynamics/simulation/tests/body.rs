@@ -43,7 +43,7 @@ fn bent_model() -> Model {
     model
 }
 
-fn start(kind: OperationKind, rpm: f64) -> Simulation {
+fn start(kind: OperationKind, rpm: f64) -> Run<f64> {
     let operation = Operation {
         kind,
         bit_depth_m: DEPTH_M,
@@ -60,11 +60,11 @@ fn start(kind: OperationKind, rpm: f64) -> Simulation {
         duration_s: 10.0,
         ..DynamicsSettings::default()
     };
-    Simulation::new(&bent_model(), &operation, &settings).unwrap()
+    Run::new(&bent_model(), &operation, &settings).unwrap()
 }
 
 /// Where the bend points: its part towards the high side and that to the right of it.
-fn toolface_rad(simulation: &Simulation) -> f64 {
+fn toolface_rad(simulation: &Run<f64>) -> f64 {
     let bend = &simulation.body.bends[0];
     let high = Vector::from(simulation.anchors[bend.index].high_side);
     let right = simulation.chain.tangent(bend.index).cross(high);
