@@ -19,15 +19,10 @@ const { outputFiles } = await build({
   write: false,
 });
 
-const files = new Map(
-  outputFiles.map((file) => [file.path.split("/").pop(), file.text]),
-);
+const files = new Map(outputFiles.map((file) => [file.path.split("/").pop(), file.text]));
 const licence = (name) =>
   `${name}\n\n${readFileSync(new URL(`node_modules/${name}/LICENSE`, import.meta.url), "utf8").trim()}\n`;
-files.set(
-  "licences.txt",
-  ["uplot", "three"].map(licence).join("\n").replaceAll("\r", ""),
-);
+files.set("licences.txt", ["uplot", "three"].map(licence).join("\n").replaceAll("\r", ""));
 
 const check = process.argv.includes("--check");
 for (const [name, text] of files) {
@@ -36,9 +31,7 @@ for (const [name, text] of files) {
     writeFileSync(path, text);
     console.log(`${name}: ${(text.length / 1024).toFixed(0)} kB`);
   } else if (readFileSync(path, "utf8") !== text) {
-    console.error(
-      `crates/report/assets/${name} is not what web/ makes: run \`npm run bundle\` in crates/report/web`,
-    );
+    console.error(`crates/report/assets/${name} is not what web/ makes: run \`npm run bundle\` in crates/report/web`);
     process.exitCode = 1;
   }
 }

@@ -47,7 +47,10 @@ export class Tube extends BufferGeometry {
         faces.push(a, b, a + sides, b, b + sides, a + sides);
       }
     this.setIndex(faces);
-    this.turns = Array.from({ length: sides }, (_, k) => [Math.cos((2 * Math.PI * k) / sides), Math.sin((2 * Math.PI * k) / sides)]);
+    this.turns = Array.from({ length: sides }, (_, k) => [
+      Math.cos((2 * Math.PI * k) / sides),
+      Math.sin((2 * Math.PI * k) / sides),
+    ]);
   }
 
   ring(i, place, high, right, radius) {

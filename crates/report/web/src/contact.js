@@ -20,7 +20,10 @@ const PAPER = 730;
 
 /** The value below which so large a part of the magnitudes lies. */
 function percentile(values, part) {
-  const sizes = values.filter(Number.isFinite).map(Math.abs).sort((a, b) => a - b);
+  const sizes = values
+    .filter(Number.isFinite)
+    .map(Math.abs)
+    .sort((a, b) => a - b);
   return sizes[Math.floor(part * (sizes.length - 1))] || 1;
 }
 
@@ -32,10 +35,18 @@ export function contactMap(report) {
   const tools = el(
     "div",
     { class: "tools noprint" },
-    choice("What the map shows", [["side_force", "Side force, by side"], ["contact_force", "Contact force"]], kind, (value) => {
-      kind = value;
-      draw();
-    }),
+    choice(
+      "What the map shows",
+      [
+        ["side_force", "Side force, by side"],
+        ["contact_force", "Contact force"],
+      ],
+      kind,
+      (value) => {
+        kind = value;
+        draw();
+      },
+    ),
     el("span", { class: "hint" }, "follows the depths and times in view above; click to choose a depth and a time"),
   );
 
@@ -136,8 +147,10 @@ export function contactMap(report) {
         ink.fillText("shoe", box.left + 4, y(to_m) - 13);
       }
     ink.setLineDash([]);
-    if (state.depth !== null && state.depth > d0 && state.depth < d1) dashed(box.left, y(state.depth), box.left + box.width, y(state.depth));
-    if (state.moment !== null && state.moment > t0 && state.moment < t1) dashed(x(state.moment), box.top, x(state.moment), box.top + box.height);
+    if (state.depth !== null && state.depth > d0 && state.depth < d1)
+      dashed(box.left, y(state.depth), box.left + box.width, y(state.depth));
+    if (state.moment !== null && state.moment > t0 && state.moment < t1)
+      dashed(x(state.moment), box.top, x(state.moment), box.top + box.height);
   }
 
   function scale(ink, box, largest, paint) {
@@ -193,7 +206,13 @@ export function contactMap(report) {
     choose({ pointer: at?.depth ?? null });
     if (!at) return void (readout.textContent = "\u00a0");
     const { contact } = chosenRun(report);
-    const k = Math.min(Math.max(Array.from(contact.time_s).findIndex((time) => time >= at.moment), 0), contact.time_s.length - 1);
+    const k = Math.min(
+      Math.max(
+        Array.from(contact.time_s).findIndex((time) => time >= at.moment),
+        0,
+      ),
+      contact.time_s.length - 1,
+    );
     const value = contact[kind][k * contact.md_m.length + nearest(contact.md_m, at.depth)];
     const side = kind === "contact_force" || Math.abs(value) === 0 ? "" : value > 0 ? ", high side" : ", low side";
     readout.textContent = `MD ${quantity(at.depth, "length", 5)}, ${digits(at.moment, 4)} s: ${quantity(Math.abs(value), "force per length", 3)}${side}`;

@@ -13,7 +13,7 @@ export function below(depths, depth) {
 }
 
 /** Indices that show between two depths, one more on either side. */
-export function inView(depths, [from, to]) {
+function inView(depths, [from, to]) {
   return [Math.max(below(depths, from) - 1, 0), Math.min(below(depths, to) + 1, depths.length)];
 }
 

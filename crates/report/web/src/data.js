@@ -8,13 +8,12 @@ function bytes(text) {
 }
 
 /** Numbers of a packed column; a missing one is NaN. */
-export function unpacked(packed) {
+function unpacked(packed) {
   if (packed.f32 !== undefined) return new Float32Array(bytes(packed.f32));
   const [text, middle, step] = packed.i16;
   const short = new Int16Array(bytes(text));
   const values = new Float32Array(short.length);
-  for (let i = 0; i < short.length; i++)
-    values[i] = short[i] === -32768 ? NaN : middle + step * short[i];
+  for (let i = 0; i < short.length; i++) values[i] = short[i] === -32768 ? NaN : middle + step * short[i];
   return values;
 }
 
@@ -22,11 +21,8 @@ export function unpacked(packed) {
 function unpackAll(value) {
   if (Array.isArray(value)) return value.map(unpackAll);
   if (value === null || typeof value !== "object") return value;
-  if (typeof value.f32 === "string" || Array.isArray(value.i16))
-    return unpacked(value);
-  return Object.fromEntries(
-    Object.entries(value).map(([key, inner]) => [key, unpackAll(inner)]),
-  );
+  if (typeof value.f32 === "string" || Array.isArray(value.i16)) return unpacked(value);
+  return Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, unpackAll(inner)]));
 }
 
 export function readReport() {

@@ -8,8 +8,7 @@ function filled(element, attributes, children) {
     if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
     else element.setAttribute(name, value === true ? "" : value);
   }
-  for (const child of children.flat(3))
-    if (child !== null && child !== undefined) element.append(child);
+  for (const child of children.flat(3)) if (child !== null && child !== undefined) element.append(child);
   return element;
 }
 
@@ -30,9 +29,8 @@ export function choice(label, options, chosen, choose) {
         type: "button",
         "aria-pressed": String(value === chosen),
         "data-value": value,
-        onclick: () => {
-          for (const other of buttons)
-            other.setAttribute("aria-pressed", String(other === buttons[options.findIndex((o) => o[0] === value)]));
+        onclick: (event) => {
+          for (const other of buttons) other.setAttribute("aria-pressed", String(other === event.currentTarget));
           choose(value);
         },
       },
@@ -51,9 +49,7 @@ export function select(label, options, chosen, choose) {
     el(
       "select",
       { onchange: (event) => choose(event.target.value) },
-      options.map(([value, text]) =>
-        el("option", { value, selected: value === chosen }, text),
-      ),
+      options.map(([value, text]) => el("option", { value, selected: value === chosen }, text)),
     ),
   );
 }

@@ -5,70 +5,10 @@ import "uplot/dist/uPlot.min.css";
 import { below } from "./curve.js";
 import { el } from "./dom.js";
 import { colour, line } from "./palette.js";
+import { NODE_CHANNELS, PLOTS } from "./plots.js";
 import { chosen, chosenRun } from "./solutions.js";
 import { choose, on, state } from "./state.js";
 import { digits, grouped, quantity, shown, shownAll, symbol } from "./units.js";
-
-/** Plots by what they show: columns of time.parquet with a name, and the soft string's number beside them. */
-const PLOTS = [
-  { title: "Hook load", dimension: "force", columns: [["hook_load_N", "hook load"]], soft: ["tension_N", 0] },
-  {
-    title: "Torque",
-    dimension: "torque",
-    columns: [
-      ["surface_torque_N_m", "surface"],
-      ["friction_torque_N_m", "friction"],
-      ["bit_torque_N_m", "bit"],
-    ],
-    soft: ["torque_N_m", 0],
-  },
-  {
-    title: "Weight on bit",
-    dimension: "force",
-    columns: [
-      ["weight_on_bit_N", "on bit"],
-      ["weight_on_bit_set_N", "set"],
-    ],
-  },
-  {
-    title: "Rotary speed",
-    dimension: "rotary speed",
-    columns: [
-      ["rotary_speed_rad_per_s", "top"],
-      ["bit_rotary_speed_rad_per_s", "bit"],
-      ["rotary_speed_set_rad_per_s", "set"],
-    ],
-  },
-  {
-    title: "Block velocity, down",
-    dimension: "speed",
-    columns: [
-      ["block_velocity_m_per_s", "block"],
-      ["block_velocity_set_m_per_s", "set"],
-    ],
-  },
-  { title: "Axial friction", dimension: "force", columns: [["axial_friction_N", "along the string"]] },
-  {
-    title: "Neutral point and cut-off depth",
-    dimension: "length",
-    columns: [
-      ["neutral_point_m", "neutral point"],
-      ["cutoff_depth_m", "cut-off depth"],
-    ],
-    points: true,
-    down: true,
-  },
-];
-
-const NODE_CHANNELS = [
-  ["contact_force_N", "Contact force of the node", "force"],
-  ["tension_N", "Effective tension", "force"],
-  ["torque_N_m", "Torque", "torque"],
-  ["rotary_speed_rad_per_s", "Rotary speed", "rotary speed"],
-  ["bending_moment_N_m", "Bending moment", "torque"],
-  ["offset_high_m", "Offset to the high side", "diameter"],
-  ["offset_right_m", "Offset to the right", "diameter"],
-];
 
 const SYNC = uPlot.sync("time");
 
@@ -98,13 +38,26 @@ export function history(report) {
       const node = nearest(frames.md_m, state.depth);
       const [name, title, dimension] = NODE_CHANNELS.find(([name]) => name === channel);
       const values = Float32Array.from(frames.time_s, (_, k) => frames.channels[name][k * nodes + node]);
-      return { title: `${title} at ${quantity(frames.md_m[node], "length", 5)}`, dimension, columns: [[name, "node"]], times: frames.time_s, values: [values], chooses: NODE_CHANNELS.filter(([name]) => frames.channels[name]) };
+      return {
+        title: `${title} at ${quantity(frames.md_m[node], "length", 5)}`,
+        dimension,
+        columns: [[name, "node"]],
+        times: frames.time_s,
+        values: [values],
+        chooses: NODE_CHANNELS.filter(([name]) => frames.channels[name]),
+      };
     }
     if (contact) {
       const stretches = contact.md_m.length;
       const stretch = nearest(contact.md_m, state.depth);
       const values = Float32Array.from(contact.time_s, (_, k) => contact.side_force[k * stretches + stretch]);
-      return { title: `Side force around ${quantity(contact.md_m[stretch], "length", 5)}`, dimension: "force per length", columns: [["side_force_N_per_m", "side force"]], times: contact.time_s, values: [values] };
+      return {
+        title: `Side force around ${quantity(contact.md_m[stretch], "length", 5)}`,
+        dimension: "force per length",
+        columns: [["side_force_N_per_m", "side force"]],
+        times: contact.time_s,
+        values: [values],
+      };
     }
     return null;
   }
@@ -121,7 +74,14 @@ export function history(report) {
   function card(plot, run) {
     const body = el("div", { class: "plot" });
     const unit = symbol(plot.dimension);
-    const head = el("h3", {}, plot.points && plot.columns.length === 1 ? plot.columns[0][1].replace(/^./, (letter) => letter.toUpperCase()) : plot.title, unit && el("span", { class: "unit" }, ` ${unit}`));
+    const head = el(
+      "h3",
+      {},
+      plot.points && plot.columns.length === 1
+        ? plot.columns[0][1].replace(/^./, (letter) => letter.toUpperCase())
+        : plot.title,
+      unit && el("span", { class: "unit" }, ` ${unit}`),
+    );
     if (plot.chooses)
       head.append(
         el(
@@ -157,23 +117,48 @@ export function history(report) {
     });
     if (softValue !== null) {
       data.push(data[0].map(() => softValue));
-      series.push({ label: "soft string", stroke: line(1), width: 1.4, dash: [7, 4], points: { show: false }, value: (_, value) => digits(value ?? NaN) });
+      series.push({
+        label: "soft string",
+        stroke: line(1),
+        width: 1.4,
+        dash: [7, 4],
+        points: { show: false },
+        value: (_, value) => digits(value ?? NaN),
+      });
     }
-    const axis = { stroke: colour("muted"), grid: { stroke: colour("grid"), width: 1 }, ticks: { show: false }, font: "11px system-ui, sans-serif" };
+    const axis = {
+      stroke: colour("muted"),
+      grid: { stroke: colour("grid"), width: 1 },
+      ticks: { show: false },
+      font: "11px system-ui, sans-serif",
+    };
     const view = state.times ?? [0, Math.max(run.history.time_s.at(-1), 1e-3)];
     const made = new uPlot(
       {
         width: Math.max(body.clientWidth, 200),
         height: 200,
-        cursor: { sync: { key: SYNC.key, scales: ["x", null] }, drag: { x: true, y: false, uni: 8 }, points: { size: 6 } },
+        cursor: {
+          sync: { key: SYNC.key, scales: ["x", null] },
+          drag: { x: true, y: false, uni: 8 },
+          points: { size: 6 },
+        },
         legend: { live: true, markers: { width: 0, fill: (plot, i) => plot.series[i].stroke(plot, i) } },
         scales: {
           x: { time: false, min: view[0], max: view[1] },
           y: { dir: plot.down ? -1 : 1, range: (_, low, high) => air(low, high, plot.dimension) },
         },
         axes: [
-          { ...axis, size: 30, values: (_, splits) => splits.map((split) => grouped(String(Number(split.toFixed(6))))), label: undefined },
-          { ...axis, size: 62, values: (_, splits) => splits.map((split) => grouped(String(Number(split.toFixed(6))))) },
+          {
+            ...axis,
+            size: 30,
+            values: (_, splits) => splits.map((split) => grouped(String(Number(split.toFixed(6))))),
+            label: undefined,
+          },
+          {
+            ...axis,
+            size: 62,
+            values: (_, splits) => splits.map((split) => grouped(String(Number(split.toFixed(6))))),
+          },
         ],
         series: [{ label: "time, s", value: (_, value) => (value === null ? "–" : value.toFixed(2)) }, ...series],
         hooks: {
@@ -306,7 +291,11 @@ export function history(report) {
     width = holder.clientWidth;
     for (const plot of plots) plot.setSize({ width: Math.max(plot.root.parentElement.clientWidth, 200), height: 200 });
   }).observe(holder);
-  const hint = el("p", { class: "hint noprint" }, "drag to zoom, Ctrl + wheel, Shift + drag to move, double-click for all times; grey: before the window of the statistics");
+  const hint = el(
+    "p",
+    { class: "hint noprint" },
+    "drag to zoom, Ctrl + wheel, Shift + drag to move, double-click for all times; grey: before the window of the statistics",
+  );
   return { element: el("div", {}, hint, holder), redraw: draw };
 }
 

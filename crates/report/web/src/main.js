@@ -36,35 +36,82 @@ const sheets = (place) => report.sheets.filter((sheet) => sheet.place === place)
 
 function noteOf(run) {
   const rows = run.history.time_s.length;
-  const thin = rows < run.samples ? `${run.samples} samples are drawn as ${rows}, the smallest and the largest of each few: peaks keep their height` : `all ${run.samples} samples are drawn`;
+  const thin =
+    rows < run.samples
+      ? `${run.samples} samples are drawn as ${rows}, the smallest and the largest of each few: peaks keep their height`
+      : `all ${run.samples} samples are drawn`;
   const { frames } = run;
-  const moments = frames && (frames.time_s.length < frames.kept ? `; ${frames.time_s.length} of ${frames.kept} frames` : `; all ${frames.kept} frames`);
+  const moments =
+    frames &&
+    (frames.time_s.length < frames.kept
+      ? `; ${frames.time_s.length} of ${frames.kept} frames`
+      : `; all ${frames.kept} frames`);
   const nodes = frames && frames.md_m.length < frames.nodes ? `, ${frames.md_m.length} of ${frames.nodes} nodes` : "";
   return `${spoken(run.operation)}: ${thin}${moments ?? ""}${nodes}.`;
 }
 
 const page = document.getElementById("page");
-const operationChoice = all.length > 1 ? choice("Operation", all.map((name) => [name, spoken(name)]), state.operation, (operation) => choose({ operation, times: null, moment: null })) : null;
+const operationChoice =
+  all.length > 1
+    ? choice(
+        "Operation",
+        all.map((name) => [name, spoken(name)]),
+        state.operation,
+        (operation) => choose({ operation, times: null, moment: null }),
+      )
+    : null;
 const setTheme = followTheme(() => Object.values(parts).forEach((part) => part.redraw()));
 
 page.append(
   el(
     "header",
     {},
-    el("div", { class: "title-line" }, el("h1", {}, report.title), el(
+    el(
       "div",
-      { class: "controls noprint" },
-      choice("Units", [["si", "SI"], ["metric", "Metric"], ["field", "US field"]], state.units, (units) => choose({ units })),
-      choice("Colours", [["auto", "Auto"], ["light", "Light"], ["dark", "Dark"]], state.theme, setTheme),
-      el("button", { type: "button", onclick: () => print() }, "Print"),
-    )),
+      { class: "title-line" },
+      el("h1", {}, report.title),
+      el(
+        "div",
+        { class: "controls noprint" },
+        choice(
+          "Units",
+          [
+            ["si", "SI"],
+            ["metric", "Metric"],
+            ["field", "US field"],
+          ],
+          state.units,
+          (units) => choose({ units }),
+        ),
+        choice(
+          "Colours",
+          [
+            ["auto", "Auto"],
+            ["light", "Light"],
+            ["dark", "Dark"],
+          ],
+          state.theme,
+          setTheme,
+        ),
+        el("button", { type: "button", onclick: () => print() }, "Print"),
+      ),
+    ),
     asked(report),
   ),
-  section("answer", "Answer", operationChoice && el("div", { class: "operations" }, operationChoice), parts.answers.element),
+  section(
+    "answer",
+    "Answer",
+    operationChoice && el("div", { class: "operations" }, operationChoice),
+    parts.answers.element,
+  ),
   section("tracks", "Along the hole", parts.tracks.element),
 );
 const timed = [];
-if (parts.history) timed.push(section("history", "In time", parts.history.element), section("contact", "Contact over depth and time", parts.contact.element));
+if (parts.history)
+  timed.push(
+    section("history", "In time", parts.history.element),
+    section("contact", "Contact over depth and time", parts.contact.element),
+  );
 page.append(...timed);
 if (parts.scene) page.append(section("scene", "In space", parts.scene.element));
 page.append(
@@ -74,8 +121,18 @@ page.append(
   el(
     "footer",
     {},
-    el("p", {}, `Made by ${report.program}. The tables beside this file hold every digit; this page holds what can be seen. `, report.runs.map(noteOf).join(" ")),
-    el("details", {}, el("summary", {}, "Plots by uPlot, 3D by three.js: their licences (MIT)"), el("pre", {}, document.getElementById("licences").content.textContent)),
+    el(
+      "p",
+      {},
+      `Made by ${report.program}. The tables beside this file hold every digit; this page holds what can be seen. `,
+      report.runs.map(noteOf).join(" "),
+    ),
+    el(
+      "details",
+      {},
+      el("summary", {}, "Plots by uPlot, 3D by three.js: their licences (MIT)"),
+      el("pre", {}, document.getElementById("licences").content.textContent),
+    ),
   ),
 );
 

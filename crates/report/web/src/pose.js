@@ -46,7 +46,8 @@ function climbs(profile) {
   for (let i = 0; i < profile.md_m.length; i++) {
     const climb = profile.climb_rad?.[i];
     if (Number.isFinite(climb)) known.push([profile.md_m[i], Math.cos(climb), Math.sin(climb)]);
-    else if (!profile.climb_rad && profile.side_force_N_per_m[i] !== 0) known.push([profile.md_m[i], profile.side_force_N_per_m[i] > 0 ? -1 : 1, 0]);
+    else if (!profile.climb_rad && profile.side_force_N_per_m[i] !== 0)
+      known.push([profile.md_m[i], profile.side_force_N_per_m[i] > 0 ? -1 : 1, 0]);
   }
   if (known.length === 0) return profile.md_m.map(() => 0);
   const columns = [0, 1, 2].map((k) => Float32Array.from(known, (row) => row[k]));
@@ -81,7 +82,9 @@ export const quantitiesOf = (pose) => QUANTITIES.filter(([name]) => pose.has(nam
 /** The range of a quantity over all that may be shown of it, so that colours mean the same at all times. */
 export function rangeOf(pose, run, k, name, signed) {
   const all = run?.frames && k !== null ? run.frames.channels[name] : pose.values(name);
-  const finite = Array.from(all).filter(Number.isFinite).sort((a, b) => a - b);
+  const finite = Array.from(all)
+    .filter(Number.isFinite)
+    .sort((a, b) => a - b);
   if (finite.length === 0) return [0, 1];
   const at = (part) => finite[Math.round(part * (finite.length - 1))];
   if (signed) {

@@ -1,6 +1,15 @@
 // Signs by which to find one's way in space: depths along the well, and a box with vertical depth, north and east.
 
-import { BufferGeometry, CanvasTexture, Float32BufferAttribute, LineBasicMaterial, LineSegments, Sprite, SpriteMaterial, Vector3 } from "three";
+import {
+  BufferGeometry,
+  CanvasTexture,
+  Float32BufferAttribute,
+  LineBasicMaterial,
+  LineSegments,
+  Sprite,
+  SpriteMaterial,
+  Vector3,
+} from "three";
 import { el } from "./dom.js";
 import { colour } from "./palette.js";
 import { ticks, tickText } from "./ticks.js";
@@ -49,7 +58,11 @@ export function bounds(course, [from, to]) {
 export function walls({ low, high }, [x, , z]) {
   const [west, east] = x >= 0 ? [low.x, high.x] : [high.x, low.x];
   const [north, south] = z >= 0 ? [low.z, high.z] : [high.z, low.z];
-  return [[west, north], [east, north], [west, south]];
+  return [
+    [west, north],
+    [east, north],
+    [west, south],
+  ];
 }
 
 /** The signs for the depths in view, beside a hole of this radius in the scene, to a reader who looks from there. */
@@ -63,7 +76,13 @@ export function reference(course, range, radius, from) {
   const depths = along.values.map((value) => {
     const { place, high } = course.at(si(value, "length"), {});
     const away = radius + 0.012 * size;
-    return label(`${tickText(value, along.step)} ${unit}`, place.map((at, axis) => at + away * high[axis]), 0.021 * size, "text", 0);
+    return label(
+      `${tickText(value, along.step)} ${unit}`,
+      place.map((at, axis) => at + away * high[axis]),
+      0.021 * size,
+      "text",
+      0,
+    );
   });
   const lines = [];
   const edge = (a, b) => lines.push(...a, ...b);

@@ -1,6 +1,17 @@
 // The well in space with the string in it: across the hole everything is larger than along it.
 
-import { AmbientLight, Color, DirectionalLight, DoubleSide, Mesh, MeshLambertMaterial, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
+import {
+  AmbientLight,
+  Color,
+  DirectionalLight,
+  DoubleSide,
+  Mesh,
+  MeshLambertMaterial,
+  PerspectiveCamera,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+} from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { Course, Tube } from "./bore.js";
 import { el, select } from "./dom.js";
@@ -22,7 +33,10 @@ export function scene(report) {
   try {
     renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
   } catch {
-    return { element: el("p", { class: "warning" }, "This view needs WebGL, which this browser does not give."), redraw: () => {} };
+    return {
+      element: el("p", { class: "warning" }, "This view needs WebGL, which this browser does not give."),
+      redraw: () => {},
+    };
   }
   const course = new Course(report.well);
   const world = new Scene();
@@ -57,7 +71,17 @@ export function scene(report) {
     },
   });
   const play = el("button", { type: "button", onclick: () => (playing ? stop() : start()) }, "Play");
-  const mean = el("button", { type: "button", onclick: () => { stop(); choose({ moment: null }); } }, "Mean");
+  const mean = el(
+    "button",
+    {
+      type: "button",
+      onclick: () => {
+        stop();
+        choose({ moment: null });
+      },
+    },
+    "Mean",
+  );
   const moments = el("div", { class: "moments" }, play, mean, scrubber, time);
   const factor = el("output", {});
   const slider = el("input", {
@@ -78,14 +102,28 @@ export function scene(report) {
     ["From the side", () => across(0.02)],
     ["From above", () => [0.001, 1, 0.001]],
   ].map(([name, from]) => el("button", { type: "button", onclick: () => look(from()) }, name));
-  const tools = el("div", { class: "tools noprint" }, quantityHolder, el("label", {}, "Across × ", slider, factor), views, el("span", { class: "hint" }, "drag to turn, right-drag to move, Ctrl + wheel to go nearer; shows the depths in view above"));
+  const tools = el(
+    "div",
+    { class: "tools noprint" },
+    quantityHolder,
+    el("label", {}, "Across × ", slider, factor),
+    views,
+    el(
+      "span",
+      { class: "hint" },
+      "drag to turn, right-drag to move, Ctrl + wheel to go nearer; shows the depths in view above",
+    ),
+  );
 
   canvas.addEventListener(
     "wheel",
     (event) => {
       if (!event.ctrlKey && !event.metaKey) return;
       event.preventDefault();
-      const offset = camera.position.clone().sub(orbit.target).multiplyScalar(Math.exp(event.deltaY * 0.002));
+      const offset = camera.position
+        .clone()
+        .sub(orbit.target)
+        .multiplyScalar(Math.exp(event.deltaY * 0.002));
       camera.position.copy(orbit.target).add(offset);
       render();
     },
@@ -150,7 +188,13 @@ export function scene(report) {
       });
       tube.changed();
       const casing = section.kind === "casing";
-      const material = new MeshLambertMaterial({ color: colour(casing ? "casing" : "rock"), transparent: true, opacity: casing ? 0.16 : 0.26, side: DoubleSide, depthWrite: false });
+      const material = new MeshLambertMaterial({
+        color: colour(casing ? "casing" : "rock"),
+        transparent: true,
+        opacity: casing ? 0.16 : 0.26,
+        side: DoubleSide,
+        depthWrite: false,
+      });
       add(new Mesh(tube, material)).renderOrder = 2;
     }
     reference(course, [from, to], (widest / 2) * exaggeration, across(0.3)).forEach(add);
@@ -170,9 +214,22 @@ export function scene(report) {
     const offered = quantitiesOf(pose);
     if (!offered.some(([name]) => name === quantity)) quantity = offered[0][0];
     const [, name, dimension, signed] = offered.find(([name]) => name === quantity);
-    quantityHolder.replaceChildren(select("Colour: ", offered.map(([name, title]) => [name, title]), quantity, (value) => { quantity = value; string(); render(); }));
+    quantityHolder.replaceChildren(
+      select(
+        "Colour: ",
+        offered.map(([name, title]) => [name, title]),
+        quantity,
+        (value) => {
+          quantity = value;
+          string();
+          render();
+        },
+      ),
+    );
     const [from, to] = view();
-    const nodes = Array.from(pose.depths, (depth, i) => [depth, i]).filter(([depth]) => depth >= from - 1 && depth <= to + 1);
+    const nodes = Array.from(pose.depths, (depth, i) => [depth, i]).filter(
+      ([depth]) => depth >= from - 1 && depth <= to + 1,
+    );
     if (!tube || drawn.geometry !== tube || tube.rings !== nodes.length) {
       if (drawn) {
         world.remove(drawn);
@@ -217,9 +274,19 @@ export function scene(report) {
     const ends = range.map((value) => shown(value, dimension));
     const { values, step } = ticks(ends[0], ends[1], 4);
     key.replaceChildren(
-      el("span", {}, `${name}${symbol(dimension) ? `, ${symbol(dimension)}` : ""}${signed ? " (low side −, high side +)" : ""}, ${spoken(state.operation)}`),
+      el(
+        "span",
+        {},
+        `${name}${symbol(dimension) ? `, ${symbol(dimension)}` : ""}${signed ? " (low side −, high side +)" : ""}, ${spoken(state.operation)}`,
+      ),
       el("div", { class: "ramp", style: `background:linear-gradient(to right, ${stops.join(",")})` }),
-      el("div", { class: "ramp-ticks" }, values.map((value) => el("span", { style: `left:${((value - ends[0]) / (ends[1] - ends[0])) * 100}%` }, tickText(value, step)))),
+      el(
+        "div",
+        { class: "ramp-ticks" },
+        values.map((value) =>
+          el("span", { style: `left:${((value - ends[0]) / (ends[1] - ends[0])) * 100}%` }, tickText(value, step)),
+        ),
+      ),
     );
   }
 

@@ -26,9 +26,23 @@ export function schematic(report, { left, width, top, height }, [from, to], y) {
   for (const section of report.hole) {
     if (section.to_m < from || section.from_m > to) continue;
     const [y1, y2, w] = [clip(section.from_m), clip(section.to_m), half(section.diameter_m)];
-    const tip = svg("title", {}, `${name(section)} ${quantity(section.diameter_m, "diameter")}, ${quantity(section.from_m, "length", 5)} to ${quantity(section.to_m, "length", 5)}, friction ${section.friction}`);
+    const tip = svg(
+      "title",
+      {},
+      `${name(section)} ${quantity(section.diameter_m, "diameter")}, ${quantity(section.from_m, "length", 5)} to ${quantity(section.to_m, "length", 5)}, friction ${section.friction}`,
+    );
     group.append(
-      svg("rect", { x: middle - w, y: y1, width: 2 * w, height: Math.max(y2 - y1, 0), class: section.kind === "casing" ? "bore" : "rock" }, tip),
+      svg(
+        "rect",
+        {
+          x: middle - w,
+          y: y1,
+          width: 2 * w,
+          height: Math.max(y2 - y1, 0),
+          class: section.kind === "casing" ? "bore" : "rock",
+        },
+        tip,
+      ),
     );
     for (const side of [-1, 1]) {
       const x = middle + side * w;
@@ -41,11 +55,18 @@ export function schematic(report, { left, width, top, height }, [from, to], y) {
   for (const part of report.string) {
     if (part.to_m < from || part.from_m > to) continue;
     const [y1, y2, w] = [clip(part.from_m), clip(part.to_m), Math.max(half(part.od_m), 1.5)];
-    const tip = svg("title", {}, `${part.name}, OD ${quantity(part.od_m, "diameter")}, ${quantity(part.from_m, "length", 5)} to ${quantity(part.to_m, "length", 5)}`);
+    const tip = svg(
+      "title",
+      {},
+      `${part.name}, OD ${quantity(part.od_m, "diameter")}, ${quantity(part.from_m, "length", 5)} to ${quantity(part.to_m, "length", 5)}`,
+    );
     const kind = /drill pipe/i.test(part.name) && !/heavy/i.test(part.name) ? "pipe" : "tool";
     const shape =
       part === deepest
-        ? svg("path", { d: `M${middle - w} ${Math.min(y1, y2 - 5)}h${2 * w}v${Math.max(y2 - y1, 5) * 0.5}L${middle} ${y2 + 3}L${middle - w} ${y2 - Math.max(y2 - y1, 5) * 0.5}Z`, class: "bit" })
+        ? svg("path", {
+            d: `M${middle - w} ${Math.min(y1, y2 - 5)}h${2 * w}v${Math.max(y2 - y1, 5) * 0.5}L${middle} ${y2 + 3}L${middle - w} ${y2 - Math.max(y2 - y1, 5) * 0.5}Z`,
+            class: "bit",
+          })
         : svg("rect", { x: middle - w, y: y1, width: 2 * w, height: Math.max(y2 - y1, 0.7), class: kind });
     shape.append(tip);
     group.append(shape);

@@ -35,23 +35,40 @@ function common(cells) {
   return all.size === 1 ? [...all][0] : null;
 }
 
-const unit = (dimension) => (dimension && symbol(dimension) !== "" ? el("span", { class: "unit" }, ` ${symbol(dimension)}`) : null);
+const unit = (dimension) =>
+  dimension && symbol(dimension) !== "" ? el("span", { class: "unit" }, ` ${symbol(dimension)}`) : null;
 const isText = (cell) => typeof cell === "string";
 
 /** A table whose rows are quantities: its first column names them with their unit. */
 function byRow(sheet) {
-  const largest = (cells) => Math.max(...cells.map((cell) => (cell?.dimension ? Math.abs(shown(cell.value, cell.dimension)) : 0)));
-  return sheet.rows.map(([name, ...cells]) => el("tr", {}, el("th", { scope: "row" }, name, unit(common(cells))), cells.map((cell) => el("td", { class: "number" }, numberText(cell, largest(cells))))));
+  const largest = (cells) =>
+    Math.max(...cells.map((cell) => (cell?.dimension ? Math.abs(shown(cell.value, cell.dimension)) : 0)));
+  return sheet.rows.map(([name, ...cells]) =>
+    el(
+      "tr",
+      {},
+      el("th", { scope: "row" }, name, unit(common(cells))),
+      cells.map((cell) => el("td", { class: "number" }, numberText(cell, largest(cells)))),
+    ),
+  );
 }
 
 /** A table whose columns are quantities: their heads name the unit. */
 function byColumn(sheet) {
-  return sheet.rows.map((cells) => el("tr", {}, cells.map((cell) => el("td", { class: isText(cell) ? null : "number" }, inputText(cell)))));
+  return sheet.rows.map((cells) =>
+    el(
+      "tr",
+      {},
+      cells.map((cell) => el("td", { class: isText(cell) ? null : "number" }, inputText(cell))),
+    ),
+  );
 }
 
 /** A list of keys and values. */
 function keys(sheet) {
-  return sheet.rows.map(([name, value]) => el("tr", {}, el("th", { scope: "row" }, name), el("td", {}, cellText(value))));
+  return sheet.rows.map(([name, value]) =>
+    el("tr", {}, el("th", { scope: "row" }, name), el("td", {}, cellText(value))),
+  );
 }
 
 export function sheet(sheet) {
@@ -61,12 +78,28 @@ export function sheet(sheet) {
   const draw = () => {
     body.replaceChildren(...(results ? byRow(sheet) : sheet.heads.length ? byColumn(sheet) : keys(sheet)));
     const column = (i) => (results ? null : unit(common(sheet.rows.map((row) => row[i]))));
-    if (sheet.heads.length) head.replaceChildren(el("tr", {}, sheet.heads.map((name, i) => el("th", { scope: "col" }, name, column(i)))));
+    if (sheet.heads.length)
+      head.replaceChildren(
+        el(
+          "tr",
+          {},
+          sheet.heads.map((name, i) => el("th", { scope: "col" }, name, column(i))),
+        ),
+      );
   };
   on("units", draw);
   draw();
-  const table = el("div", { class: "scrolls" }, el("table", { class: sheet.heads.length ? "grid" : "keys" }, head, body));
+  const table = el(
+    "div",
+    { class: "scrolls" },
+    el("table", { class: sheet.heads.length ? "grid" : "keys" }, head, body),
+  );
   if (results) return el("div", { class: "sheet" }, el("h3", {}, sheet.title), table);
   const long = sheet.rows.length > 24;
-  return el("details", { class: `sheet prints${sheet.heads.length > 4 ? " wide" : ""}`, open: !long }, el("summary", {}, sheet.title, long ? ` (${sheet.rows.length} rows)` : ""), table);
+  return el(
+    "details",
+    { class: `sheet prints${sheet.heads.length > 4 ? " wide" : ""}`, open: !long },
+    el("summary", {}, sheet.title, long ? ` (${sheet.rows.length} rows)` : ""),
+    table,
+  );
 }

@@ -9,8 +9,7 @@ let printing = false;
 export const isPrinting = () => printing;
 
 /** Whether the page is dark now. */
-export const isDark = () =>
-  !printing && (state.theme === "dark" || (state.theme === "auto" && system.matches));
+const isDark = () => !printing && (state.theme === "dark" || (state.theme === "auto" && system.matches));
 
 /** Sets the looks; `redraw` draws again what is drawn in colours of its own. */
 export function followTheme(redraw) {
@@ -40,4 +39,3 @@ export function followTheme(redraw) {
     apply();
   };
 }
-

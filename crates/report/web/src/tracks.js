@@ -1,30 +1,18 @@
 // Tracks against measured depth, which points down, side by side over one depth axis that zooms.
 
-import { area, extent, largestNear, meanNear, path, valueAt } from "./curve.js";
+import { area, extent, path, valueAt } from "./curve.js";
 import { el, svg } from "./dom.js";
+import { listenToDepths } from "./gestures.js";
 import { schematic, lies } from "./schematic.js";
 import { chosen, curveName, look, operations } from "./solutions.js";
 import { choose, on, state } from "./state.js";
 import { isPrinting } from "./theme.js";
 import { domain, ticks, tickText } from "./ticks.js";
+import { tracksOf } from "./track.js";
 import { digits, shown, si, symbol } from "./units.js";
-
-/** Half of the distance between joints, and a little: what touches or bends most within it counts for all of it, m. */
-const JOINT_REACH_M = 6;
 
 /** Where more of the string than this is in view, joints are too many to tell apart, m. */
 const FAR_M = 400;
-
-const TRACKS = [
-  { title: "Effective tension", dimension: "force", column: "tension_N", band: ["tension_p05_N", "tension_p95_N"], zero: true },
-  { title: "Torque", dimension: "torque", column: "torque_N_m", band: ["torque_p05_N_m", "torque_p95_N_m"] },
-  { title: "Side force", dimension: "force per length", column: "side_force_N_per_m", sides: true },
-  { title: "In contact", dimension: "percent", column: "contact_fraction", touches: true, range: [0, 1.04], classes: true },
-  { title: "Bending moment", dimension: "torque", column: "bending_moment_N_m", band: ["bending_moment_p05_N_m", "bending_moment_p95_N_m"], swings: true },
-  { title: "Wear work, hole", dimension: "work per length", column: "wear_work_J_per_m", from: "wear" },
-  { title: "Inclination", dimension: "angle", column: "inclination_rad", from: "well", zero: true },
-  { title: "Dogleg severity", dimension: "dogleg severity", column: "dogleg_rad_per_m", from: "well", zero: true },
-];
 
 /** Width on paper, so that letters are of a size to be read there. */
 const PAPER = 730;
@@ -35,35 +23,13 @@ const GAP = 14;
 const HEAD = 82;
 const FOOT = 20;
 
-/** Depths and values of a track's curves, with who drew them. */
-function curvesOf(report, track) {
-  if (track.from === "well") {
-    const values = report.well[track.column];
-    return values.length ? [{ depths: report.well.md_m, values, well: true }] : [];
-  }
-  return report.solved.flatMap((solved) => {
-    const table = track.from === "wear" ? solved.wear : solved.profile;
-    const values = table[track.column];
-    if (!values) return [];
-    const depths = table.md_m;
-    const [low, high] = (track.band ?? []).map((name) => table[name]);
-    const curve = { solved, depths, values, low, high };
-    if (track.touches) curve.values = largestNear(depths, values, JOINT_REACH_M);
-    // Bending swings from joint to joint: from afar, what it swings about and how far.
-    if (track.swings)
-      curve.far = {
-        values: meanNear(depths, values, JOINT_REACH_M),
-        low: low && largestNear(depths, low.map((v) => -v), JOINT_REACH_M).map((v) => -v),
-        high: high && largestNear(depths, high, JOINT_REACH_M),
-      };
-    return [curve];
-  });
-}
-
 /** The tracks of a report, drawn into a section that they fill. */
 export function tracks(report) {
-  const all = TRACKS.map((track) => ({ ...track, curves: curvesOf(report, track) })).filter((track) => track.curves.length);
-  const deepest = Math.max(report.well.md_m.at(-1) ?? 0, ...report.solved.map((solved) => solved.profile.md_m?.at(-1) ?? 0));
+  const all = tracksOf(report);
+  const deepest = Math.max(
+    report.well.md_m.at(-1) ?? 0,
+    ...report.solved.map((solved) => solved.profile.md_m?.at(-1) ?? 0),
+  );
   const full = [0, deepest];
   const view = () => state.depths ?? full;
   const holder = el("div", { class: "tracks" });
@@ -83,7 +49,19 @@ export function tracks(report) {
   );
   const unitText = el("span", {});
   const reset = el("button", { type: "button", onclick: () => zoom(full) }, "All depths");
-  const tools = el("div", { class: "tools noprint" }, el("label", {}, "Depths from ", inputs[0]), el("label", {}, "to ", inputs[1]), unitText, reset, el("span", { class: "hint" }, "drag to zoom, Ctrl + wheel, Shift + drag to move, click to choose a depth, double-click for all"));
+  const tools = el(
+    "div",
+    { class: "tools noprint" },
+    el("label", {}, "Depths from ", inputs[0]),
+    el("label", {}, "to ", inputs[1]),
+    unitText,
+    reset,
+    el(
+      "span",
+      { class: "hint" },
+      "drag to zoom, Ctrl + wheel, Shift + drag to move, click to choose a depth, double-click for all",
+    ),
+  );
 
   function zoom([from, to]) {
     const [low, high] = [Math.max(Math.min(from, to), full[0]), Math.min(Math.max(from, to), full[1])];
@@ -113,12 +91,24 @@ export function tracks(report) {
     const [from, to] = view();
     const y = (depth) => HEAD + ((depth - from) / (to - from)) * height;
     const total = HEAD + height + FOOT;
-    const picture = svg("svg", { viewBox: `0 0 ${width} ${total}`, width, height: total, role: "img", "aria-label": tracks.map((track) => track.title).join(", ") });
+    const picture = svg("svg", {
+      viewBox: `0 0 ${width} ${total}`,
+      width,
+      height: total,
+      role: "img",
+      "aria-label": tracks.map((track) => track.title).join(", "),
+    });
     const left = AXIS + WELL + GAP;
     const wide = (width - left - GAP * (each - 1) - 2) / each;
     depthAxis(picture, [from, to], y, width, left);
     const well = { left: AXIS, width: WELL, top: HEAD, height };
-    const clipped = svg("svg", { x: 0, y: HEAD - 10, width, height: height + 18, viewBox: `0 ${HEAD - 10} ${width} ${height + 18}` });
+    const clipped = svg("svg", {
+      x: 0,
+      y: HEAD - 10,
+      width,
+      height: height + 18,
+      viewBox: `0 ${HEAD - 10} ${width} ${height + 18}`,
+    });
     clipped.append(schematic(report, well, [from, to], y));
     picture.append(clipped, svg("text", { x: AXIS + WELL / 2, y: 16, class: "title middle" }, "Hole, string"));
     const readouts = tracks.map((track, i) => {
@@ -132,7 +122,7 @@ export function tracks(report) {
     const band = svg("rect", { x: AXIS, width: width - AXIS, class: "drag", visibility: "hidden" });
     const cover = svg("rect", { x: AXIS, y: HEAD, width: width - AXIS, height, class: "cover" });
     picture.append(band, chosenLine, cursor, flag, what, cover);
-    listen(cover, band, picture, height, total, width);
+    listenToDepths({ cover, band, picture, head: HEAD, height, total, full, view, zoom });
     return { picture, y, readouts, cursor, chosenLine, flag, what };
   }
 
@@ -145,7 +135,10 @@ export function tracks(report) {
         svg("text", { x: AXIS - 8, y: at + 4, class: "tick end" }, tickText(value, step)),
       );
     }
-    picture.append(svg("text", { x: 0, y: 16, class: "title" }, "MD"), svg("text", { x: 0, y: 31, class: "unit" }, symbol("length")));
+    picture.append(
+      svg("text", { x: 0, y: 16, class: "title" }, "MD"),
+      svg("text", { x: 0, y: 31, class: "unit" }, symbol("length")),
+    );
   }
 
   /** Where readouts go. */
@@ -155,11 +148,24 @@ export function tracks(report) {
     const curves = track.curves.map((curve) => (far && curve.far ? { ...curve, ...curve.far } : curve));
     let range = track.range;
     if (!range) {
-      const ends = curves.flatMap((curve) => [curve.values, curve.low, curve.high].filter(Boolean).map((values) => extent(curve.depths, values, view)));
-      range = domain(Math.min(...ends.map((end) => end[0])), Math.max(...ends.map((end) => end[1])), track.zero || track.sides, si(1, track.dimension));
+      const ends = curves.flatMap((curve) =>
+        [curve.values, curve.low, curve.high].filter(Boolean).map((values) => extent(curve.depths, values, view)),
+      );
+      range = domain(
+        Math.min(...ends.map((end) => end[0])),
+        Math.max(...ends.map((end) => end[1])),
+        track.zero || track.sides,
+        si(1, track.dimension),
+      );
     }
     const x = (value) => box.left + ((value - range[0]) / (range[1] - range[0])) * box.width;
-    const clip = svg("svg", { x: box.left, y: box.top, width: box.width, height: box.height, viewBox: `${box.left} ${box.top} ${box.width} ${box.height}` });
+    const clip = svg("svg", {
+      x: box.left,
+      y: box.top,
+      width: box.width,
+      height: box.height,
+      viewBox: `${box.left} ${box.top} ${box.width} ${box.height}`,
+    });
     const scale = ticks(shown(range[0], track.dimension), shown(range[1], track.dimension), box.width / 44);
     for (const value of scale.values) {
       const at = x(si(value, track.dimension));
@@ -169,14 +175,37 @@ export function tracks(report) {
         svg("text", { x: at, y: box.top - 7, class: `tick ${place}` }, tickText(value, scale.step)),
       );
     }
-    for (const section of report.hole.filter((section) => section.kind === "casing" && section.to_m > from && section.to_m < to))
-      clip.append(svg("line", { x1: box.left, x2: box.left + box.width, y1: y(section.to_m), y2: y(section.to_m), class: "shoe-depth" }));
+    for (const section of report.hole.filter(
+      (section) => section.kind === "casing" && section.to_m > from && section.to_m < to,
+    ))
+      clip.append(
+        svg("line", {
+          x1: box.left,
+          x2: box.left + box.width,
+          y1: y(section.to_m),
+          y2: y(section.to_m),
+          class: "shoe-depth",
+        }),
+      );
     if (track.sides) fillSides(clip, track, view, x, y);
     for (const curve of curves) {
       const { colour, dashed } = curve.well ? { colour: "var(--text)", dashed: false } : look(report, curve.solved);
       const faint = !curve.well && operations(report).length > 1 && curve.solved.operation !== state.operation;
-      if (curve.low && curve.high) clip.append(svg("path", { d: area(curve.depths, curve.low, curve.high, view, x, y), fill: colour, class: faint ? "band faint" : "band" }));
-      clip.append(svg("path", { d: path(curve.depths, curve.values, view, x, y), stroke: colour, class: `curve${dashed ? " dashed" : ""}${faint ? " faint" : ""}` }));
+      if (curve.low && curve.high)
+        clip.append(
+          svg("path", {
+            d: area(curve.depths, curve.low, curve.high, view, x, y),
+            fill: colour,
+            class: faint ? "band faint" : "band",
+          }),
+        );
+      clip.append(
+        svg("path", {
+          d: path(curve.depths, curve.values, view, x, y),
+          stroke: colour,
+          class: `curve${dashed ? " dashed" : ""}${faint ? " faint" : ""}`,
+        }),
+      );
     }
     if (track.classes) classStrip(clip, track, box, view, y);
     const middle = box.left + box.width / 2;
@@ -191,8 +220,18 @@ export function tracks(report) {
         svg("text", { x: box.left, y: box.top + box.height + 14, class: "side low" }, "◂ low side"),
         svg("text", { x: box.left + box.width, y: box.top + box.height + 14, class: "side high end" }, "high side ▸"),
       );
-    if (track.swings && far) picture.append(svg("text", { x: box.left, y: box.top + box.height + 14, class: "side" }, "joint to joint"));
-    if (track.classes) picture.append(svg("text", { x: box.left, y: box.top + box.height + 14, class: "side" }, "▌ always ", svg("tspan", { class: "sometimes" }, "▌"), " at times"));
+    if (track.swings && far)
+      picture.append(svg("text", { x: box.left, y: box.top + box.height + 14, class: "side" }, "joint to joint"));
+    if (track.classes)
+      picture.append(
+        svg(
+          "text",
+          { x: box.left, y: box.top + box.height + 14, class: "side" },
+          "▌ always ",
+          svg("tspan", { class: "sometimes" }, "▌"),
+          " at times",
+        ),
+      );
     const text = svg("text", { x: middle, y: 48, class: "readout middle" });
     picture.append(text);
     return text;
@@ -206,8 +245,28 @@ export function tracks(report) {
     const zero = new Float32Array(curve.values.length);
     const part = (keep) => curve.values.map((value) => (keep(value) ? value : 0));
     clip.append(
-      svg("path", { d: area(curve.depths, zero, part((v) => v > 0), view, x, y), class: "high-side" }),
-      svg("path", { d: area(curve.depths, part((v) => v < 0), zero, view, x, y), class: "low-side" }),
+      svg("path", {
+        d: area(
+          curve.depths,
+          zero,
+          part((v) => v > 0),
+          view,
+          x,
+          y,
+        ),
+        class: "high-side",
+      }),
+      svg("path", {
+        d: area(
+          curve.depths,
+          part((v) => v < 0),
+          zero,
+          view,
+          x,
+          y,
+        ),
+        class: "low-side",
+      }),
     );
   }
 
@@ -224,64 +283,17 @@ export function tracks(report) {
       const kind = classOf(values[start]);
       const [y1, y2] = [y(depths[start]), y(depths[Math.min(i, values.length - 1)])];
       if (kind > 0 && y2 > box.top && y1 < box.top + box.height)
-        clip.append(svg("rect", { x: box.left, y: y1, width: 6, height: Math.max(y2 - y1, 0.7), class: kind === 2 ? "always" : "sometimes" }));
+        clip.append(
+          svg("rect", {
+            x: box.left,
+            y: y1,
+            width: 6,
+            height: Math.max(y2 - y1, 0.7),
+            class: kind === 2 ? "always" : "sometimes",
+          }),
+        );
       start = i;
     }
-  }
-
-  /** Zooms, moves and points with mouse, pen and finger. */
-  function listen(cover, band, picture, height, total, width) {
-    const depthAt = (event) => {
-      const box = picture.getBoundingClientRect();
-      const at = ((event.clientY - box.top) / box.height) * total;
-      const [from, to] = view();
-      return from + ((at - HEAD) / height) * (to - from);
-    };
-    let begun = null;
-    cover.addEventListener("pointerdown", (event) => {
-      if (event.button !== 0) return;
-      begun = { depth: depthAt(event), y: event.clientY, view: view(), moves: event.shiftKey };
-      cover.setPointerCapture(event.pointerId);
-    });
-    cover.addEventListener("pointermove", (event) => {
-      const depth = depthAt(event);
-      if (begun?.moves) {
-        const box = picture.getBoundingClientRect();
-        const by = ((begun.y - event.clientY) / box.height) * (total / height) * (begun.view[1] - begun.view[0]);
-        const kept = Math.min(Math.max(by, full[0] - begun.view[0]), full[1] - begun.view[1]);
-        zoom(begun.view.map((end) => end + kept));
-      } else if (begun && Math.abs(event.clientY - begun.y) > 4) {
-        const [from, to] = view();
-        const y = (at) => HEAD + ((at - from) / (to - from)) * height;
-        const ends = [y(begun.depth), y(depth)].sort((a, b) => a - b);
-        band.setAttribute("y", ends[0]);
-        band.setAttribute("height", ends[1] - ends[0]);
-        band.setAttribute("visibility", "visible");
-      }
-      choose({ pointer: depth });
-    });
-    cover.addEventListener("pointerup", (event) => {
-      if (!begun) return;
-      const { depth, y, moves } = begun;
-      begun = null;
-      band.setAttribute("visibility", "hidden");
-      if (moves) return;
-      if (Math.abs(event.clientY - y) > 4) zoom([depth, depthAt(event)]);
-      else choose({ depth: Math.min(Math.max(depth, full[0]), full[1]) });
-    });
-    cover.addEventListener("pointerleave", () => choose({ pointer: null }));
-    cover.addEventListener("dblclick", () => zoom(full));
-    cover.addEventListener(
-      "wheel",
-      (event) => {
-        if (!event.ctrlKey && !event.metaKey) return;
-        event.preventDefault();
-        const depth = depthAt(event);
-        const by = Math.exp(event.deltaY * 0.002);
-        zoom(view().map((end) => depth + (end - depth) * by));
-      },
-      { passive: false },
-    );
   }
 
   /** What the tracks show at the depth that is pointed at. */
@@ -300,7 +312,13 @@ export function tracks(report) {
       flag.setAttribute("y", seen ? y(state.pointer) + 4 : 0);
       flag.textContent = seen ? digits(shown(state.pointer, "length"), 5) : "";
       what.replaceChildren(
-        ...(seen ? lies(report, state.pointer) : []).map((text, i) => svg("text", { x: AXIS + WELL / 2, y: 34 + 13 * i, class: "readout middle small" }, text.length > 24 ? `${text.slice(0, 23)}…` : text)),
+        ...(seen ? lies(report, state.pointer) : []).map((text, i) =>
+          svg(
+            "text",
+            { x: AXIS + WELL / 2, y: 34 + 13 * i, class: "readout middle small" },
+            text.length > 24 ? `${text.slice(0, 23)}…` : text,
+          ),
+        ),
       );
       for (const { track, text } of readouts) text.replaceChildren(...(seen ? values(track) : []));
     }
@@ -311,19 +329,50 @@ export function tracks(report) {
     return mine.map((curve, i) => {
       const value = valueAt(curve.depths, curve.values, state.pointer);
       const fill = curve.well ? "var(--text)" : look(report, curve.solved).colour;
-      return svg("tspan", { fill, dx: i ? 6 : 0 }, Number.isFinite(value) ? digits(shown(value, track.dimension)) : "–");
+      return svg(
+        "tspan",
+        { fill, dx: i ? 6 : 0 },
+        Number.isFinite(value) ? digits(shown(value, track.dimension)) : "–",
+      );
     });
   }
 
   function legend() {
     const curves = report.solved.map((solved) => {
       const { colour, dashed } = look(report, solved);
-      return el("span", { class: "key" }, svg("svg", { width: 26, height: 10 }, svg("line", { x1: 1, x2: 25, y1: 5, y2: 5, stroke: colour, class: `curve${dashed ? " dashed" : ""}` })), curveName(report, solved));
+      return el(
+        "span",
+        { class: "key" },
+        svg(
+          "svg",
+          { width: 26, height: 10 },
+          svg("line", { x1: 1, x2: 25, y1: 5, y2: 5, stroke: colour, class: `curve${dashed ? " dashed" : ""}` }),
+        ),
+        curveName(report, solved),
+      );
     });
     const band = report.runs.length
-      ? [el("span", { class: "key" }, svg("svg", { width: 26, height: 10 }, svg("rect", { width: 26, height: 10, fill: "var(--line-0)", class: "band" })), "5–95 % of the time")]
+      ? [
+          el(
+            "span",
+            { class: "key" },
+            svg(
+              "svg",
+              { width: 26, height: 10 },
+              svg("rect", { width: 26, height: 10, fill: "var(--line-0)", class: "band" }),
+            ),
+            "5–95 % of the time",
+          ),
+        ]
       : [];
-    const side = ["high", "low"].map((name) => el("span", { class: "key" }, svg("svg", { width: 14, height: 10 }, svg("rect", { width: 14, height: 10, class: `${name}-side` })), `on the ${name} side`));
+    const side = ["high", "low"].map((name) =>
+      el(
+        "span",
+        { class: "key" },
+        svg("svg", { width: 14, height: 10 }, svg("rect", { width: 14, height: 10, class: `${name}-side` })),
+        `on the ${name} side`,
+      ),
+    );
     return [...curves, ...band, ...side];
   }
 
@@ -334,6 +383,8 @@ export function tracks(report) {
   };
   on("units depths operation", redraw);
   on("pointer depth", point);
-  new ResizeObserver(() => !isPrinting() && holder.clientWidth !== Number(rows[0]?.picture.getAttribute("width")) && draw()).observe(holder);
+  new ResizeObserver(
+    () => !isPrinting() && holder.clientWidth !== Number(rows[0]?.picture.getAttribute("width")) && draw(),
+  ).observe(holder);
   return { element: el("div", {}, keys, tools, holder), redraw, full };
 }

@@ -47,8 +47,7 @@ const minus = (text) => text.replace("-", "\u2212");
 /** Thousands apart by a thin space, from five digits on; a true minus. */
 export function grouped(text) {
   const [whole, part] = text.split(".");
-  const apart =
-    whole.replace("-", "").length > 4 ? whole.replace(/\B(?=(\d{3})+$)/g, "\u202f") : whole;
+  const apart = whole.replace("-", "").length > 4 ? whole.replace(/\B(?=(\d{3})+$)/g, "\u202f") : whole;
   return minus(part === undefined ? apart : `${apart}.${part}`);
 }
 
@@ -63,10 +62,4 @@ export function quantity(value, dimension, significant = 4, write = digits) {
   const sign = symbol(dimension);
   const text = write(shown(value, dimension), significant);
   return sign === "" ? text : `${text}\u00a0${sign}`;
-}
-
-/** `Tension, kN`. */
-export function titled(name, dimension) {
-  const sign = symbol(dimension);
-  return sign === "" ? name : `${name}, ${sign}`;
 }

@@ -41,7 +41,8 @@ const colours = (page, selector) =>
     pen.drawImage(canvas, 0, 0, 400, 200);
     const { data } = pen.getImageData(0, 0, 400, 200);
     const seen = new Set();
-    for (let i = 0; i < data.length; i += 4) seen.add((data[i] << 24) | (data[i + 1] << 16) | (data[i + 2] << 8) | data[i + 3]);
+    for (let i = 0; i < data.length; i += 4)
+      seen.add((data[i] << 24) | (data[i + 1] << 16) | (data[i + 2] << 8) | data[i + 3]);
     return seen.size;
   }, selector);
 
@@ -54,7 +55,8 @@ const picture = (page, selector) =>
     return pen.getImageData(0, 0, 400, 200).data.join();
   }, selector);
 const text = (page, selector) => page.locator(selector).first().textContent();
-const settled = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+const settled = (page) =>
+  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
 /** Whether two pictures are the same; said without printing them. */
 const same = (a, b, what) => assert.ok(a === b, `${what} looks the same`);
@@ -135,14 +137,28 @@ await check("units switch everywhere, by their factors", async () => {
   for (const units of ["field", "metric", "si"]) {
     await page.click(`.controls [data-value=${units}]`);
     await settled(page);
-    seen[units] = { hook: await number(), track: await text(page, ".tracks .unit.middle"), axis: await text(page, ".tracks text.unit"), history: await text(page, ".history .unit"), table: await text(page, "#results tbody .unit"), dogleg: (await page.locator(".tracks .unit.middle").allTextContents()).at(-1) };
+    seen[units] = {
+      hook: await number(),
+      track: await text(page, ".tracks .unit.middle"),
+      axis: await text(page, ".tracks text.unit"),
+      history: await text(page, ".history .unit"),
+      table: await text(page, "#results tbody .unit"),
+      dogleg: (await page.locator(".tracks .unit.middle").allTextContents()).at(-1),
+    };
   }
   const [kN, t, klbf] = ["si", "metric", "field"].map((units) => seen[units].hook[0]);
-  assert.ok(Math.abs(klbf * 4.4482216 / kN - 1) < 1e-3, `${klbf} klbf is ${kN} kN`);
-  assert.ok(Math.abs(t * 9.80665 / kN - 1) < 1e-3, `${t} t is ${kN} kN`);
+  assert.ok(Math.abs((klbf * 4.4482216) / kN - 1) < 1e-3, `${klbf} klbf is ${kN} kN`);
+  assert.ok(Math.abs((t * 9.80665) / kN - 1) < 1e-3, `${t} t is ${kN} kN`);
   for (const place of ["track", "history", "table"])
-    assert.deepEqual(["si", "metric", "field"].map((units) => seen[units][place].trim()), ["kN", "t", "klbf"], place);
-  assert.deepEqual(["si", "metric", "field"].map((units) => seen[units].axis), ["m", "m", "ft"]);
+    assert.deepEqual(
+      ["si", "metric", "field"].map((units) => seen[units][place].trim()),
+      ["kN", "t", "klbf"],
+      place,
+    );
+  assert.deepEqual(
+    ["si", "metric", "field"].map((units) => seen[units].axis),
+    ["m", "m", "ft"],
+  );
   assert.deepEqual([seen.si.dogleg, seen.field.dogleg], ["°/30 m", "°/100 ft"]);
 });
 
@@ -155,13 +171,40 @@ await check("zooming one track zooms all, the map and the string with them", asy
   await page.mouse.down();
   await page.mouse.move(box.x + 300, box.y + 0.6 * box.height, { steps: 4 });
   await page.mouse.up();
-  const depths = await page.locator("#tracks input").evaluateAll((inputs) => inputs.map((input) => Number(input.value)));
+  const depths = await page
+    .locator("#tracks input")
+    .evaluateAll((inputs) => inputs.map((input) => Number(input.value)));
   const total = await page.evaluate(() => JSON.parse(document.getElementById("report").textContent).string.at(-1).to_m);
-  assert.ok(Math.abs(depths[0] / total - 0.4) < 0.02 && Math.abs(depths[1] / total - 0.6) < 0.02, `${depths} of ${total}`);
+  assert.ok(
+    Math.abs(depths[0] / total - 0.4) < 0.02 && Math.abs(depths[1] / total - 0.6) < 0.02,
+    `${depths} of ${total}`,
+  );
   differs(await picture(page, "canvas.map"), map, "a part of the map");
   await page.getByRole("button", { name: "All depths" }).click();
   await settled(page);
   same(await picture(page, "canvas.map"), map, "all of the map");
+});
+
+await check("Shift and drag moves the depths in view", async () => {
+  const read = () => page.locator("#tracks input").evaluateAll((inputs) => inputs.map((input) => Number(input.value)));
+  const total = (await read())[1];
+  const cover = page.locator(".tracks .cover").first();
+  const box = await cover.boundingBox();
+  const y = (part) => box.y + part * box.height;
+  await page.mouse.move(box.x + 300, y(0.3));
+  await page.mouse.down();
+  await page.mouse.move(box.x + 300, y(0.5), { steps: 3 });
+  await page.mouse.up();
+  await page.keyboard.down("Shift");
+  await page.mouse.move(box.x + 300, y(0.8));
+  await page.mouse.down();
+  await page.mouse.move(box.x + 300, y(0.3), { steps: 5 });
+  await page.mouse.up();
+  await page.keyboard.up("Shift");
+  const [from, to] = (await read()).map((depth) => depth / total);
+  // Half of what was in view, a fifth of all, further down.
+  assert.ok(Math.abs(from - 0.4) < 0.02 && Math.abs(to - 0.6) < 0.02, `${from} to ${to}`);
+  await page.getByRole("button", { name: "All depths" }).click();
 });
 
 await check("the pointer is read on every track", async () => {
@@ -223,7 +266,10 @@ for (const width of [900, 1440]) {
 }
 
 await check("nothing was fetched, nothing complained", async () => {
-  assert.deepEqual(requests.filter((url) => url !== address && !url.startsWith("data:") && !url.startsWith("blob:")), []);
+  assert.deepEqual(
+    requests.filter((url) => url !== address && !url.startsWith("data:") && !url.startsWith("blob:")),
+    [],
+  );
   assert.deepEqual(complaints, []);
 });
 
