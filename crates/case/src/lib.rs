@@ -18,6 +18,7 @@
 
 mod assembly;
 mod bit;
+mod blades;
 mod body;
 mod case;
 mod diagnostic;
@@ -25,6 +26,7 @@ mod dynamics;
 mod effort;
 mod fit;
 mod hole;
+mod joints;
 mod mud;
 mod names;
 mod node;
@@ -42,6 +44,7 @@ mod schema;
 mod settings;
 mod source;
 mod stations;
+mod steel;
 mod string;
 pub mod survey;
 mod table;

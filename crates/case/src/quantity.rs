@@ -84,15 +84,9 @@ impl Rule for Quantity {
         let mut number =
             json!({ "type": "number", "description": format!("A bare number is in {unit}.") });
         self.range.describe(&mut number, worth);
-        let units: Vec<&str> = self
-            .dimension
-            .units()
-            .iter()
-            .map(|unit| unit.symbol)
-            .collect();
         let text = json!({
             "type": "string",
-            "description": format!("A {} with its unit: {}.", self.dimension.name(), units.join(", ")),
+            "description": format!("A {} with its unit: {}.", self.dimension.name(), self.units()),
             "pattern": NUMBER_PATTERN,
             "examples": [self.example],
         });
@@ -118,16 +112,17 @@ impl Rule for Quantity {
 }
 
 impl Quantity {
+    /// The units that it may have.
+    fn units(&self) -> String {
+        let units = self.dimension.units().iter();
+        let symbols: Vec<&str> = units.map(|unit| unit.symbol).collect();
+        symbols.join(", ")
+    }
+
     fn no_quantity(&self, kind: &QuantityErrorKind, text: &str, place: Place) -> Diagnostic {
         let name = self.dimension.name();
         let a_name = with_article(name);
-        let units: Vec<&str> = self
-            .dimension
-            .units()
-            .iter()
-            .map(|unit| unit.symbol)
-            .collect();
-        let units = format!("units of {name}: {}", units.join(", "));
+        let units = format!("units of {name}: {}", self.units());
         let such_as = format!("expected {a_name} such as \"{}\"", self.example);
         match kind {
             QuantityErrorKind::Empty => {

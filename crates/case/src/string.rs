@@ -1,8 +1,6 @@
-//! `[[string]]` and `[steel]`.
+//! `[[string]]`.
 
-use wholestring::string::{
-    Blades, Cavity, ComponentLength, ComponentSpec, Material, ToolJoints, catalogue,
-};
+use wholestring::string::{Cavity, ComponentLength, ComponentSpec, Material, catalogue};
 use wholestring_units::Dimension;
 
 use crate::{
@@ -15,70 +13,15 @@ use crate::{
     reader::Reader,
     rule::{At, Rule, Text},
     source::Place,
-    table::{default, optional, required, table},
+    steel::{check_moduli, density, modulus},
+    table::{optional, required, table},
 };
 
 /// What stands for the length of the component that fills the rest of the string.
 const TO_SURFACE: &str = "to surface";
 
-fn density() -> Quantity {
-    Quantity::si(
-        Dimension::Density,
-        Range::from_to(1000.0, 25_000.0),
-        "7860 kg/m3",
-    )
-}
-
-fn modulus(example: &'static str) -> Quantity {
-    Quantity::si(Dimension::Pressure, Range::from_to(1e9, 1e12), example)
-}
-
 fn diameter(example: &'static str) -> Quantity {
     Quantity::si(Dimension::Diameter, Range::from_to(0.005, 2.0), example)
-}
-
-table! {
-    /// The metal of the string, wherever a component does not say otherwise.
-    SteelTable in "[steel]" {
-        /// Density.
-        density: f64 = default(density(), 7860.0);
-        /// Young's modulus.
-        youngs_modulus: f64 = default(modulus("210 GPa"), 210e9);
-        /// Shear modulus, independent of Young's modulus.
-        shear_modulus: f64 = default(modulus("76.923 GPa"), 76.923e9);
-    }
-}
-
-impl SteelTable {
-    pub(crate) fn build(&self, reader: &mut Reader) -> Option<Material> {
-        let material = Material {
-            density_kg_per_m3: *self.density.get()?,
-            youngs_modulus_Pa: *self.youngs_modulus.get()?,
-            shear_modulus_Pa: *self.shear_modulus.get()?,
-        };
-        let given = self.shear_modulus.given().or(self.youngs_modulus.given());
-        if let Some(given) = given {
-            check_moduli(&material, given.place, reader);
-        }
-        Some(material)
-    }
-}
-
-/// Moduli may be inconsistent, but then probably one of the two was forgotten.
-fn check_moduli(material: &Material, place: Place, reader: &mut Reader) {
-    let poisson = material.youngs_modulus_Pa / (2.0 * material.shear_modulus_Pa) - 1.0;
-    if !(0.0..=0.5).contains(&poisson) {
-        reader.report(
-            Diagnostic::warning(format!(
-                "the moduli of {} and {} GPa make a Poisson's ratio of {}",
-                number_text(material.youngs_modulus_Pa / 1e9),
-                number_text(material.shear_modulus_Pa / 1e9),
-                number_text((poisson * 100.0).round() / 100.0)
-            ))
-            .at(place, "Young's and shear modulus are given separately")
-            .help("metals have 0.2 to 0.4; G = E/(2 (1 + ratio)); more than 0.5 counts as 0.5"),
-        );
-    }
 }
 
 /// A length, or "to surface".
@@ -336,125 +279,6 @@ impl ComponentTable {
             material,
         ))
     }
-
-    /// Joints given in the case, in part or wholly, in place of the catalogue's.
-    fn joints(&self, component: &mut ComponentSpec, reader: &mut Reader) -> Option<()> {
-        let od = self.joint_od.optional()?;
-        let spacing = self.joint_spacing.optional()?;
-        let known = component.joints;
-        let joints = ToolJoints {
-            od_m: match (od, known) {
-                (Some(given), _) => given.value,
-                (None, Some(known)) => known.od_m,
-                (None, None) => {
-                    return lacks_partner(spacing, "joint_spacing", "joint_od", reader);
-                }
-            },
-            spacing_m: match (spacing, known) {
-                (Some(given), _) => given.value,
-                (None, Some(known)) => known.spacing_m,
-                (None, None) => return lacks_partner(od, "joint_od", "joint_spacing", reader),
-            },
-        };
-        if let Some(od) = od {
-            if od.value < component.od_m {
-                let mut diagnostic = Diagnostic::error("the tool joint is thinner than its pipe")
-                    .at(od.place, format!("expected {} or more", mm(component.od_m)));
-                if let Some(body) = self.od.given() {
-                    diagnostic = diagnostic.at(body.place, "the pipe's outside diameter");
-                }
-                reader.report(diagnostic);
-                return None;
-            }
-            if known.is_none() && self.mass_per_length.given().is_none() {
-                reader.report(
-                    Diagnostic::warning("mass and stiffness of the tool joints are not counted")
-                        .at(od.place, "joints of unknown length")
-                        .help("give mass_per_length, tool joints included; stiffness stays the body's"),
-                );
-            }
-        }
-        component.joints = Some(joints);
-        Some(())
-    }
-}
-
-/// Blades without a length of their own on a component without one, m.
-const LONGEST_BLADE_M: f64 = 20.0;
-
-impl ComponentTable {
-    /// Blades, which fit their component.
-    fn blades(&self, component: &mut ComponentSpec, reader: &mut Reader) -> Option<()> {
-        let od = self.blade_od.optional()?;
-        let length = self.blade_length.optional()?;
-        let Some(od) = od else {
-            if let Some(length) = length {
-                reader.report(
-                    Diagnostic::error("`blade_length` needs `blade_od`")
-                        .at(length.place, "`blade_od` is missing")
-                        .help("blades have a gauge; without it the body touches the wall"),
-                );
-                return None;
-            }
-            return Some(());
-        };
-        if component.joints.is_some() {
-            let mut diagnostic = Diagnostic::error("blades stand beside tool joints")
-                .at(od.place, "either of the two touches the wall");
-            if let Some(joint) = self.joint_od.given().or(self.joint_spacing.given()) {
-                diagnostic = diagnostic.at(joint.place, "the tool joints");
-            } else if let Some(catalogue) = self.catalogue.given() {
-                diagnostic = diagnostic.at(catalogue.place, "the catalogue gives tool joints");
-            }
-            reader.report(diagnostic.help("make the stabiliser a component of its own"));
-            return None;
-        }
-        if od.value < component.od_m {
-            let mut diagnostic = Diagnostic::error("the blades are thinner than their body")
-                .at(od.place, format!("expected {} or more", mm(component.od_m)));
-            if let Some(body) = self.od.given() {
-                diagnostic = diagnostic.at(body.place, "the body's outside diameter");
-            }
-            reader.report(diagnostic);
-            return None;
-        }
-        let component_m = match component.length {
-            ComponentLength::Metres(length_m) => length_m,
-            ComponentLength::ToSurface => LONGEST_BLADE_M,
-        };
-        if let Some(length) = length
-            && length.value > component_m
-        {
-            reader.report(
-                Diagnostic::error("the blades are longer than their component").at(
-                    length.place,
-                    format!("expected {} m or less", number_text(component_m)),
-                ),
-            );
-            return None;
-        }
-        component.blades = Some(Blades {
-            od_m: od.value,
-            length_m: length.map_or(component_m, |at| at.value),
-        });
-        Some(())
-    }
-}
-
-/// One of the two keys that make tool joints, without the other. Neither is no mistake.
-fn lacks_partner(
-    given: Option<&At<f64>>,
-    name: &str,
-    partner: &str,
-    reader: &mut Reader,
-) -> Option<()> {
-    let Some(given) = given else { return Some(()) };
-    reader.report(
-        Diagnostic::error(format!("`{name}` needs `{partner}`"))
-            .at(given.place, format!("`{partner}` is missing"))
-            .help("tool joints have a diameter and a spacing; plain pipe has neither"),
-    );
-    None
 }
 
 /// A pipe is not heavier than a solid bar as thick as its joints, nor lighter than its own body.

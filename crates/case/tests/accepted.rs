@@ -1,13 +1,15 @@
 //! Cases that are accepted, and what is made of them.
 
 mod common;
+#[path = "../../core/tests/common/np13.rs"]
+mod np13;
 
 use common::{EXAMPLE, changed, read, read_with};
 use wholestring::{
     dynamics::{ContactLaw, DynamicsSettings, HoistControl},
     operation::OperationKind,
     outcome::ModelKind,
-    string::Blades,
+    string::{Blades, Component, StringSpec},
     well::{Interpolation, Roughness},
 };
 
@@ -372,4 +374,46 @@ fn mud_that_flows() {
     assert!((operation.flow_rate_m3_per_s / 0.037_854_12 - 1.0).abs() < 1e-6);
     assert!((operation.bit_pressure_drop_Pa / 6.894_757e6 - 1.0).abs() < 1e-6);
     assert_eq!(case.settings["mud"]["rheology"]["law"], "bingham");
+}
+
+/// The string that the engine's tests build is that of the shipped case to the rounding of its millimetres, but for
+/// the fifth digit of a bore from the catalogue.
+#[test]
+fn the_engines_np13_is_the_shipped_one() {
+    let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/np13-x1042.toml");
+    let case = wholestring_case::load(&file, &[]).unwrap_or_else(|report| panic!("{report}"));
+    let built = StringSpec {
+        components: np13::components(),
+    };
+    let built = built.assemble(case.operations[0].bit_depth_m).unwrap();
+    let numbers = |of: &Component| {
+        let joints = of.joints.map_or([0.0; 2], |of| [of.od_m, of.spacing_m]);
+        let steel = of.material;
+        let own = [of.length_m, of.od_m, of.mass_per_length_kg_per_m];
+        let metal = [
+            steel.density_kg_per_m3,
+            steel.youngs_modulus_Pa,
+            steel.shear_modulus_Pa,
+        ];
+        [&own[..], &joints, &metal].concat()
+    };
+    let (shipped, built) = (case.model.string.components(), built.components());
+    assert_eq!(shipped.len(), built.len());
+    for (shipped, built) in shipped.iter().zip(built) {
+        assert_eq!(shipped.name, built.name);
+        assert!((shipped.id_m - built.id_m).abs() < 1e-5, "{}", shipped.name);
+        for (shipped, built) in numbers(shipped).iter().zip(numbers(built)) {
+            assert!(
+                (shipped - built).abs() <= 1e-12 * built,
+                "{shipped} {built}"
+            );
+        }
+        let none = (None, None, None);
+        assert_eq!(
+            (shipped.blades, shipped.bend, shipped.eccentricity),
+            none,
+            "{}",
+            shipped.name
+        );
+    }
 }

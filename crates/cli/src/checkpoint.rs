@@ -2,8 +2,8 @@
 //!
 //! A checkpoint holds all that a run knows: what it has solved, and the operation under way as it
 //! stands. The results in the folder are not read, so that it does not matter what was being written
-//! when the run was killed. A file that grows while the run goes on, of frames, would have to be cut back
-//! to the checkpoint's [`Checkpoint::time_s`] when the run is taken up; it begins anew there.
+//! when the run was killed. Only frames are too many to hold: a checkpoint knows how many parts of them were on
+//! the disk, and holds the rest.
 
 use std::time::{Duration, Instant};
 

@@ -2,7 +2,7 @@
 
 use wholestring::{dynamics::Simulation, operation::Operation, outcome::ModelKind};
 use wholestring_case::Case;
-use wholestring_results::{FrameWriter, ResultsError, ResultsFolder};
+use wholestring_results::{FrameWriter, FramesSoFar, ResultsError, ResultsFolder};
 
 /// Frames at even spacing in time.
 pub(crate) struct Frames {
@@ -11,15 +11,30 @@ pub(crate) struct Frames {
 }
 
 impl Frames {
-    /// Begins the file, where the case asks for frames and a model can give them.
-    pub(crate) fn begin(case: &Case, folder: &ResultsFolder) -> Result<Option<Self>, ResultsError> {
-        match case.records.frame_interval_s {
-            Some(interval_s) if case.models.contains(&ModelKind::Dynamic) => Ok(Some(Self {
-                writer: folder.frames(&case.records.channels)?,
-                interval_s,
-            })),
-            _ => Ok(None),
+    /// Begins them, or goes on from what a checkpoint kept, where the case asks for frames and a model can give
+    /// them.
+    pub(crate) fn begin(
+        case: &Case,
+        folder: &ResultsFolder,
+        so_far: Option<FramesSoFar>,
+    ) -> Result<Option<Self>, ResultsError> {
+        let Some(interval_s) = case.records.frame_interval_s else {
+            return Ok(None);
+        };
+        if !case.models.contains(&ModelKind::Dynamic) {
+            return Ok(None);
         }
+        let channels = &case.records.channels;
+        let writer = match so_far {
+            None => folder.frames(channels)?,
+            Some(so_far) => folder.resume_frames(channels, so_far)?,
+        };
+        Ok(Some(Self { writer, interval_s }))
+    }
+
+    /// What a checkpoint must keep.
+    pub(crate) fn so_far(&self) -> &FramesSoFar {
+        self.writer.so_far()
     }
 
     /// Samples from one frame to the next.
@@ -36,8 +51,8 @@ impl Frames {
         self.writer.push(operation.kind.name(), &simulation.frame())
     }
 
-    /// Ends the file.
-    pub(crate) fn finish(self) -> Result<(), ResultsError> {
-        self.writer.finish()
+    /// Writes the file with all that were taken.
+    pub(crate) fn write(&mut self) -> Result<(), ResultsError> {
+        self.writer.write()
     }
 }

@@ -6,6 +6,7 @@ mod checkpoint;
 mod column;
 mod comparison;
 mod failure;
+mod folder_name;
 mod frames;
 mod indicators;
 mod interrupt;
@@ -15,9 +16,9 @@ mod record;
 mod report;
 mod rig;
 mod run;
+mod solve;
 mod survey;
 mod sweep;
-mod sweep_table;
 
 use std::{
     env,

@@ -16,9 +16,10 @@ use serde::{Serialize, de::DeserializeOwned};
 use crate::{
     ResultsError, ResultsFolder,
     file::{partial_name, write_whole},
+    frames,
 };
 
-const NAME: &str = "checkpoint.bin";
+pub(crate) const NAME: &str = "checkpoint.bin";
 
 /// What every checkpoint begins with.
 const MARK: &[u8; 8] = b"wholestr";
@@ -70,7 +71,8 @@ impl ResultsFolder {
         self.checkpoint_path().exists()
     }
 
-    /// Removes the checkpoint and what a killed program left of one: the run is finished, or begins anew.
+    /// Removes the checkpoint, the parts of `frames.parquet` that belong to it, and what a killed program left of
+    /// either: the run is finished, or begins anew.
     pub fn remove_checkpoint(&self) -> Result<(), ResultsError> {
         let path = self.checkpoint_path();
         for path in [partial_name(&path), path] {
@@ -80,7 +82,8 @@ impl ResultsFolder {
                 return Err(ResultsError::Write { path, source });
             }
         }
-        Ok(())
+        // After it: a checkpoint has its parts as long as it is there.
+        frames::remove_parts(self.path(), 0)
     }
 }
 

@@ -7,7 +7,7 @@ use std::{
 
 use wholestring::dynamics::Channel;
 
-use crate::{FrameWriter, ResultsError, Summary, Table};
+use crate::{FrameWriter, FramesSoFar, ResultsError, Summary, Table};
 
 /// The folder that a run writes to.
 #[derive(Debug, Clone)]
@@ -66,9 +66,21 @@ impl ResultsFolder {
         }
     }
 
-    /// Begins `frames.parquet` with these channels; the one that an earlier run left goes.
+    /// Begins `frames.parquet` with these channels; what an earlier run left of one goes.
     pub fn frames(&self, channels: &[Channel]) -> Result<FrameWriter, ResultsError> {
         FrameWriter::create(&self.path, channels)
+    }
+
+    /// Goes on with the frames of the same channels that a checkpoint kept; what has come since goes.
+    ///
+    /// # Errors
+    /// Frames of other channels, and parts on the disk that are missing or damaged.
+    pub fn resume_frames(
+        &self,
+        channels: &[Channel],
+        so_far: FramesSoFar,
+    ) -> Result<FrameWriter, ResultsError> {
+        FrameWriter::resume(&self.path, channels, so_far)
     }
 
     /// Writes a file of text, such as a picture.

@@ -1,5 +1,3 @@
-//! What a run leaves behind: `summary.json`, `nodes.parquet`, `time.parquet` and `wear.parquet`, and the same
-//! tables as CSV.
 //! What a run leaves behind: `summary.json`, `nodes.parquet`, `time.parquet` and what else the case asks
 //! for, and the tables as CSV.
 //!
@@ -21,7 +19,7 @@ mod table;
 pub use columns::{CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
 pub use error::ResultsError;
 pub use folder::ResultsFolder;
-pub use frames::FrameWriter;
+pub use frames::{FrameWriter, FramesSoFar};
 pub use spectrum::Spectrum;
 pub use summary::{
     Friction, Numerics, OperationSummary, SCHEMA_VERSION, Statistic, Status, Summary,

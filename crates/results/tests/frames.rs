@@ -5,8 +5,8 @@ mod common;
 use std::fs;
 
 use common::{NODES, frame};
-use wholestring::dynamics::Channel;
-use wholestring_results::{Data, FRAMES, ResultsFolder, Table};
+use wholestring::dynamics::{Channel, Frame};
+use wholestring_results::{Data, FRAMES, FramesSoFar, ResultsFolder, Table};
 
 fn numbers<'a>(table: &'a Table, name: &str) -> &'a [Option<f64>] {
     match &table
@@ -36,7 +36,8 @@ fn every_channel_is_read_back() {
         writer.push(operation, &frame).unwrap();
     }
     assert!(!path.exists(), "not before it is whole");
-    writer.finish().unwrap();
+    writer.write().unwrap();
+    results.remove_checkpoint().unwrap();
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
 
     let table = Table::read_parquet(&path).unwrap();
@@ -80,7 +81,7 @@ fn channels_that_nobody_asked_for_have_no_column() {
     let results = ResultsFolder::create(folder.path()).unwrap();
     let mut writer = results.frames(&[Channel::Contact]).unwrap();
     writer.push("ream", &frame(0.1)).unwrap();
-    writer.finish().unwrap();
+    writer.write().unwrap();
     let table = Table::read_parquet(&folder.path().join("frames.parquet")).unwrap();
     let names: Vec<&str> = table.columns().iter().map(|c| c.name.as_str()).collect();
     assert_eq!(
@@ -88,8 +89,102 @@ fn channels_that_nobody_asked_for_have_no_column() {
         ["operation", "time_s", "node", "md_m", "contact_force_N"]
     );
     // A run that ended before its first frame.
-    let writer = results.frames(&Channel::USUAL).unwrap();
-    writer.finish().unwrap();
+    let mut writer = results.frames(&Channel::USUAL).unwrap();
+    writer.write().unwrap();
     let table = Table::read_parquet(&folder.path().join("frames.parquet")).unwrap();
     assert_eq!(table.rows(), 0);
+}
+
+const CHANNELS: [Channel; 2] = [Channel::Rotation, Channel::Contact];
+
+/// Frame of that number; one in three has a number that is none.
+fn numbered(number: u32) -> Frame {
+    let mut frame = frame(f64::from(number) * 0.1);
+    if number % 3 == 0 {
+        frame.contact_force_N[number as usize] = f64::NAN;
+    }
+    frame
+}
+
+/// Frames that go on from a checkpoint, whatever came after it, are the same file to the byte: the checkpoint
+/// before the first part, at its last frame and after it, within the second, and twice the same; each time
+/// with all frames on the disk already, whole and in parts.
+#[test]
+fn frames_go_on_from_any_checkpoint() {
+    // Two parts and a rest.
+    let frames = 220;
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("frames.parquet");
+    let results = ResultsFolder::create(folder.path()).unwrap();
+    let mut writer = results.frames(&CHANNELS).unwrap();
+    let mut checkpoints = Vec::new();
+    for number in 0..frames {
+        checkpoints.push(writer.so_far().clone());
+        writer.push("drill", &numbered(number)).unwrap();
+    }
+    writer.write().unwrap();
+    let whole = fs::read(&path).unwrap();
+    let parts = || {
+        fs::read_dir(folder.path().join("frames.parts"))
+            .unwrap()
+            .count()
+    };
+    assert_eq!(parts(), 2);
+    for from in [0, 97, 98, 99, 150, 150, 219] {
+        // As it lay on the disk.
+        results.write_checkpoint(&checkpoints[from]).unwrap();
+        let so_far = results.read_checkpoint::<FramesSoFar>().unwrap().unwrap();
+        let mut writer = results.resume_frames(&CHANNELS, so_far).unwrap();
+        for number in from as u32..frames {
+            writer.push("drill", &numbered(number)).unwrap();
+            if number == 160 {
+                // What Ctrl-C leaves can be read, and leaves the end alone.
+                writer.write().unwrap();
+                let table = Table::read_parquet(&path).unwrap();
+                assert_eq!(table.rows(), 161 * NODES);
+            }
+        }
+        writer.write().unwrap();
+        assert!(fs::read(&path).unwrap() == whole, "from frame {from}");
+        assert_eq!(parts(), 2);
+    }
+    // A run that begins anew takes nothing of it for its own.
+    results.frames(&CHANNELS).unwrap();
+    assert!(!path.exists() && !folder.path().join("frames.parts").exists());
+}
+
+#[test]
+fn frames_that_cannot_go_on_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let results = ResultsFolder::create(folder.path()).unwrap();
+    let mut writer = results.frames(&CHANNELS).unwrap();
+    for number in 0..100 {
+        writer.push("drill", &numbered(number)).unwrap();
+    }
+    let so_far = writer.so_far();
+    let refused = |channels: &[Channel]| {
+        let error = results
+            .resume_frames(channels, so_far.clone())
+            .err()
+            .unwrap();
+        let place = format!("{}{}", folder.path().display(), std::path::MAIN_SEPARATOR);
+        error.to_string().replace(&place, "").replace('\\', "/")
+    };
+    assert_eq!(
+        refused(&Channel::USUAL),
+        "checkpoint.bin is no checkpoint that can be resumed: its frames have other columns"
+    );
+    let part = folder.path().join("frames.parts/000001.parquet");
+    fs::write(&part, "something else").unwrap();
+    let message = refused(&CHANNELS);
+    let begin = "frames.parts/000001.parquet is not a file of results: ";
+    assert!(message.starts_with(begin), "{message}");
+    fs::remove_file(&part).unwrap();
+    assert_eq!(
+        refused(&CHANNELS),
+        "cannot read frames.parts/000001.parquet: it does not exist"
+    );
+    let mut writer = writer;
+    let message = writer.write().unwrap_err().to_string();
+    assert!(message.contains("frames.parquet: cannot read"), "{message}");
 }

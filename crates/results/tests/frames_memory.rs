@@ -31,8 +31,11 @@ fn write(frames: u32) -> f64 {
         frame.time_s = f64::from(index) * 0.1;
         frame.tension_N[index as usize % NODES] += 1.0;
         writer.push("drill", &frame).unwrap();
+        if index % 90 == 0 {
+            results.write_checkpoint(writer.so_far()).unwrap();
+        }
     }
-    writer.finish().unwrap();
+    writer.write().unwrap();
     fs::metadata(folder.path().join("frames.parquet"))
         .unwrap()
         .len() as f64

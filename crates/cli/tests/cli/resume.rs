@@ -1,7 +1,7 @@
 //! `run --resume`: a run that was stopped or killed ends as if nothing had happened.
 
 use std::{
-    collections::BTreeSet,
+    collections::BTreeMap,
     fs,
     process::{Child, Stdio},
     thread::sleep,
@@ -10,37 +10,54 @@ use std::{
 
 use insta::assert_snapshot;
 use serde_json::Value;
+use wholestring_results::{Data, Table};
 
 use crate::desk::{Desk, transcript};
 
-const TABLES: [&str; 9] = [
-    "contact.csv",
-    "contact.parquet",
-    "nodes.csv",
-    "nodes.parquet",
-    "profile.svg",
-    "time.csv",
-    "time.parquet",
-    "wear.csv",
-    "wear.parquet",
-];
-
-/// All that a run leaves but for the time that it took: the tables and the picture to the byte.
-pub(crate) fn leavings(desk: &Desk, folder: &str) -> (Value, Vec<Vec<u8>>) {
-    let read = |name: &str| fs::read(desk.path(folder).join(name)).unwrap();
-    let mut summary: Value = serde_json::from_slice(&read("summary.json")).unwrap();
+/// All that a run leaves but for the time that it took: every file but the summary and the page that tells of it to
+/// the byte.
+fn leavings(desk: &Desk, folder: &str) -> (Value, BTreeMap<String, Vec<u8>>) {
+    let files = fs::read_dir(desk.path(folder)).unwrap();
+    let mut files: BTreeMap<String, Vec<u8>> = files
+        .map(|entry| entry.unwrap())
+        .map(|entry| {
+            let name = entry.file_name().into_string().unwrap();
+            (name, fs::read(entry.path()).unwrap())
+        })
+        .collect();
+    assert!(files.remove("report.html").is_some());
+    let summary = files.remove("summary.json").unwrap();
+    let mut summary: Value = serde_json::from_slice(&summary).unwrap();
     for operation in summary["operations"].as_array_mut().unwrap() {
         if let Some(numerics) = operation["numerics"].as_object_mut() {
             assert!(numerics.remove("wall_time_s").is_some());
             assert!(numerics.remove("real_time_factor").is_some());
         }
     }
-    (summary, TABLES.map(read).into())
+    (summary, files)
 }
+
+/// Every table there is, and frames that fill more than one row group.
+pub(crate) const RECORDS: [&str; 5] = [
+    "--csv",
+    "--set",
+    "records.frames=20 Hz",
+    "--set",
+    "records.spectra=hook_load",
+];
 
 /// Two operations with both models.
 fn arguments<'a>(duration: &'a str, more: &[&'a str]) -> Vec<&'a str> {
-    [&["run", "slant.toml", "--csv", "--set", duration], more].concat()
+    [
+        &["run", "slant.toml", "--set", duration],
+        &RECORDS[..],
+        more,
+    ]
+    .concat()
+}
+
+fn frames(desk: &Desk, folder: &str) -> Table {
+    Table::read_parquet(&desk.path(folder).join("frames.parquet")).unwrap()
 }
 
 fn begin(desk: &Desk, arguments: &[&str]) -> Child {
@@ -99,13 +116,19 @@ fn killed(times: u32, duration: &str) {
     let message = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "after {kills} kills: {message}");
     assert!(kills >= times / 2, "killed {kills} times only");
-    let files = |folder: &str| -> BTreeSet<_> {
-        let files = fs::read_dir(desk.path(folder)).unwrap();
-        files.map(|entry| entry.unwrap().file_name()).collect()
-    };
-    assert_eq!(files("killed"), files("whole"));
-    // Their numbers fill pages.
-    assert!(leavings(&desk, "killed") == leavings(&desk, "whole"));
+    assert!(frames(&desk, "whole").rows() > 131_072, "one row group");
+    assert_same(&desk, "killed", "whole");
+}
+
+/// That two folders hold the same, file for file: their numbers fill pages.
+pub(crate) fn assert_same(desk: &Desk, one: &str, other: &str) {
+    let [(one, files), (other, expected)] = [one, other].map(|folder| leavings(desk, folder));
+    let names = files.keys().collect::<Vec<_>>();
+    assert_eq!(names, expected.keys().collect::<Vec<_>>());
+    for name in names {
+        assert!(files[name] == expected[name], "{name} differs");
+    }
+    assert!(one == other, "summary.json differs");
 }
 
 #[test]
@@ -124,13 +147,9 @@ fn a_run_killed_at_twenty_moments_ends_as_if_nothing_had_happened() {
 #[test]
 fn ctrl_c_lays_a_run_aside() {
     let desk = Desk::new();
-    let duration = ["--set", "dynamics.duration=100 s", "--csv"];
-    let whole = desk.run(&[&["run", "slant.toml", "-o", "whole"], &duration[..]].concat());
-    assert!(whole.status.success());
-    let mut child = begin(
-        &desk,
-        &[&["run", "slant.toml", "-o", "stopped"], &duration[..]].concat(),
-    );
+    let with = |more: [&'static str; 2]| arguments("dynamics.duration=100 s", &more);
+    assert!(desk.run(&with(["-o", "whole"])).status.success());
+    let mut child = begin(&desk, &with(["-o", "stopped"]));
     // The soft string is on the disk when the dynamics begin.
     let start = Instant::now();
     while !desk.path("stopped/summary.json").exists() {
@@ -150,10 +169,19 @@ fn ctrl_c_lays_a_run_aside() {
         "interrupted: what was computed is in stopped\n\
          to go on, run the case with --resume stopped\n"
     );
-    let resumed =
-        desk.run(&[&["run", "slant.toml", "--resume", "stopped"], &duration[..]].concat());
-    assert!(resumed.status.success());
-    assert!(leavings(&desk, "stopped") == leavings(&desk, "whole"));
+    let kept = frames(&desk, "stopped");
+    let whole = frames(&desk, "whole");
+    assert!(kept.rows() < whole.rows());
+    for (kept, whole) in kept.columns().iter().zip(whole.columns()) {
+        let same = match (&kept.data, &whole.data) {
+            (Data::Number(kept), Data::Number(whole)) => whole.starts_with(kept),
+            (Data::Text(kept), Data::Text(whole)) => whole.starts_with(kept),
+            _ => false,
+        };
+        assert!(same, "{}", whole.name);
+    }
+    assert!(desk.run(&with(["--resume", "stopped"])).status.success());
+    assert_same(&desk, "stopped", "whole");
     child = begin(&desk, &["run", "slant.toml", "--resume", "stopped"]);
     assert_eq!(child.wait().unwrap().code(), Some(2));
 }

@@ -13,7 +13,7 @@ use wholestring_results::Status;
 
 use crate::{
     desk::{Desk, masked, transcript},
-    resume::leavings,
+    resume::{RECORDS, assert_same},
 };
 
 /// Two frictions and three depths, the second of them a range that its step does not divide.
@@ -115,19 +115,21 @@ fn every_combination_is_a_row() {
 fn threads_leave_the_numbers_alone() {
     let desk = Desk::new();
     for jobs in ["1", "2"] {
-        let output = desk.run(&sweep(&["-j", jobs, "-o", jobs, "--csv", "--quiet"]));
+        let output = desk.run(&sweep(
+            &[&["-j", jobs, "-o", jobs, "--quiet"], &RECORDS[..]].concat(),
+        ));
         assert!(output.status.success());
         assert!(output.stdout.is_empty() && output.stderr.is_empty());
     }
     let table = |folder: &str| fs::read(desk.path(folder).join("sweep.csv")).unwrap();
     assert!(table("1") == table("2"));
     for case in CASES {
-        assert!(leavings(&desk, &format!("1/{case}")) == leavings(&desk, &format!("2/{case}")));
+        assert_same(&desk, &format!("1/{case}"), &format!("2/{case}"));
     }
     let own = ["--set", "friction=0.3", "--set", "bit_depth=500m"];
-    let alone = [&["run", "slant.toml", "--csv", "-o", "alone"], &own[..]].concat();
+    let alone = [&["run", "slant.toml", "-o", "alone"], &RECORDS[..], &own].concat();
     assert!(desk.run(&alone).status.success());
-    assert!(leavings(&desk, "alone") == leavings(&desk, &format!("1/{}", CASES[4])));
+    assert_same(&desk, "alone", &format!("1/{}", CASES[4]));
 }
 
 /// A lift of ten thousand tonnes throws the string out of the hole; the others are solved.
@@ -162,7 +164,7 @@ fn one_case_that_fails() {
 #[test]
 fn a_killed_sweep_goes_on() {
     let desk = Desk::new();
-    let long = ["--csv", "--set", "dynamics.duration=15 s"];
+    let long = [&["--set", "dynamics.duration=15 s"], &RECORDS[..]].concat();
     let whole = [&long[..], &["-o", "whole"]].concat();
     assert!(desk.run(&sweep(&whole)).status.success());
     let killed = [&long[..], &["-o", "killed", "--checkpoint", "0.01 s"]].concat();
@@ -209,9 +211,7 @@ fn a_killed_sweep_goes_on() {
     assert_eq!(written(done), before);
     assert!(!any("checkpoint.bin"));
     for case in CASES {
-        let [killed, whole] =
-            ["killed", "whole"].map(|of| leavings(&desk, &format!("{of}/{case}")));
-        assert!(killed == whole, "{case}");
+        assert_same(&desk, &format!("killed/{case}"), &format!("whole/{case}"));
     }
     let table = |folder: &str| fs::read(desk.path(folder).join("sweep.csv")).unwrap();
     assert!(table("killed") == table("whole"));

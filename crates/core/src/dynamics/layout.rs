@@ -46,3 +46,29 @@ impl Layout {
         (row * self.parts + lane / DOUBLES, lane % DOUBLES)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::chain::Chain;
+
+    /// A block's lanes are those of its part of the chain's row, and no node is without.
+    fn assert_blocks_stand_beside_rows<R: Real>() {
+        for nodes in [1, 15, 16, 17, 31, 32, 33, 100] {
+            let chain = Chain::new(nodes).converted::<R>();
+            let layout = chain.layout();
+            for index in 0..nodes {
+                let (block, lane) = layout.place(index);
+                assert!(block < layout.blocks());
+                let (row, part) = Layout::row_of::<R>(block);
+                assert_eq!(chain.place(index), (row, part * DOUBLES + lane));
+            }
+        }
+    }
+
+    #[test]
+    fn blocks_stand_beside_the_rows_of_either_kind_of_number() {
+        assert_blocks_stand_beside_rows::<f64>();
+        assert_blocks_stand_beside_rows::<f32>();
+    }
+}

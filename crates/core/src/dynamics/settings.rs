@@ -52,6 +52,18 @@ pub enum ContactLaw {
     },
 }
 
+impl ContactLaw {
+    /// Hunt-Crossley dissipation, s/m; the linear law has none.
+    pub(super) fn dissipation_s_per_m(&self) -> f64 {
+        match self {
+            Self::Hertz {
+                dissipation_s_per_m,
+            } => *dissipation_s_per_m,
+            Self::Linear { .. } => 0.0,
+        }
+    }
+}
+
 /// How the top of the string is moved along the hole.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum HoistControl {

@@ -270,13 +270,13 @@ impl Viscous {
             now.bore_loss_Pa += passage.length_m * passage.bore_gradient_Pa_per_m;
         }
         now.pump_pressure_Pa = now.bore_loss_Pa + now.bit_loss_Pa + now.annulus_loss_Pa;
-        self.sum = self.sum.plus(&now);
+        self.sum = self.sum + now;
         self.samples += 1;
     }
 
     /// Means of what was sampled.
     pub fn mean(&self) -> Hydraulics {
-        self.sum.scaled(1.0 / f64::from(self.samples.max(1)))
+        self.sum * (1.0 / f64::from(self.samples.max(1)))
     }
 
     /// What the pressures that the flow adds lengthen the string by, m.

@@ -1,5 +1,7 @@
 //! What circulation costs, and what the mud does to the whole string.
 
+use std::ops::{Add, Mul};
+
 /// Mud forces on a whole string and the pressures that its flow takes.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize, serde::Deserialize)]
 pub struct Hydraulics {
@@ -21,30 +23,33 @@ pub struct Hydraulics {
 }
 
 impl Hydraulics {
-    /// The sum with another.
-    pub fn plus(&self, other: &Self) -> Self {
+    /// Each number of this and the other, joined.
+    fn join(self, other: Self, join: impl Fn(f64, f64) -> f64) -> Self {
         Self {
-            mud_drag_N: self.mud_drag_N + other.mud_drag_N,
-            mud_torque_N_m: self.mud_torque_N_m + other.mud_torque_N_m,
-            jet_thrust_N: self.jet_thrust_N + other.jet_thrust_N,
-            bore_loss_Pa: self.bore_loss_Pa + other.bore_loss_Pa,
-            bit_loss_Pa: self.bit_loss_Pa + other.bit_loss_Pa,
-            annulus_loss_Pa: self.annulus_loss_Pa + other.annulus_loss_Pa,
-            pump_pressure_Pa: self.pump_pressure_Pa + other.pump_pressure_Pa,
+            mud_drag_N: join(self.mud_drag_N, other.mud_drag_N),
+            mud_torque_N_m: join(self.mud_torque_N_m, other.mud_torque_N_m),
+            jet_thrust_N: join(self.jet_thrust_N, other.jet_thrust_N),
+            bore_loss_Pa: join(self.bore_loss_Pa, other.bore_loss_Pa),
+            bit_loss_Pa: join(self.bit_loss_Pa, other.bit_loss_Pa),
+            annulus_loss_Pa: join(self.annulus_loss_Pa, other.annulus_loss_Pa),
+            pump_pressure_Pa: join(self.pump_pressure_Pa, other.pump_pressure_Pa),
         }
     }
+}
 
-    /// Everything times a factor.
-    pub fn scaled(&self, factor: f64) -> Self {
-        Self {
-            mud_drag_N: self.mud_drag_N * factor,
-            mud_torque_N_m: self.mud_torque_N_m * factor,
-            jet_thrust_N: self.jet_thrust_N * factor,
-            bore_loss_Pa: self.bore_loss_Pa * factor,
-            bit_loss_Pa: self.bit_loss_Pa * factor,
-            annulus_loss_Pa: self.annulus_loss_Pa * factor,
-            pump_pressure_Pa: self.pump_pressure_Pa * factor,
-        }
+impl Add for Hydraulics {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        self.join(other, |a, b| a + b)
+    }
+}
+
+impl Mul<f64> for Hydraulics {
+    type Output = Self;
+
+    fn mul(self, factor: f64) -> Self {
+        self.join(self, |own, _| own * factor)
     }
 }
 

@@ -2,6 +2,8 @@
 // Every test file uses its own part of this module.
 #![allow(dead_code, unreachable_pub, unused_imports)]
 
+pub mod np13;
+
 use serde_json::Value;
 use wholestring::{
     GRAVITY_M_PER_S2,

@@ -3,12 +3,12 @@
 use wholestring::{
     dynamics::{HoistControl, Simulation},
     operation::OperationKind,
-    well::{Friction, Hole, HoleSection},
+    well::{Friction, HoleSection},
 };
 
 use crate::{
     common::{assert_close, operation},
-    wells::{Case, STRAIGHT_DEG, go, mean_between, mud, straight},
+    wells::{Case, STRAIGHT_DEG, change_hole, go, mean_between, mud, straight},
 };
 
 const LENGTH_M: f64 = 60.0;
@@ -20,21 +20,14 @@ const STRIBECK_M_PER_S: f64 = 0.1;
 
 fn case() -> Case {
     let mut model = straight(LENGTH_M, KINETIC);
-    let sections: Vec<HoleSection> = model
-        .well
-        .hole
-        .sections()
-        .iter()
-        .map(|s| HoleSection {
-            friction: Friction {
-                kinetic: KINETIC,
-                at_rest: AT_REST,
-                around: 1.0,
-            },
-            ..*s
-        })
-        .collect();
-    model.well.hole = Hole::new(sections).expect("a sound hole");
+    change_hole(&mut model, |s| HoleSection {
+        friction: Friction {
+            kinetic: KINETIC,
+            at_rest: AT_REST,
+            around: 1.0,
+        },
+        ..*s
+    });
     let mut operation = operation(OperationKind::TripOut, LENGTH_M);
     operation.trip_speed_m_per_s = 0.01;
     let mut case = Case::new(model, operation);

@@ -3,12 +3,12 @@
 use wholestring::{
     dynamics::{DynamicOutcome, FrictionLaw},
     operation::OperationKind,
-    well::{Friction, Hole, HoleSection},
+    well::{Friction, HoleSection},
 };
 
 use crate::{
     common::{assert_close, operation, rpm},
-    wells::{Case, STRAIGHT_DEG, each, line, mud, straight},
+    wells::{Case, STRAIGHT_DEG, change_hole, each, line, mud, straight},
 };
 
 const LENGTH_M: f64 = 300.0;
@@ -21,21 +21,14 @@ const TRIP_M_PER_S: f64 = 0.1;
 /// Reaming a straight hole at 20 rev/min with a coefficient along the hole and its ratio around.
 fn reaming(mu: f64, ratio: f64, law: FrictionLaw) -> Case {
     let mut model = straight(LENGTH_M, mu);
-    let sections: Vec<HoleSection> = model
-        .well
-        .hole
-        .sections()
-        .iter()
-        .map(|s| HoleSection {
-            friction: Friction {
-                around: ratio,
-                ..s.friction
-            },
-            to_md_m: s.to_md_m + 10.0,
-            ..*s
-        })
-        .collect();
-    model.well.hole = Hole::new(sections).expect("a sound hole");
+    change_hole(&mut model, |s| HoleSection {
+        friction: Friction {
+            around: ratio,
+            ..s.friction
+        },
+        to_md_m: s.to_md_m + 10.0,
+        ..*s
+    });
     let mut operation = operation(OperationKind::Ream, LENGTH_M);
     operation.rotary_speed_rad_per_s = rpm(20.0);
     operation.trip_speed_m_per_s = TRIP_M_PER_S;

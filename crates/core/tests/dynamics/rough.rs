@@ -3,12 +3,12 @@
 use wholestring::{
     dynamics::DynamicOutcome,
     operation::OperationKind,
-    well::{Hole, HoleSection, Roughness},
+    well::{HoleSection, Roughness},
 };
 
 use crate::{
     common::{assert_close, operation},
-    wells::{Case, each, straight},
+    wells::{Case, change_hole, each, straight},
 };
 
 const LENGTH_M: f64 = 300.0;
@@ -16,27 +16,19 @@ const LENGTH_M: f64 = 300.0;
 /// Reaming at 0.1 m/s in a wall of this roughness.
 fn reaming(radius_rms_m: f64, tortuosity_rms_m: f64, seed: u64) -> Case {
     let mut model = straight(LENGTH_M, 0.25);
-    let sections: Vec<HoleSection> = model
-        .well
-        .hole
-        .sections()
-        .iter()
-        .map(|s| HoleSection {
-            to_md_m: s.to_md_m + 10.0,
-            ..*s
-        })
-        .collect();
-    model.well.hole = Hole::new(sections)
-        .and_then(|hole| {
-            hole.with_roughness(Some(Roughness {
-                radius_rms_m,
-                tortuosity_rms_m,
-                shortest_m: 2.0,
-                longest_m: 20.0,
-                seed,
-            }))
-        })
-        .expect("a sound hole");
+    change_hole(&mut model, |s| HoleSection {
+        to_md_m: s.to_md_m + 10.0,
+        ..*s
+    });
+    let roughness = Roughness {
+        radius_rms_m,
+        tortuosity_rms_m,
+        shortest_m: 2.0,
+        longest_m: 20.0,
+        seed,
+    };
+    let hole = model.well.hole.with_roughness(Some(roughness));
+    model.well.hole = hole.expect("a sound hole");
     let mut operation = operation(OperationKind::Ream, LENGTH_M);
     operation.trip_speed_m_per_s = 0.1;
     let mut case = Case::new(model, operation);

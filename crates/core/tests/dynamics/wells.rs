@@ -7,11 +7,15 @@ use wholestring::{
     operation::{Operation, OperationKind},
     rig::Rig,
     statics::soft::{self, SoftProfile},
-    string::{ComponentLength, ComponentSpec, Material, StringSpec, ToolJoints},
+    string::{ComponentLength, ComponentSpec, StringSpec},
     well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Well},
 };
 
-use crate::common::{operation, path};
+pub use crate::common::np13::tool;
+use crate::common::{
+    np13::{components, drill_pipe, heavy_weight},
+    operation, path,
+};
 
 /// A model, what is done with it, and how it is computed.
 #[derive(Clone)]
@@ -106,15 +110,6 @@ pub fn line(x: &[f64], y: &[f64]) -> (f64, f64) {
     (sxy / sxx, my - sxy / sxx * mx)
 }
 
-/// The steel of the article's Table 1.
-pub fn steel() -> Material {
-    Material {
-        density_kg_per_m3: 7860.0,
-        youngs_modulus_Pa: 210e9,
-        shear_modulus_Pa: 76.923e9,
-    }
-}
-
 /// Mud of 1.2 sg that drags on lateral motion.
 pub fn mud() -> Mud {
     Mud {
@@ -122,29 +117,6 @@ pub fn mud() -> Mud {
         linear_drag_Pa_s: 5.0,
         drag_coefficient: 1.0,
         rheology: None,
-    }
-}
-
-/// A component without joints.
-pub fn tool(name: &str, length: ComponentLength, od_m: f64, id_m: f64) -> ComponentSpec {
-    ComponentSpec::uniform(name, od_m, id_m, length, steel())
-}
-
-/// Pipe with tool joints of 177.8 mm.
-fn jointed(
-    name: &str,
-    length: ComponentLength,
-    id_m: f64,
-    spacing_m: f64,
-    mass_per_length_kg_per_m: f64,
-) -> ComponentSpec {
-    ComponentSpec {
-        mass_per_length_kg_per_m,
-        joints: Some(ToolJoints {
-            od_m: 0.1778,
-            spacing_m,
-        }),
-        ..tool(name, length, 0.1397, id_m)
     }
 }
 
@@ -193,6 +165,12 @@ pub fn model(
     }
 }
 
+/// Changes every section of a model's hole.
+pub fn change_hole(model: &mut Model, change: impl Fn(&HoleSection) -> HoleSection) {
+    let sections = model.well.hole.sections().iter().map(change);
+    model.well.hole = Hole::new(sections.collect()).expect("a sound hole");
+}
+
 /// Inclination of the straight holes, deg.
 pub const STRAIGHT_DEG: f64 = 60.0;
 
@@ -220,21 +198,6 @@ pub fn np13(mu: f64) -> Case {
 
 /// The same with the bit at another depth.
 pub fn np13_at(mu: f64, bit_depth_m: f64) -> Case {
-    use ComponentLength::{Metres, ToSurface};
-    let components = vec![
-        tool("bit", Metres(0.34), 0.2159, 0.060),
-        tool("motor", Metres(7.69), 0.172, 0.057),
-        tool("check valve", Metres(0.50), 0.165, 0.0714),
-        tool("stabiliser", Metres(1.53), 0.206, 0.0714),
-        tool("drill collar", Metres(9.09), 0.165, 0.0714),
-        tool("MWD", Metres(2.17), 0.165, 0.0714),
-        tool("drill collar", Metres(9.47), 0.165, 0.0714),
-        jointed("heavy-weight drill pipe", Metres(84.53), 0.0921, 9.39, 79.3),
-        tool("jar", Metres(3.57), 0.178, 0.0714),
-        jointed("heavy-weight drill pipe", Metres(84.53), 0.0921, 9.39, 79.3),
-        // 5-1/2 in 21.90 lb/ft.
-        jointed("drill pipe", ToSurface, 0.12136, 9.6, 35.8),
-    ];
     let hole = vec![
         section(HoleKind::Casing, 0.0, 2986.53, 0.22296, mu),
         section(HoleKind::Open, 2986.53, NP13_M + 20.0, 0.2159, mu),
@@ -246,7 +209,7 @@ pub fn np13_at(mu: f64, bit_depth_m: f64) -> Case {
         rate_of_penetration_m_per_s: 10.0 / 3600.0,
         ..operation(OperationKind::Drill, bit_depth_m)
     };
-    Case::new(model(path, hole, components, bit_depth_m), drill)
+    Case::new(model(path, hole, components(), bit_depth_m), drill)
 }
 
 /// The survey that the case file reads: MD in m, inclination and azimuth in degrees under a header.
@@ -270,7 +233,7 @@ pub const MODERATE_M: f64 = 1500.0;
 /// A well with a build to 45° by 800 m and a turn of 25° below, in which a string with heavy-weight
 /// pipe and collars does `kind` with `mu` everywhere.
 pub fn moderate(kind: OperationKind, mu: f64) -> Case {
-    use ComponentLength::{Metres, ToSurface};
+    use ComponentLength::Metres;
     let mut stations = vec![[0.0, 0.0, 30.0]];
     for i in 0..=20 {
         let part = f64::from(i) / 20.0;
@@ -283,8 +246,8 @@ pub fn moderate(kind: OperationKind, mu: f64) -> Case {
     let components = vec![
         tool("bit", Metres(0.3), 0.2159, 0.060),
         tool("drill collar", Metres(55.0), 0.165, 0.0714),
-        jointed("heavy-weight drill pipe", Metres(93.9), 0.0921, 9.39, 79.3),
-        jointed("drill pipe", ToSurface, 0.12136, 9.6, 35.8),
+        heavy_weight(93.9),
+        drill_pipe(),
     ];
     let hole = vec![
         section(HoleKind::Casing, 0.0, 700.0, 0.22296, mu),

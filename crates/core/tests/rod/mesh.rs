@@ -6,20 +6,10 @@ use wholestring::{
     string::{Blades, ComponentLength, ComponentSpec, DrillString, StringSpec, ToolJoints},
 };
 
-use crate::common::{assert_close, steel};
+use crate::common::{assert_close, np13::components, steel};
 
 fn tube(od_m: f64, length: ComponentLength) -> ComponentSpec {
     ComponentSpec::uniform("tube", od_m, 0.4 * od_m, length, steel())
-}
-
-fn jointed(od_m: f64, joint_od_m: f64, spacing_m: f64, length: ComponentLength) -> ComponentSpec {
-    ComponentSpec {
-        joints: Some(ToolJoints {
-            od_m: joint_od_m,
-            spacing_m,
-        }),
-        ..tube(od_m, length)
-    }
 }
 
 fn string(components: Vec<ComponentSpec>, length_m: f64) -> DrillString {
@@ -30,24 +20,9 @@ fn string(components: Vec<ComponentSpec>, length_m: f64) -> DrillString {
 
 use ComponentLength::{Metres, ToSurface};
 
-/// The bottom-hole assembly and the pipe of `cases/np13-x1042.toml`.
+/// The string of `cases/np13-x1042.toml`.
 pub fn np13() -> DrillString {
-    string(
-        vec![
-            tube(0.2159, Metres(0.34)),
-            tube(0.172, Metres(7.69)),
-            tube(0.165, Metres(0.50)),
-            tube(0.206, Metres(1.53)),
-            tube(0.165, Metres(9.09)),
-            tube(0.165, Metres(2.17)),
-            tube(0.165, Metres(9.47)),
-            jointed(0.1397, 0.1778, 9.39, Metres(84.53)),
-            tube(0.178, Metres(3.57)),
-            jointed(0.1397, 0.1778, 9.39, Metres(84.53)),
-            jointed(0.1397, 0.1778, 9.6, ToSurface),
-        ],
-        4305.0,
-    )
+    string(components(), 4305.0)
 }
 
 fn node_at(mesh: &Mesh, from_bit_m: f64) -> Option<f64> {

@@ -2,21 +2,13 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Ledger, Record, Run, SinceSample};
+use super::{Run, state::State};
 use crate::{
     dynamics::{
-        assembly::Anchor,
-        bit::Bit,
-        body::Body,
-        chain::{Chain, Rows},
-        hoist::Hoist,
+        chain::Chain,
         layout::Layout,
-        schedule::SetPoints,
         settings::DynamicsSettings,
         setup::{Basis, SetupError},
-        top_drive::TopDrive,
-        viscous::Viscous,
-        wear::Wear,
     },
     model::Model,
     operation::Operation,
@@ -32,22 +24,7 @@ use crate::{
 pub struct Checkpoint {
     /// In double precision, which holds single precision to the bit.
     chain: Chain,
-    anchors: Vec<Anchor>,
-    set_points: SetPoints,
-    top_drive: TopDrive,
-    hoist: Hoist,
-    bit: Bit,
-    rigid_velocity_m_per_s: f64,
-    fading_s: f64,
-    steps: u64,
-    since_sample: SinceSample,
-    record: Record,
-    high: Vec<Rows<f64>>,
-    ledger: Ledger,
-    wear: Wear,
-    body: Body,
-    viscous: Option<Viscous>,
-    window_open: bool,
+    state: State,
     time_s: f64,
     instructions: String,
 }
@@ -86,56 +63,11 @@ impl Checkpoint {
 impl<R: Real> Run<R> {
     /// The run as it stands, to be laid aside: between two calls of [`Self::advance`], at any time.
     pub fn checkpoint(&self) -> Checkpoint {
-        // Every field is named: a new one is either found anew or kept.
-        let Self {
-            model: _,
-            mud: _,
-            operation: _,
-            settings: _,
-            mesh: _,
-            plan: _,
-            surroundings: _,
-            abilities: _,
-            steps_per_sample: _,
-            stepper,
-            chain,
-            anchors,
-            set_points,
-            top_drive,
-            hoist,
-            bit,
-            rigid_velocity_m_per_s,
-            fading_s,
-            steps,
-            since_sample,
-            record,
-            high,
-            ledger,
-            wear,
-            body,
-            viscous,
-            window_open,
-        } = self;
         Checkpoint {
-            chain: chain.converted(),
-            anchors: anchors.clone(),
-            set_points: set_points.clone(),
-            top_drive: top_drive.clone(),
-            hoist: hoist.clone(),
-            bit: bit.clone(),
-            rigid_velocity_m_per_s: *rigid_velocity_m_per_s,
-            fading_s: *fading_s,
-            steps: *steps,
-            since_sample: *since_sample,
-            record: record.clone(),
-            high: high.clone(),
-            ledger: *ledger,
-            wear: wear.clone(),
-            body: body.clone(),
-            viscous: viscous.clone(),
-            window_open: *window_open,
+            chain: self.chain.converted(),
+            state: self.state.clone(),
             time_s: self.time_s(),
-            instructions: stepper.instructions.to_owned(),
+            instructions: self.instructions().to_owned(),
         }
     }
 
@@ -155,37 +87,11 @@ impl<R: Real> Run<R> {
         if found != expected {
             return Err(ResumeError::AnotherString { found, expected });
         }
-        if checkpoint.record.layout() != Layout::beside::<R>(found) {
+        if checkpoint.state.record.layout() != Layout::beside::<R>(found) {
             return Err(ResumeError::AnotherPrecision);
         }
-        Ok(Self {
-            model: model.clone(),
-            mud: model.mud_column(),
-            operation: *operation,
-            settings: settings.clone(),
-            mesh: basis.mesh,
-            plan: basis.plan,
-            surroundings: basis.surroundings,
-            abilities: basis.abilities,
-            stepper: basis.stepper,
-            steps_per_sample: basis.steps_per_sample,
-            chain: checkpoint.chain.converted(),
-            anchors: checkpoint.anchors,
-            set_points: checkpoint.set_points,
-            top_drive: checkpoint.top_drive,
-            hoist: checkpoint.hoist,
-            bit: checkpoint.bit,
-            rigid_velocity_m_per_s: checkpoint.rigid_velocity_m_per_s,
-            fading_s: checkpoint.fading_s,
-            steps: checkpoint.steps,
-            since_sample: checkpoint.since_sample,
-            record: checkpoint.record,
-            high: checkpoint.high,
-            ledger: checkpoint.ledger,
-            wear: checkpoint.wear,
-            body: checkpoint.body,
-            viscous: checkpoint.viscous,
-            window_open: checkpoint.window_open,
-        })
+        let chain = checkpoint.chain.converted();
+        let state = checkpoint.state;
+        Ok(Self::of(model, operation, settings, basis, chain, state))
     }
 }

@@ -5,7 +5,7 @@ mod contact_map;
 
 use super::*;
 use crate::{
-    dynamics::{settings::FrictionLaw, step::Abilities},
+    dynamics::settings::{ContactLaw, FrictionLaw},
     mud::Mud,
     operation::OperationKind,
     rig::Rig,
@@ -14,6 +14,19 @@ use crate::{
 };
 
 const DEPTH_M: f64 = 300.0;
+
+/// Nothing at the bit.
+const REAM: Operation = Operation {
+    kind: OperationKind::Ream,
+    bit_depth_m: DEPTH_M,
+    rotary_speed_rad_per_s: 7.0,
+    weight_on_bit_N: 0.0,
+    bit_torque_N_m: 0.0,
+    rate_of_penetration_m_per_s: 0.0,
+    trip_speed_m_per_s: 0.2,
+    flow_rate_m3_per_s: 0.0,
+    bit_pressure_drop_Pa: 0.0,
+};
 
 /// Pipe in a hole that builds to 50 deg and turns.
 fn model(at_rest: f64) -> Model {
@@ -75,17 +88,6 @@ fn every_instruction_set_moves_the_string_alike() {
         (false, FrictionLaw::Independent, 0.25),
     ] {
         let model = model(at_rest);
-        let operation = Operation {
-            kind: OperationKind::Ream,
-            bit_depth_m: DEPTH_M,
-            rotary_speed_rad_per_s: 7.0,
-            weight_on_bit_N: 0.0,
-            bit_torque_N_m: 0.0,
-            rate_of_penetration_m_per_s: 0.0,
-            trip_speed_m_per_s: 0.2,
-            flow_rate_m3_per_s: 0.0,
-            bit_pressure_drop_Pa: 0.0,
-        };
         let mut settings = DynamicsSettings {
             settle_s: 3.0,
             duration_s: 2.0,
@@ -98,7 +100,7 @@ fn every_instruction_set_moves_the_string_alike() {
                 damping_ratio: 0.05,
             };
         }
-        let laid = Run::<f64>::new(&model, &operation, &settings).unwrap();
+        let laid = Run::<f64>::new(&model, &REAM, &settings).unwrap();
         let vector = friction_law == FrictionLaw::Vector;
         let outcomes: Vec<_> = Stepper::all(Abilities {
             hertz,
@@ -134,31 +136,29 @@ fn every_instruction_set_moves_the_string_alike() {
 #[test]
 fn wear_is_the_loss_to_friction() {
     for friction_law in [FrictionLaw::Vector, FrictionLaw::Independent] {
-        let operation = Operation {
-            kind: OperationKind::Ream,
-            bit_depth_m: DEPTH_M,
-            rotary_speed_rad_per_s: 7.0,
-            weight_on_bit_N: 0.0,
-            bit_torque_N_m: 0.0,
-            rate_of_penetration_m_per_s: 0.0,
-            trip_speed_m_per_s: 0.2,
-            flow_rate_m3_per_s: 0.0,
-            bit_pressure_drop_Pa: 0.0,
-        };
         let settings = DynamicsSettings {
             friction_law,
             ..Default::default()
         };
-        let mut run = Run::<f64>::new(&model(0.3), &operation, &settings).unwrap();
-        let input = run.step_input(0.0, operation.rotary_speed_rad_per_s);
+        let mut run = Run::<f64>::new(&model(0.3), &REAM, &settings).unwrap();
+        let input = run.step_input(0.0, REAM.rotary_speed_rad_per_s);
         let mut lost = 0.0;
         run.chain.clear_sums();
         for _ in 0..2000 {
             lost += run.stepper.step(&mut run.chain, &input).friction;
         }
-        run.wear.sample(&run.chain, |i| run.anchors[i].md_m);
-        let nodes: f64 = (0..run.chain.nodes()).map(|i| run.wear.string_J(i)).sum();
-        let hole: f64 = run.wear.hole_J_per_m(|i| run.anchors[i].md_m).iter().sum();
+        run.state
+            .wear
+            .sample(&run.chain, |i| run.state.anchors[i].md_m);
+        let nodes: f64 = (0..run.chain.nodes())
+            .map(|i| run.state.wear.string_J(i))
+            .sum();
+        let hole: f64 = run
+            .state
+            .wear
+            .hole_J_per_m(|i| run.state.anchors[i].md_m)
+            .iter()
+            .sum();
         assert!(lost > 1000.0, "{lost}");
         assert!((nodes / lost - 1.0).abs() < 1e-12, "{nodes} {lost}");
         let hole = hole * super::super::wear::HOLE_STEP_M;

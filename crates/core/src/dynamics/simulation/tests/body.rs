@@ -46,14 +46,9 @@ fn bent_model() -> Model {
 fn start(kind: OperationKind, rpm: f64) -> Run<f64> {
     let operation = Operation {
         kind,
-        bit_depth_m: DEPTH_M,
         rotary_speed_rad_per_s: rpm * std::f64::consts::TAU / 60.0,
-        weight_on_bit_N: 0.0,
-        bit_torque_N_m: 0.0,
-        rate_of_penetration_m_per_s: 0.0,
         trip_speed_m_per_s: 0.0,
-        flow_rate_m3_per_s: 0.0,
-        bit_pressure_drop_Pa: 0.0,
+        ..REAM
     };
     let settings = DynamicsSettings {
         settle_s: 5.0,
@@ -65,8 +60,8 @@ fn start(kind: OperationKind, rpm: f64) -> Run<f64> {
 
 /// Where the bend points: its part towards the high side and that to the right of it.
 fn toolface_rad(simulation: &Run<f64>) -> f64 {
-    let bend = &simulation.body.bends[0];
-    let high = Vector::from(simulation.anchors[bend.index].high_side);
+    let bend = &simulation.state.body.bends[0];
+    let high = Vector::from(simulation.state.anchors[bend.index].high_side);
     let right = simulation.chain.tangent(bend.index).cross(high);
     bend.toward.dot(right).atan2(bend.toward.dot(high))
 }
@@ -75,9 +70,10 @@ fn toolface_rad(simulation: &Run<f64>) -> f64 {
 #[test]
 fn bends_and_eccentric_masses_find_their_nodes() {
     let simulation = start(OperationKind::RotateOffBottom, 60.0);
-    let bend = &simulation.body.bends[0];
+    let bend = &simulation.state.body.bends[0];
     assert!((simulation.mesh.nodes[bend.index].from_bit_m - 2.2).abs() < 1e-9);
     let sum: f64 = simulation
+        .state
         .body
         .imbalances
         .iter()
@@ -106,17 +102,17 @@ fn a_tool_face_holds_while_the_string_does_not_turn() {
 #[test]
 fn a_bent_string_turns() {
     let mut simulation = start(OperationKind::RotateOffBottom, 60.0);
-    let index = simulation.body.bends[0].index;
+    let index = simulation.state.body.bends[0].index;
     let (mut spun, mut shown, mut fastest) = (0.0, 0.0, 0.0f64);
     let mut last = toolface_rad(&simulation);
     let dt = simulation.plan.dt_s;
     for step in 0..(15.0 / dt) as usize {
         simulation.step();
         if step % 16 == 0 {
-            let (chain, anchors) = (&mut simulation.chain, &mut simulation.anchors);
+            let (chain, anchors) = (&mut simulation.chain, &mut simulation.state.anchors);
             simulation
                 .surroundings
-                .follow(chain, anchors, &mut simulation.high);
+                .follow(chain, anchors, &mut simulation.state.high);
         }
         if (step as u64).is_multiple_of(simulation.steps_per_sample) {
             simulation.sample();

@@ -7,17 +7,6 @@ use super::*;
 #[test]
 fn rows_of_the_map_hold_what_the_samples_hold() {
     let model = model(0.25);
-    let operation = Operation {
-        kind: OperationKind::Ream,
-        bit_depth_m: DEPTH_M,
-        rotary_speed_rad_per_s: 7.0,
-        weight_on_bit_N: 0.0,
-        bit_torque_N_m: 0.0,
-        rate_of_penetration_m_per_s: 0.0,
-        trip_speed_m_per_s: 0.2,
-        flow_rate_m3_per_s: 0.0,
-        bit_pressure_drop_Pa: 0.0,
-    };
     // Two nodes a stretch and four samples a row.
     let mut settings = DynamicsSettings {
         element_length_m: 1.0,
@@ -26,9 +15,9 @@ fn rows_of_the_map_hold_what_the_samples_hold() {
         ..Default::default()
     };
     // The window begins with the second sample of a row.
-    let laid = Run::<f64>::new(&model, &operation, &settings).unwrap();
+    let laid = Run::<f64>::new(&model, &REAM, &settings).unwrap();
     settings.settle_s = 281.5 * laid.sample_interval_s();
-    let mut simulation = Run::<f64>::new(&model, &operation, &settings).unwrap();
+    let mut simulation = Run::<f64>::new(&model, &REAM, &settings).unwrap();
     simulation.advance(simulation.end_time_s()).unwrap();
     let outcome = simulation.outcome();
     let (map, series) = (&outcome.contact, &outcome.series);

@@ -1,0 +1,72 @@
+//! Blades of a stabiliser or reamer.
+
+use wholestring::string::{Blades, ComponentLength, ComponentSpec};
+
+use crate::{
+    diagnostic::Diagnostic,
+    range::number_text,
+    reader::Reader,
+    string::{ComponentTable, mm},
+};
+
+/// Blades without a length of their own on a component without one, m.
+const LONGEST_BLADE_M: f64 = 20.0;
+
+impl ComponentTable {
+    /// Blades, which fit their component.
+    pub(crate) fn blades(&self, component: &mut ComponentSpec, reader: &mut Reader) -> Option<()> {
+        let od = self.blade_od.optional()?;
+        let length = self.blade_length.optional()?;
+        let Some(od) = od else {
+            if let Some(length) = length {
+                reader.report(
+                    Diagnostic::error("`blade_length` needs `blade_od`")
+                        .at(length.place, "`blade_od` is missing")
+                        .help("blades have a gauge; without it the body touches the wall"),
+                );
+                return None;
+            }
+            return Some(());
+        };
+        if component.joints.is_some() {
+            let mut diagnostic = Diagnostic::error("blades stand beside tool joints")
+                .at(od.place, "either of the two touches the wall");
+            if let Some(joint) = self.joint_od.given().or(self.joint_spacing.given()) {
+                diagnostic = diagnostic.at(joint.place, "the tool joints");
+            } else if let Some(catalogue) = self.catalogue.given() {
+                diagnostic = diagnostic.at(catalogue.place, "the catalogue gives tool joints");
+            }
+            reader.report(diagnostic.help("make the stabiliser a component of its own"));
+            return None;
+        }
+        if od.value < component.od_m {
+            let mut diagnostic = Diagnostic::error("the blades are thinner than their body")
+                .at(od.place, format!("expected {} or more", mm(component.od_m)));
+            if let Some(body) = self.od.given() {
+                diagnostic = diagnostic.at(body.place, "the body's outside diameter");
+            }
+            reader.report(diagnostic);
+            return None;
+        }
+        let component_m = match component.length {
+            ComponentLength::Metres(length_m) => length_m,
+            ComponentLength::ToSurface => LONGEST_BLADE_M,
+        };
+        if let Some(length) = length
+            && length.value > component_m
+        {
+            reader.report(
+                Diagnostic::error("the blades are longer than their component").at(
+                    length.place,
+                    format!("expected {} m or less", number_text(component_m)),
+                ),
+            );
+            return None;
+        }
+        component.blades = Some(Blades {
+            od_m: od.value,
+            length_m: length.map_or(component_m, |at| at.value),
+        });
+        Some(())
+    }
+}

@@ -1,0 +1,69 @@
+//! Tool joints of a component.
+
+use wholestring::string::{ComponentSpec, ToolJoints};
+
+use crate::{
+    diagnostic::Diagnostic,
+    reader::Reader,
+    rule::At,
+    string::{ComponentTable, mm},
+};
+
+impl ComponentTable {
+    /// Joints given in the case, in part or wholly, in place of the catalogue's.
+    pub(crate) fn joints(&self, component: &mut ComponentSpec, reader: &mut Reader) -> Option<()> {
+        let od = self.joint_od.optional()?;
+        let spacing = self.joint_spacing.optional()?;
+        let known = component.joints;
+        let joints = ToolJoints {
+            od_m: match (od, known) {
+                (Some(given), _) => given.value,
+                (None, Some(known)) => known.od_m,
+                (None, None) => {
+                    return lacks_partner(spacing, "joint_spacing", "joint_od", reader);
+                }
+            },
+            spacing_m: match (spacing, known) {
+                (Some(given), _) => given.value,
+                (None, Some(known)) => known.spacing_m,
+                (None, None) => return lacks_partner(od, "joint_od", "joint_spacing", reader),
+            },
+        };
+        if let Some(od) = od {
+            if od.value < component.od_m {
+                let mut diagnostic = Diagnostic::error("the tool joint is thinner than its pipe")
+                    .at(od.place, format!("expected {} or more", mm(component.od_m)));
+                if let Some(body) = self.od.given() {
+                    diagnostic = diagnostic.at(body.place, "the pipe's outside diameter");
+                }
+                reader.report(diagnostic);
+                return None;
+            }
+            if known.is_none() && self.mass_per_length.given().is_none() {
+                reader.report(
+                    Diagnostic::warning("mass and stiffness of the tool joints are not counted")
+                        .at(od.place, "joints of unknown length")
+                        .help("give mass_per_length, tool joints included; stiffness stays the body's"),
+                );
+            }
+        }
+        component.joints = Some(joints);
+        Some(())
+    }
+}
+
+/// One of the two keys that make tool joints, without the other. Neither is no mistake.
+fn lacks_partner(
+    given: Option<&At<f64>>,
+    name: &str,
+    partner: &str,
+    reader: &mut Reader,
+) -> Option<()> {
+    let Some(given) = given else { return Some(()) };
+    reader.report(
+        Diagnostic::error(format!("`{name}` needs `{partner}`"))
+            .at(given.place, format!("`{partner}` is missing"))
+            .help("tool joints have a diameter and a spacing; plain pipe has neither"),
+    );
+    None
+}

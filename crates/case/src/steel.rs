@@ -1,0 +1,69 @@
+//! `[steel]`.
+
+use wholestring::string::Material;
+use wholestring_units::Dimension;
+
+use crate::{
+    diagnostic::Diagnostic,
+    quantity::Quantity,
+    range::{Range, number_text},
+    reader::Reader,
+    source::Place,
+    table::{default, table},
+};
+
+pub(crate) fn density() -> Quantity {
+    Quantity::si(
+        Dimension::Density,
+        Range::from_to(1000.0, 25_000.0),
+        "7860 kg/m3",
+    )
+}
+
+pub(crate) fn modulus(example: &'static str) -> Quantity {
+    Quantity::si(Dimension::Pressure, Range::from_to(1e9, 1e12), example)
+}
+
+table! {
+    /// The metal of the string, wherever a component does not say otherwise.
+    SteelTable in "[steel]" {
+        /// Density.
+        density: f64 = default(density(), 7860.0);
+        /// Young's modulus.
+        youngs_modulus: f64 = default(modulus("210 GPa"), 210e9);
+        /// Shear modulus, independent of Young's modulus.
+        shear_modulus: f64 = default(modulus("76.923 GPa"), 76.923e9);
+    }
+}
+
+impl SteelTable {
+    pub(crate) fn build(&self, reader: &mut Reader) -> Option<Material> {
+        let material = Material {
+            density_kg_per_m3: *self.density.get()?,
+            youngs_modulus_Pa: *self.youngs_modulus.get()?,
+            shear_modulus_Pa: *self.shear_modulus.get()?,
+        };
+        let given = self.shear_modulus.given().or(self.youngs_modulus.given());
+        if let Some(given) = given {
+            check_moduli(&material, given.place, reader);
+        }
+        Some(material)
+    }
+}
+
+/// Moduli may be inconsistent, but then probably one of the two was forgotten.
+pub(crate) fn check_moduli(material: &Material, place: Place, reader: &mut Reader) {
+    let poisson = material.youngs_modulus_Pa / (2.0 * material.shear_modulus_Pa) - 1.0;
+    if !(0.0..=0.5).contains(&poisson) {
+        reader.report(
+            Diagnostic::warning(format!(
+                "the moduli of {} and {} GPa make a Poisson's ratio of {}",
+                number_text(material.youngs_modulus_Pa / 1e9),
+                number_text(material.shear_modulus_Pa / 1e9),
+                number_text((poisson * 100.0).round() / 100.0)
+            ))
+            .at(place, "Young's and shear modulus are given separately")
+            .help("metals have 0.2 to 0.4; G = E/(2 (1 + ratio)); more than 0.5 counts as 0.5"),
+        );
+    }
+}

@@ -1,0 +1,67 @@
+//! Mistakes that people make, and the answer that each gets, whole.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod bit;
+mod dynamics;
+mod mud;
+mod operation;
+mod overrides;
+mod records;
+mod schedule;
+mod string;
+mod survey;
+mod top_side;
+mod well;
+mod writing;
+
+use common::{changed, read};
+use wholestring_case::{Case, Report};
+
+/// Holds the answer against the one on record. The mistake must be refused.
+#[track_caller]
+fn refused(name: &str, answer: Result<Case, Report>) {
+    let Err(report) = answer else {
+        panic!("`{name}` was accepted")
+    };
+    assert!(report.errors() > 0, "`{name}` is refused without an error");
+    on_record(name, &report);
+}
+
+/// The same for what is accepted with a warning.
+#[track_caller]
+fn warned(name: &str, answer: Result<Case, Report>) {
+    let case = answer.unwrap_or_else(|report| panic!("`{name}` was refused:\n{report}"));
+    assert!(!case.warnings.is_empty(), "`{name}` gets no warning");
+    on_record(name, &case.warnings);
+}
+
+fn on_record(name: &str, report: &Report) {
+    let mut settings = insta::Settings::clone_current();
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.set_snapshot_path("snapshots");
+    settings.bind(|| insta::assert_snapshot!(name, report.render(false)));
+}
+
+/// Mistakes of the example: a name, what stands there, and what stands there instead.
+fn each_refused(cases: &[(&str, &str, &str)]) {
+    for (name, from, to) in cases {
+        refused(name, read(&changed(from, to)));
+    }
+}
+
+/// Whole case files with a mistake.
+fn texts_refused<const N: usize>(cases: [(&str, String); N]) {
+    for (name, text) in cases {
+        refused(name, read(&text));
+    }
+}
+
+/// Changes of the example that are accepted with a warning.
+fn each_warned(cases: &[(&str, &str, &str)]) {
+    for (name, from, to) in cases {
+        warned(name, read(&changed(from, to)));
+    }
+}

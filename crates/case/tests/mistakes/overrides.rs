@@ -1,0 +1,27 @@
+//! Mistakes in an override of the case.
+
+use crate::{
+    common::{EXAMPLE, read_with},
+    refused,
+};
+
+#[test]
+fn key_and_value() {
+    let cases = [
+        ("set_unknown_key", "operation.bitdepth=300m"),
+        ("set_unknown_short_key", "torque=3kN.m"),
+        ("set_misspelt_short_key", "bitdepth=300m"),
+        ("set_index_out_of_range", "well.hole.2.friction=0.1"),
+        ("set_index_of_no_list", "mud.0.density=1"),
+        ("set_key_in_a_value", "mud.density.value=1"),
+        ("set_wrong_unit", "bit_depth=300kg"),
+        ("set_negative_friction", "friction=-0.1"),
+        ("set_text_for_number", "friction=high"),
+        ("set_unclosed_list", "operation.kind=[\"drill\", \"slide\""),
+        ("set_relation", "bit_depth=5000m"),
+        ("set_empty_part", "mud..density=1"),
+    ];
+    for (name, setting) in cases {
+        refused(name, read_with(EXAMPLE, &[setting]));
+    }
+}

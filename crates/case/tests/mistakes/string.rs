@@ -1,0 +1,197 @@
+//! Mistakes in `[[string]]` and `[steel]`.
+
+use crate::{
+    common::{EXAMPLE, changed, read},
+    each_refused, each_warned, refused, texts_refused,
+};
+
+#[test]
+fn words() {
+    each_refused(&[
+        (
+            "catalogue_unknown",
+            "5-1/2 in 21.90 lb/ft S-135",
+            "5-1/2 in 29.10 lb/ft S-135",
+        ),
+        (
+            "to_surface_misspelt",
+            "\"to surface\"",
+            "\"to the surface\"",
+        ),
+    ]);
+}
+
+#[test]
+fn sizes_and_lengths() {
+    let pipe = "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"";
+    let explicit = |keys: &str| {
+        let start = EXAMPLE.find(pipe).expect("the pipe");
+        let end = start + EXAMPLE[start..].find('\n').expect("a line");
+        format!("{}{keys}{}", &EXAMPLE[..start], &EXAMPLE[end..])
+    };
+    texts_refused([
+        (
+            "id_not_below_od",
+            explicit("od = \"139.7 mm\"\nid = \"139.7 mm\""),
+        ),
+        ("id_missing", explicit("od = \"139.7 mm\"")),
+        ("od_missing", explicit("id = \"118.6 mm\"")),
+        (
+            "od_beside_catalogue",
+            explicit(&format!("{pipe}\nod = \"5 in\"")),
+        ),
+        (
+            "joint_thinner_than_pipe",
+            explicit(&format!("{pipe}\njoint_od = \"5 in\"")),
+        ),
+        (
+            "joint_without_spacing",
+            explicit("od = \"139.7 mm\"\nid = \"118.6 mm\"\njoint_od = \"7 in\""),
+        ),
+        (
+            "joint_wider_than_hole",
+            explicit(&format!("{pipe}\njoint_od = \"9 in\"")),
+        ),
+        (
+            "collar_wider_than_hole",
+            explicit("od = \"8-1/2 in\"\nid = \"3 in\""),
+        ),
+        (
+            "bend_without_place",
+            explicit(&format!("{pipe}\nbend = \"1.5 deg\"")),
+        ),
+        (
+            "bend_of_a_turn",
+            explicit(&format!("{pipe}\nbend = \"90 deg\"\nbend_at = \"2 m\"")),
+        ),
+        (
+            "bend_off_its_component",
+            changed(
+                "length = \"0.34 m\"",
+                "length = \"0.34 m\"\nbend = \"1 deg\"\nbend_at = \"1.9 m\"",
+            ),
+        ),
+        (
+            "bend_at_the_bit",
+            changed(
+                "length = \"0.34 m\"",
+                "length = \"0.34 m\"\nbend = \"1 deg\"\nbend_at = \"0.1 m\"",
+            ),
+        ),
+        (
+            "eccentricity_of_a_crank",
+            explicit(&format!("{pipe}\neccentricity = \"30 mm\"")),
+        ),
+        (
+            "eccentricity_cavity_unknown",
+            explicit(&format!(
+                "{pipe}\neccentricity = \"2 mm\"\neccentricity_cavity = \"air\""
+            )),
+        ),
+        (
+            "pipe_heavier_than_solid",
+            explicit(&format!("{pipe}\nmass_per_length = \"358 kg/m\"")),
+        ),
+        (
+            "pipe_floats",
+            explicit(&format!("{pipe}\nmass_per_length = \"3.58 kg/m\"")),
+        ),
+        (
+            "bit_wider_than_casing",
+            changed("od = \"215.9 mm\"", "od = \"12-1/4 in\""),
+        ),
+        (
+            "string_longer_than_well",
+            changed("length = \"0.34 m\"", "length = \"5000 m\""),
+        ),
+        (
+            "string_shorter_than_well",
+            changed("length = \"to surface\"", "length = \"4000 m\""),
+        ),
+        (
+            "component_above_to_surface",
+            changed(
+                "[bit]",
+                "[[string]]\ncomponent = \"kelly\"\nod = 0.13\nid = 0.08\nlength = 12\n[bit]",
+            ),
+        ),
+        (
+            "two_components_to_surface",
+            changed("length = \"0.34 m\"", "length = \"to surface\""),
+        ),
+    ]);
+}
+
+#[test]
+fn blades() {
+    let stabiliser = "# ...\n";
+    let body =
+        "[[string]]\ncomponent = \"stabiliser\"\nod = \"165 mm\"\nid = \"71.4 mm\"\nlength = 1.5\n";
+    let cases = [
+        (
+            "blade_length_without_gauge",
+            stabiliser,
+            format!("{body}blade_length = \"0.6 m\"\n"),
+        ),
+        (
+            "blades_thinner_than_body",
+            stabiliser,
+            format!("{body}blade_od = \"150 mm\"\n"),
+        ),
+        (
+            "blades_longer_than_component",
+            stabiliser,
+            format!("{body}blade_od = \"210 mm\"\nblade_length = 2\n"),
+        ),
+        (
+            "blades_wider_than_hole",
+            stabiliser,
+            format!("{body}blade_od = \"220 mm\"\n"),
+        ),
+        (
+            "blades_beside_joints",
+            "length = \"to surface\"",
+            "length = \"to surface\"\nblade_od = \"210 mm\"".to_owned(),
+        ),
+    ];
+    for (name, from, to) in cases {
+        refused(name, read(&changed(from, &to)));
+    }
+}
+
+/// Only a bit below other components is taken to be solid.
+#[test]
+fn a_pipe_alone() {
+    let start = EXAMPLE.find("[[string]]").expect("the string");
+    let end = EXAMPLE.find("[bit]").expect("the bit");
+    let pipe = "[[string]]\ncomponent = \"pipe\"\nod = \"5 in\"\nlength = \"to surface\"\n";
+    let text = format!("{}{pipe}{}", &EXAMPLE[..start], &EXAMPLE[end..]);
+    refused("pipe_alone_without_id", read(&text));
+}
+
+#[test]
+fn what_has_no_effect_or_is_odd() {
+    each_warned(&[
+        (
+            "warn_mass",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\nmass_per_length = \"20 kg/m\" ",
+        ),
+        ("warn_moduli", "\"76.923 GPa\"", "\"27 GPa\""),
+        (
+            "warn_bend_keys",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\nbend_at = 2\nbend_toolface = \"90 deg\" ",
+        ),
+        (
+            "warn_eccentricity_keys",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\neccentricity_phase = 1\neccentricity_cavity = \"mud\" ",
+        ),
+        (
+            "warn_joint_mass",
+            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
+            "od = 0.1397\nid = 0.1186\njoint_od = 0.1778\njoint_spacing = 9.6 ",
+        ),
+    ]);
+}

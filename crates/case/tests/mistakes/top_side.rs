@@ -1,0 +1,66 @@
+//! Mistakes in `[top_drive]`, `[hoist]` and `[rig]`.
+
+use crate::{
+    common::{changed, read},
+    each_warned, refused, texts_refused, warned,
+};
+
+#[test]
+fn top_drive_and_hoist() {
+    let drive = |keys: &str| changed("[mesh]", &format!("[top_drive]\n{keys}\n[mesh]"));
+    let cases = [
+        ("top_drive_control_misspelt", "control = \"soft_torque\""),
+        ("top_drive_without_inertia", "control = \"pi\"\ninertia = 0"),
+        (
+            "top_drive_inertia_in_kg",
+            "control = \"pi\"\ninertia = \"2900 kg\"",
+        ),
+        (
+            "top_drive_gain_negative",
+            "control = \"pi\"\nproportional = -1",
+        ),
+        (
+            "top_drive_frequency_zero",
+            "control = \"soft-torque\"\nfrequency = 0",
+        ),
+    ];
+    for (name, keys) in cases {
+        refused(name, read(&drive(keys)));
+    }
+    let hoist = |keys: &str| changed("[mesh]", &format!("[hoist]\n{keys}\n[mesh]"));
+    refused(
+        "hoist_speeds_reversed",
+        read(&hoist(
+            "control = \"autodriller\"\nmin_speed = \"60 m/h\"\nmax_speed = \"10 m/h\"",
+        )),
+    );
+    refused("hoist_mass_negative", read(&hoist("mass = \"-20 t\"")));
+    warned(
+        "warn_top_drive_constant",
+        read(&drive("inertia = \"2900 kg.m2\"")),
+    );
+    warned(
+        "warn_top_drive_tuned",
+        read(&drive(
+            "control = \"soft-torque\"\nproportional = \"38 kN.m.s\"",
+        )),
+    );
+    each_warned(&[("warn_hoist_key", "[mesh]", "[hoist]\ngain = 1e-7\n[mesh]")]);
+}
+
+#[test]
+fn loads() {
+    texts_refused([
+        (
+            "block_heavier_than_hoist",
+            changed(
+                "[rig] ",
+                "[rig]\nblock_weight = \"50 tf\"\nhoist_capacity = \"40 tf\"\n#",
+            ),
+        ),
+        (
+            "hook_load_control_without_load",
+            changed("[mesh]", "[hoist]\ncontrol = \"hook-load\"\n[mesh]"),
+        ),
+    ]);
+}

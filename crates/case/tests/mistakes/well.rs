@@ -1,0 +1,148 @@
+//! Mistakes in `[well]`.
+
+use crate::{common::changed, each_refused, each_warned, texts_refused};
+
+#[test]
+fn hole() {
+    each_refused(&[
+        (
+            "hole_kind_unknown",
+            "kind = \"open\"",
+            "kind = \"openhole\"",
+        ),
+        (
+            "diameter_in_metres_meant_millimetres",
+            "\"222.96 mm\"",
+            "222.96",
+        ),
+        ("diameter_negative", "\"222.96 mm\"", "\"-222.96 mm\""),
+        (
+            "friction_in_quotes",
+            "friction = 0.3\n[[",
+            "friction = \"0.3\"\n[[",
+        ),
+        (
+            "friction_above_two",
+            "friction = 0.3\n[[",
+            "friction = 30\n[[",
+        ),
+        (
+            "friction_around_negative",
+            "friction = 0.3\n[[",
+            "friction = { kinetic = 0.3, around = -0.1 }\n[[",
+        ),
+        (
+            "friction_around_without_axial",
+            "friction = 0.3\n[[",
+            "friction = { kinetic = 0, around = 0.2 }\n[[",
+        ),
+    ]);
+}
+
+#[test]
+fn roughness() {
+    each_refused(&[
+        (
+            "roughness_in_metres_meant_millimetres",
+            "[mud]",
+            "[well.roughness]\nrms = 2\n[mud]",
+        ),
+        (
+            "roughness_too_steep",
+            "[mud]",
+            "[well.roughness]\ntortuosity = \"20 cm\"\n[mud]",
+        ),
+        (
+            "roughness_band_upside_down",
+            "[mud]",
+            "[well.roughness]\nrms = \"1 mm\"\nshortest_wavelength = \"20 m\"\nlongest_wavelength = \"2 m\"\n[mud]",
+        ),
+        (
+            "roughness_key_misspelt",
+            "[mud]",
+            "[well.roughness]\nrms = \"1 mm\"\nwavelength = \"20 m\"\n[mud]",
+        ),
+    ]);
+    each_warned(&[
+        (
+            "warn_section_roughness",
+            "friction = 0.3\n[[",
+            "friction = 0.3\nroughness = 0\n[[",
+        ),
+        (
+            "warn_roughness_without_amplitude",
+            "[mud]",
+            "[well.roughness]\nseed = 4\n[mud]",
+        ),
+        (
+            "warn_roughness_closes_in",
+            "[mud]",
+            "[well.roughness]\nrms = \"9 mm\"\n[mud]",
+        ),
+    ]);
+}
+
+#[test]
+fn sections() {
+    texts_refused([
+        (
+            "hole_short_of_bit",
+            changed("to = \"4305 m\"", "to = \"4300 m\""),
+        ),
+        (
+            "hole_sections_not_downwards",
+            changed("to = \"4305 m\"", "to = \"2900 m\""),
+        ),
+        (
+            "hole_sections_overlap",
+            changed("to = \"4305 m\"", "from = \"2900 m\"\nto = \"4305 m\""),
+        ),
+        (
+            "hole_sections_with_gap",
+            changed("to = \"4305 m\"", "from = \"3000 m\"\nto = \"4305 m\""),
+        ),
+        (
+            "static_friction_below_kinetic",
+            changed(
+                "friction = 0.3\n[[",
+                "friction = { kinetic = 0.3, static = 0.2 }\n[[",
+            ),
+        ),
+    ]);
+}
+
+#[test]
+fn stations() {
+    let stations = |rows: &str| {
+        changed(
+            "survey = \"np13-x1042-survey.csv\"      # md, inc, azi; unit row or units in the header; CSV or Excel",
+            &format!("stations = {rows}"),
+        )
+    };
+    texts_refused([
+        (
+            "survey_twice",
+            changed(
+                "path = \"spline\"",
+                "stations = [[0, 0, 0], [5000, 0, 0]]\npath = \"spline\"",
+            ),
+        ),
+        (
+            "stations_run_backwards",
+            stations("[[0, 0, 0], [900, 10, 0], [600, 20, 0], [4305, 20, 0]]"),
+        ),
+        (
+            "station_with_two_numbers",
+            stations("[[0, 0, 0], [900, 10], [4305, 20, 0]]"),
+        ),
+        ("station_alone", stations("[[4305, 0, 0]]")),
+        (
+            "station_inclination",
+            stations("[[0, 0, 0], [900, 190, 0], [4305, 20, 0]]"),
+        ),
+        (
+            "station_bend",
+            stations("[[0, 0, 0], [900, 0, 0], [900.5, 30, 0], [4305, 30, 0]]"),
+        ),
+    ]);
+}

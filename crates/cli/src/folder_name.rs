@@ -1,0 +1,70 @@
+//! Names of folders, whatever a case is called.
+
+use std::path::{Path, PathBuf};
+
+/// `out/<case name>`.
+pub(crate) fn default_output(name: &str) -> PathBuf {
+    Path::new("out").join(file_name(name))
+}
+
+/// The name without what some system does not take in a file's name.
+pub(crate) fn file_name(name: &str) -> String {
+    const LONGEST: usize = 100;
+    let sound: String = name
+        .chars()
+        .map(|letter| match letter {
+            '<' | '>' | ':' | '"' | '/' | '\\' | '|' | '?' | '*' => '-',
+            letter if letter.is_control() => '-',
+            letter => letter,
+        })
+        .take(LONGEST)
+        .collect();
+    // Windows drops dots and blanks at the end, and `.` and `..` are folders already.
+    let mut folder = sound.trim_start().trim_end_matches(['.', ' ']).to_owned();
+    if folder.is_empty() || is_device(&folder) {
+        folder.insert(0, '_');
+    }
+    folder
+}
+
+/// Whether Windows takes the name for a device, whatever follows its first dot.
+fn is_device(name: &str) -> bool {
+    let stem = name
+        .split('.')
+        .next()
+        .unwrap_or(name)
+        .trim_end()
+        .to_ascii_uppercase();
+    let numbered = |prefix: &str| {
+        stem.strip_prefix(prefix)
+            .is_some_and(|rest| rest.len() == 1 && rest.bytes().all(|byte| byte.is_ascii_digit()))
+    };
+    matches!(stem.as_str(), "CON" | "PRN" | "AUX" | "NUL") || numbered("COM") || numbered("LPT")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn case_names_make_folders_on_every_system() {
+        for (name, folder) in [
+            ("NP13-X1042 at total depth", "NP13-X1042 at total depth"),
+            ("a/b\\c: 12-1/4\" <x>", "a-b-c- 12-1-4- -x-"),
+            ("..", "_"),
+            ("", "_"),
+            (" well. ", "well"),
+            ("nul", "_nul"),
+            ("Com1.5 m", "_Com1.5 m"),
+            ("common", "common"),
+            ("Bohrung Süd\n", "Bohrung Süd-"),
+        ] {
+            assert_eq!(
+                default_output(name),
+                Path::new("out").join(folder),
+                "{name}"
+            );
+        }
+        assert_eq!(default_output(&"é".repeat(500)).as_os_str().len(), 4 + 200);
+    }
+}

@@ -1,0 +1,300 @@
+//! What a model computed, as rows of the tables.
+
+use std::time::Duration;
+
+use wholestring::{
+    dynamics::{ContactClass, DynamicOutcome, NodeProfile, ScheduleStep, TimeSeries},
+    operation::Operation,
+    outcome::ModelKind,
+    statics::soft::SoftProfile,
+};
+use wholestring_results::{Numerics, OperationSummary, Spectrum, Statistic, Status};
+
+use super::Record;
+
+impl Record {
+    pub(crate) fn add_soft(&mut self, operation: &Operation, profile: &SoftProfile) {
+        let solved = OperationSummary {
+            hydraulics: profile.hydraulics,
+            ..self.solved(ModelKind::Soft, operation, profile.scalars)
+        };
+        self.summary.operations.push(solved);
+        // A soft string lies on the wall all the time, wherever anything presses it there.
+        let contact: Vec<f64> = profile
+            .side_force_N_per_m
+            .iter()
+            .map(|force| f64::from(u8::from(*force != 0.0)))
+            .collect();
+        self.nodes.append(
+            &[
+                ("model", &["soft"]),
+                ("operation", &[operation.kind.name()]),
+                ("contact_class", &classes(&contact)),
+                ("contact_side", &sides(&profile.side_force_N_per_m)),
+            ],
+            &[
+                ("md_m", &profile.md_m),
+                ("tension_N", &profile.tension_N),
+                ("torque_N_m", &profile.torque_N_m),
+                ("side_force_N_per_m", &profile.side_force_N_per_m),
+                ("contact_fraction", &contact),
+                ("axial_friction_N_per_m", &profile.axial_friction_N_per_m),
+                (
+                    "friction_torque_N_m_per_m",
+                    &profile.friction_torque_N_m_per_m,
+                ),
+                ("twist_rad", &profile.twist_rad),
+                ("stretch_m", &profile.stretch_m),
+            ],
+        );
+    }
+
+    /// Adds what a dynamic run computed in `took`, to its end or until `status` says.
+    pub(crate) fn add_dynamic(
+        &mut self,
+        operation: &Operation,
+        outcome: &DynamicOutcome,
+        status: Status,
+        took: Duration,
+    ) {
+        let DynamicOutcome {
+            scalars,
+            statistics,
+            hydraulics,
+            numerics,
+            indicators,
+            nodes,
+            wear,
+            contact,
+            series,
+        } = outcome;
+        let statistics = statistics.iter().map(|(name, of)| {
+            let statistic = Statistic {
+                mean: of.mean,
+                std: of.std,
+                min: of.min,
+                max: of.max,
+                p05: of.p05,
+                p95: of.p95,
+            };
+            ((*name).to_owned(), statistic)
+        });
+        let simulated_s = series.time_s.last().copied().unwrap_or(0.0);
+        let wall_time_s = took.as_secs_f64();
+        let solved = OperationSummary {
+            status,
+            hydraulics: *hydraulics,
+            statistics: Some(statistics.collect()),
+            indicators: Some(*indicators),
+            numerics: Some(Numerics {
+                elements: numerics.elements,
+                time_step_s: numerics.time_step_s,
+                steps: numerics.steps,
+                added_axial_mass_fraction: numerics.added_axial_mass_fraction,
+                max_penetration_m: numerics.max_penetration_m,
+                energy_residual: numerics.energy_residual,
+                energy: numerics.energy,
+                instructions: numerics.instructions.into(),
+                wall_time_s,
+                real_time_factor: simulated_s / wall_time_s,
+            }),
+            ..self.solved(ModelKind::Dynamic, operation, *scalars)
+        };
+        self.summary.operations.push(solved);
+        self.add_profile(operation, nodes);
+        self.wear.append(
+            &[("operation", &[operation.kind.name()])],
+            &[
+                ("md_m", &wear.md_m),
+                ("wear_work_J_per_m", &wear.wear_work_J_per_m),
+                ("wear_power_W_per_m", &wear.wear_power_W_per_m),
+            ],
+        );
+        self.contact.append(
+            &[("operation", &[operation.kind.name()])],
+            &[
+                ("time_s", &contact.time_s),
+                ("md_m", &contact.md_m),
+                ("side_force_N_per_m", &contact.side_force_N_per_m),
+                ("contact_force_N_per_m", &contact.contact_force_N_per_m),
+            ],
+        );
+        self.add_series(operation, series);
+        self.add_spectra(operation, series);
+    }
+
+    fn add_profile(&mut self, operation: &Operation, nodes: &NodeProfile) {
+        self.nodes.append(
+            &[
+                ("model", &["dynamic"]),
+                ("operation", &[operation.kind.name()]),
+                ("contact_class", &classes(&nodes.contact_fraction)),
+                ("contact_side", &sides(&nodes.side_force_N_per_m)),
+            ],
+            &[
+                ("md_m", &nodes.md_m),
+                ("tension_N", &nodes.tension_N),
+                ("torque_N_m", &nodes.torque_N_m),
+                ("side_force_N_per_m", &nodes.side_force_N_per_m),
+                ("contact_fraction", &nodes.contact_fraction),
+                ("tension_std_N", &nodes.tension_std_N),
+                ("torque_std_N_m", &nodes.torque_std_N_m),
+                ("contact_force_N", &nodes.contact_force_N),
+                ("contact_force_std_N", &nodes.contact_force_std_N),
+                ("contact_force_max_N", &nodes.contact_force_max_N),
+                ("climb_rad", &numbers(&nodes.climb_rad)),
+                ("lateral_offset_m", &nodes.lateral_offset_m),
+                ("axial_friction_N_per_m", &nodes.axial_friction_N_per_m),
+                (
+                    "friction_torque_N_m_per_m",
+                    &nodes.friction_torque_N_m_per_m,
+                ),
+                (
+                    "side_force_per_joint_N",
+                    &numbers(&nodes.side_force_per_joint_N),
+                ),
+                ("tension_p05_N", &nodes.tension_percentiles_N.p05),
+                ("tension_p50_N", &nodes.tension_percentiles_N.p50),
+                ("tension_p95_N", &nodes.tension_percentiles_N.p95),
+                ("torque_p05_N_m", &nodes.torque_percentiles_N_m.p05),
+                ("torque_p50_N_m", &nodes.torque_percentiles_N_m.p50),
+                ("torque_p95_N_m", &nodes.torque_percentiles_N_m.p95),
+                (
+                    "contact_force_p05_N",
+                    &nodes.contact_force_percentiles_N.p05,
+                ),
+                (
+                    "contact_force_p50_N",
+                    &nodes.contact_force_percentiles_N.p50,
+                ),
+                (
+                    "contact_force_p95_N",
+                    &nodes.contact_force_percentiles_N.p95,
+                ),
+                ("true_tension_N", &nodes.true_tension_N),
+                ("bending_moment_N_m", &nodes.bending_moment_N_m),
+                ("bending_moment_max_N_m", &nodes.bending_moment_max_N_m),
+                (
+                    "bending_moment_p05_N_m",
+                    &nodes.bending_moment_percentiles_N_m.p05,
+                ),
+                (
+                    "bending_moment_p50_N_m",
+                    &nodes.bending_moment_percentiles_N_m.p50,
+                ),
+                (
+                    "bending_moment_p95_N_m",
+                    &nodes.bending_moment_percentiles_N_m.p95,
+                ),
+                ("bending_stress_Pa", &nodes.bending_stress_Pa),
+                ("von_mises_stress_Pa", &nodes.von_mises_stress_Pa),
+                ("von_mises_stress_max_Pa", &nodes.von_mises_stress_max_Pa),
+                ("yield_use", &numbers(&nodes.yield_use)),
+                ("whirl_rate_rad_per_s", &nodes.whirl_rate_rad_per_s),
+                ("whirl_coherence", &nodes.whirl_coherence),
+                (
+                    "lateral_speed_rms_m_per_s",
+                    &nodes.lateral_speed_rms_m_per_s,
+                ),
+                ("wear_work_J_per_m", &nodes.wear_work_J_per_m),
+            ],
+        );
+    }
+
+    fn add_series(&mut self, operation: &Operation, series: &TimeSeries) {
+        let notes = notes(&self.schedule, &series.schedule_line);
+        self.time.append(
+            &[("operation", &[operation.kind.name()]), ("note", &notes)],
+            &[
+                ("time_s", &series.time_s),
+                ("bit_depth_m", &series.bit_depth_m),
+                ("weight_on_bit_N", &series.weight_on_bit_N),
+                ("bit_torque_N_m", &series.bit_torque_N_m),
+                ("depth_of_cut_m", &series.depth_of_cut_m),
+                ("hook_load_N", &series.hook_load_N),
+                ("surface_torque_N_m", &series.surface_torque_N_m),
+                ("friction_torque_N_m", &series.friction_torque_N_m),
+                ("axial_friction_N", &series.axial_friction_N),
+                ("side_force_total_N", &series.side_force_total_N),
+                ("twist_rad", &series.twist_rad),
+                ("stretch_m", &series.stretch_m),
+                ("neutral_point_m", &numbers(&series.neutral_point_m)),
+                ("cutoff_depth_m", &numbers(&series.cutoff_depth_m)),
+                ("block_velocity_m_per_s", &series.block_velocity_m_per_s),
+                (
+                    "bit_rotary_speed_rad_per_s",
+                    &series.bit_rotary_speed_rad_per_s,
+                ),
+                ("rotary_speed_rad_per_s", &series.rotary_speed_rad_per_s),
+                (
+                    "rotary_speed_set_rad_per_s",
+                    &series.rotary_speed_set_rad_per_s,
+                ),
+                (
+                    "block_velocity_set_m_per_s",
+                    &numbers(&series.block_velocity_set_m_per_s),
+                ),
+                ("weight_on_bit_set_N", &numbers(&series.weight_on_bit_set_N)),
+            ],
+        );
+    }
+
+    /// Adds the spectra that the case asks for; a window that was interrupted before a segment of it was full is
+    /// one segment.
+    fn add_spectra(&mut self, operation: &Operation, series: &TimeSeries) {
+        let from = series.time_s.partition_point(|time| *time < self.settle_s);
+        let [first, .., last] = series.time_s[from..] else {
+            return;
+        };
+        let interval_s = (last - first) / (series.time_s.len() - from - 1) as f64;
+        // Rounding to whole steps may leave the window a sample short.
+        let segment = (self.records.spectrum_segment_s / interval_s).round() as usize;
+        for signal in &self.records.spectra {
+            let samples = &signal.of(series)[from..];
+            let segment = segment.min(samples.len());
+            if let Some(spectrum) = Spectrum::welch(samples, interval_s, segment) {
+                self.spectra.append(
+                    &[
+                        ("operation", &[operation.kind.name()]),
+                        ("signal", &[signal.name()]),
+                        ("unit", &[signal.unit()]),
+                    ],
+                    &[
+                        ("frequency_Hz", &spectrum.frequency_Hz),
+                        ("density", &spectrum.density),
+                    ],
+                );
+            }
+        }
+    }
+}
+
+/// The table writes what is not finite as `null`.
+fn numbers(values: &[Option<f64>]) -> Vec<f64> {
+    let number = |value: &Option<f64>| value.unwrap_or(f64::NAN);
+    values.iter().map(number).collect()
+}
+
+/// The note of the line of a schedule that began last, at each row.
+fn notes<'a>(schedule: &'a [ScheduleStep], lines: &[usize]) -> Vec<&'a str> {
+    let note = |line: &usize| {
+        let begun = schedule.get(..*line).unwrap_or_default();
+        let notes = begun.iter().rev().map(|step| step.note.as_deref());
+        notes.flatten().next().unwrap_or_default()
+    };
+    lines.iter().map(note).collect()
+}
+
+fn classes(contact_fraction: &[f64]) -> Vec<&'static str> {
+    let class = |fraction: &f64| ContactClass::of(*fraction).name();
+    contact_fraction.iter().map(class).collect()
+}
+
+fn sides(side_force: &[f64]) -> Vec<&'static str> {
+    let side = |force: &f64| match *force {
+        force if force > 0.0 => "high",
+        force if force < 0.0 => "low",
+        _ => "none",
+    };
+    side_force.iter().map(side).collect()
+}

@@ -1,0 +1,323 @@
+//! Solving a case, operation by operation, with whatever model it asks for.
+
+use std::time::{Duration, Instant};
+
+use wholestring::{
+    dynamics::Simulation,
+    operation::Operation,
+    outcome::ModelKind,
+    statics::soft::{self, SoftSettings},
+};
+use wholestring_case::Case;
+use wholestring_results::{ResultsFolder, Status};
+
+use crate::{
+    checkpoint::{self, Keeper, UnderWay},
+    failure::Failure,
+    interrupt::Interrupt,
+    progress::Watch,
+    record::Record,
+};
+
+/// How a case is solved, beside what it says itself.
+pub(crate) struct Way<'a> {
+    /// Whether to write the tables as CSV too.
+    pub(crate) csv: bool,
+    /// Time on the clock between checkpoints.
+    pub(crate) checkpoint_every: Duration,
+    /// Who watches its progress.
+    pub(crate) watch: Watch,
+    pub(crate) interrupt: &'a Interrupt,
+}
+
+/// What the case says about the time between checkpoints.
+pub(crate) fn checkpoint_every(case: &Case) -> Duration {
+    Duration::from_secs_f64(case.checkpoint_interval_s)
+}
+
+/// Why a case was not solved to its end.
+#[derive(Debug)]
+pub(crate) enum Stop {
+    /// The user asked.
+    Interrupted,
+    /// An operation has no answer or diverged: which, and why.
+    Unsolved(String),
+    /// The results could not be written.
+    Unwritten(Failure),
+}
+
+impl Stop {
+    /// Why the case failed; nothing where the user stopped it.
+    pub(crate) fn reason(&self) -> Option<String> {
+        match self {
+            Self::Interrupted => None,
+            Self::Unsolved(reason) => Some(reason.clone()),
+            Self::Unwritten(failure) => Some(failure.to_string()),
+        }
+    }
+
+    pub(crate) fn failure(self, folder: &ResultsFolder) -> Failure {
+        let place = folder.path().display();
+        match self {
+            Self::Interrupted => {
+                let how = if folder.has_checkpoint() {
+                    format!("\nto go on, run the case with --resume {place}")
+                } else {
+                    String::new()
+                };
+                Failure::Interrupted(format!("interrupted: what was computed is in {place}{how}"))
+            }
+            Self::Unsolved(reason) => Failure::Failed(format!(
+                "error: {reason}\nwhat was computed until then is in {place}"
+            )),
+            Self::Unwritten(failure) => failure,
+        }
+    }
+}
+
+impl<E: Into<Failure>> From<E> for Stop {
+    fn from(error: E) -> Self {
+        Self::Unwritten(error.into())
+    }
+}
+
+/// Solves operation after operation, each with every model, and writes after each, so that whatever
+/// comes between keeps what was solved. What the record has is solved already, but for one operation that
+/// may be under way.
+pub(crate) fn solve(
+    case: &Case,
+    way: &Way<'_>,
+    record: &mut Record,
+    folder: &ResultsFolder,
+    mut under_way: Option<UnderWay>,
+) -> Result<(), Stop> {
+    let mut keeper = Keeper::new(folder, way.checkpoint_every);
+    let mut written = false;
+    for operation in &case.operations {
+        for model in &case.models {
+            if record.has(*model, operation) {
+                continue;
+            }
+            if way.interrupt.asked() {
+                lay_aside(&mut keeper, record, under_way, &way.watch);
+                return Err(Stop::Interrupted);
+            }
+            let stopped = match model {
+                ModelKind::Soft => solve_soft(case, operation, record),
+                ModelKind::Dynamic => {
+                    let begun = under_way.take_if(|begun| begun.is(operation));
+                    solve_dynamic(case, operation, way, record, &mut keeper, begun)
+                }
+            };
+            record.write(folder, way.csv)?;
+            written = true;
+            match stopped {
+                Status::Complete => {}
+                Status::Interrupted => return Err(Stop::Interrupted),
+                Status::Failed(reason) => {
+                    keeper.finish()?;
+                    return Err(Stop::Unsolved(format!(
+                        "{}: {reason}",
+                        operation.kind.name()
+                    )));
+                }
+            }
+            if keeper.is_due() {
+                lay_aside(&mut keeper, record, None, &way.watch);
+            }
+        }
+    }
+    if !written {
+        // All was solved when the run was laid aside; the folder may not show it.
+        record.write(folder, way.csv)?;
+    }
+    keeper.finish()?;
+    Ok(())
+}
+
+/// Writes a checkpoint. A run does not end because one cannot be written: the next may, and so may the
+/// results.
+fn lay_aside(keeper: &mut Keeper<'_>, record: &Record, under_way: Option<UnderWay>, watch: &Watch) {
+    if let Err(error) = keeper.write(record, under_way) {
+        watch.tell(&format!("warning: no checkpoint: {error}\n"));
+    }
+}
+
+fn solve_soft(case: &Case, operation: &Operation, record: &mut Record) -> Status {
+    match soft::solve(&case.model, operation, &SoftSettings::default()) {
+        Ok(profile) => {
+            record.add_soft(operation, &profile);
+            Status::Complete
+        }
+        Err(error) => unsolvable("soft string", &error),
+    }
+}
+
+/// Simulated time between two looks at Ctrl-C and two movements of the progress bar, s: a fraction of
+/// a second even where a run is slower than real time.
+const LOOK_INTERVAL_S: f64 = 0.2;
+
+fn solve_dynamic(
+    case: &Case,
+    operation: &Operation,
+    way: &Way<'_>,
+    record: &mut Record,
+    keeper: &mut Keeper<'_>,
+    begun: Option<UnderWay>,
+) -> Status {
+    let start = Instant::now();
+    let mut before = Duration::ZERO;
+    let mut simulation = match begun {
+        None => match Simulation::new(&case.model, operation, &case.dynamics) {
+            Ok(simulation) => simulation,
+            Err(error) => return unsolvable("dynamic model", &error),
+        },
+        Some(begun) => {
+            before = Duration::from_secs_f64(begun.wall_time_s);
+            let then = begun.simulation.instructions().to_owned();
+            let resumed =
+                Simulation::resume(&case.model, operation, &case.dynamics, begun.simulation);
+            match resumed {
+                Ok(simulation) => {
+                    let now = simulation.instructions();
+                    if let Some(warning) = checkpoint::other_processor(&then, now) {
+                        way.watch.tell(&warning);
+                    }
+                    simulation
+                }
+                Err(error) => return unsolvable("dynamic model", &error),
+            }
+        }
+    };
+    let took = || before + start.elapsed();
+    // Laying the string takes seconds. Whoever has asked by now has nothing of this operation to keep.
+    if way.interrupt.asked() && simulation.time_s() == 0.0 {
+        lay_aside(keeper, record, None, &way.watch);
+        return Status::Interrupted;
+    }
+    let end_s = simulation.end_time_s();
+    let progress = way
+        .watch
+        .operation(operation.kind.name(), simulation.time_s(), end_s);
+    // The run goes on by whole samples.
+    let sample_s = simulation.sample_interval_s();
+    let enough_s = end_s - 0.5 * sample_s;
+    let frame_samples = record
+        .frames
+        .as_ref()
+        .map(|frames| frames.samples(sample_s));
+    let look_samples = ((LOOK_INTERVAL_S / sample_s).round() as u64).max(1);
+    // Frames and looks fall on the same samples wherever the run was taken up.
+    let mut samples = (simulation.time_s() / sample_s).round() as u64;
+    let status = loop {
+        let time_s = simulation.time_s();
+        progress.reach(time_s);
+        if time_s >= enough_s {
+            break Status::Complete;
+        }
+        let interrupted = way.interrupt.asked();
+        if interrupted || keeper.is_due() {
+            let under_way = UnderWay::new(operation, took(), simulation.checkpoint());
+            lay_aside(keeper, record, Some(under_way), &way.watch);
+        }
+        if interrupted {
+            break Status::Interrupted;
+        }
+        let missing = ((end_s - time_s) / sample_s).round() as u64;
+        let to_frame = frame_samples.map_or(u64::MAX, |every| every - samples % every);
+        let next = look_samples.min(missing.max(1)).min(to_frame);
+        if let Err(diverged) = simulation.advance(next as f64 * sample_s) {
+            break Status::Failed(diverged.to_string());
+        }
+        samples += next;
+        if next == to_frame
+            && let Some(frames) = &mut record.frames
+            && let Err(error) = frames.take(operation, &simulation)
+        {
+            break Status::Failed(error.to_string());
+        }
+    };
+    progress.finish();
+    record.add_dynamic(operation, &simulation.outcome(), status.clone(), took());
+    status
+}
+
+fn unsolvable(model: &str, error: &dyn std::error::Error) -> Status {
+    Status::Failed(format!("the {model} has no answer: {error}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use wholestring_units::UnitSet;
+
+    use super::*;
+
+    /// A model that the CLI's own test data describe.
+    fn slant() -> Case {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/slant.toml");
+        wholestring_case::load(&path, &[]).expect("a sound case")
+    }
+
+    #[test]
+    fn who_interrupts_the_laying_does_not_wait_for_the_run() {
+        let case = slant();
+        let place = tempfile::tempdir().expect("a folder");
+        let folder = ResultsFolder::create(place.path()).expect("a folder");
+        let mut record = Record::begin(&case, UnitSet::Si, &folder).expect("a record");
+        let asked = Interrupt::already_asked();
+        let status = solve_dynamic(
+            &case,
+            &case.operations[0],
+            &way(&asked),
+            &mut record,
+            &mut Keeper::new(&folder, Duration::MAX),
+            None,
+        );
+        assert_eq!(status, Status::Interrupted);
+        assert!(record.summary.operations.is_empty());
+    }
+
+    /// An operation without an answer ends like one that diverged: what was solved before is kept, and
+    /// the message says where.
+    #[test]
+    fn an_operation_without_answer_keeps_what_was_solved() {
+        let mut case = slant();
+        // Deeper than the string is long, which no case file gets past its checks.
+        case.operations[1].bit_depth_m += 100.0;
+        let place = tempfile::tempdir().expect("a folder");
+        let folder = ResultsFolder::create(place.path()).expect("a folder");
+        for (model, kept) in [(ModelKind::Soft, 1), (ModelKind::Dynamic, 0)] {
+            case.models = vec![model];
+            // What an earlier run left does not pass for this one's.
+            if model == ModelKind::Dynamic {
+                case.operations.remove(0);
+            }
+            let mut record = Record::begin(&case, UnitSet::Si, &folder).expect("a record");
+            let asked = Interrupt::never();
+            let stop = solve(&case, &way(&asked), &mut record, &folder, None).unwrap_err();
+            let failure = stop.failure(&folder);
+            assert_eq!(failure.status(), 3);
+            let message = failure.to_string();
+            assert!(message.contains("has no answer: "), "{message}");
+            let end = format!(
+                "what was computed until then is in {}",
+                place.path().display()
+            );
+            assert!(message.ends_with(&end), "{message}");
+            let summary = place.path().join("summary.json");
+            let summary = wholestring_results::Summary::read(&summary).expect("a summary");
+            assert_eq!(summary.operations.len(), kept);
+        }
+    }
+
+    fn way(interrupt: &Interrupt) -> Way<'_> {
+        Way {
+            csv: false,
+            checkpoint_every: Duration::MAX,
+            watch: Watch::Screen { quiet: true },
+            interrupt,
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! The cases of a sweep before they are solved.
+
+use std::{
+    collections::BTreeSet,
+    sync::{Mutex, PoisonError},
+};
+
+use wholestring::{dynamics::Effort, outcome::ModelKind};
+use wholestring_case::{Case, Report, Template};
+
+use super::{
+    parallel::{in_parallel, lock},
+    points::Point,
+};
+use crate::{color, failure::Failure, tell};
+
+/// What is known of a case before it is solved.
+pub(super) struct Checked {
+    pub(super) name: String,
+    /// Element-steps of its dynamic runs.
+    pub(super) cost: f64,
+    /// Simulated time of its dynamic runs, s.
+    pub(super) simulated_s: f64,
+    warnings: String,
+}
+
+impl Checked {
+    pub(super) fn of(case: &Case) -> Self {
+        let dynamic = case.models.contains(&ModelKind::Dynamic);
+        let operations = if dynamic { &case.operations[..] } else { &[] };
+        let cost = operations.iter().filter_map(|operation| {
+            let effort = Effort::of(&case.model, operation, &case.dynamics).ok()?;
+            Some(effort.elements as f64 * effort.steps)
+        });
+        let each_s = case.dynamics.settle_s + case.dynamics.duration_s;
+        Self {
+            name: case.name.clone(),
+            cost: cost.sum(),
+            simulated_s: operations.len() as f64 * each_s,
+            warnings: case.warnings.render(color()),
+        }
+    }
+}
+
+/// Reads and checks every case, so that no sweep ends on a mistake in its last.
+pub(super) fn check(
+    template: &Template,
+    points: &[Point],
+    jobs: usize,
+    quiet: bool,
+) -> Result<Vec<Checked>, Failure> {
+    /// Mistakes that are told; the same is told once.
+    const SHOWN: usize = 5;
+    let all: Vec<usize> = (0..points.len()).collect();
+    let answers: Vec<Mutex<Option<Result<Checked, Report>>>> =
+        points.iter().map(|_| Mutex::default()).collect();
+    in_parallel(jobs, &all, |i| {
+        let answer = template.case(&points[i].changes);
+        *lock(&answers[i]) = Some(answer.map(|case| Checked::of(&case)));
+    });
+    let mut checked = Vec::new();
+    let mut unsound: Vec<(&Point, String)> = Vec::new();
+    for (point, answer) in points.iter().zip(answers) {
+        let answer = answer.into_inner().unwrap_or_else(PoisonError::into_inner);
+        match answer.expect("every case is checked") {
+            Ok(case) => checked.push(case),
+            Err(report) => unsound.push((point, report.render(color()))),
+        }
+    }
+    if let Some((first, _)) = unsound.first() {
+        let mut told: Vec<&str> = Vec::new();
+        for (_, report) in &unsound {
+            if told.len() < SHOWN && !told.contains(&report.as_str()) {
+                told.push(report);
+            }
+        }
+        let end = match (unsound.len(), points.len()) {
+            (_, 1) => String::new(),
+            (1, all) => format!(
+                "\n1 of {all} cases is not sound, {}: nothing was run",
+                first.name
+            ),
+            (some, all) => format!(
+                "\n{some} of {all} cases are not sound, the first is {}: nothing was run",
+                first.name
+            ),
+        };
+        return Err(Failure::BadInput(format!("{}{end}", told.join("\n"))));
+    }
+    if !quiet {
+        let warnings: BTreeSet<&str> = checked.iter().map(|case| &*case.warnings).collect();
+        warnings.into_iter().take(SHOWN).for_each(tell);
+    }
+    Ok(checked)
+}

@@ -1,0 +1,29 @@
+//! Work on all cores.
+
+use std::{
+    sync::{
+        Mutex, PoisonError,
+        atomic::{AtomicUsize, Ordering},
+    },
+    thread,
+};
+
+/// Does `work` on every item of `order`, on so many threads; each takes the next item that is left.
+pub(super) fn in_parallel(jobs: usize, order: &[usize], work: impl Fn(usize) + Sync) {
+    let next = AtomicUsize::new(0);
+    let busy = || {
+        while let Some(item) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
+            work(*item);
+        }
+    };
+    thread::scope(|scope| {
+        for _ in 1..jobs.min(order.len()) {
+            scope.spawn(busy);
+        }
+        busy();
+    });
+}
+
+pub(super) fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}

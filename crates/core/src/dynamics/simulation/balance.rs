@@ -1,0 +1,52 @@
+//! Energy of a run, and where it goes.
+
+use super::Run;
+use crate::{
+    dynamics::{
+        energy::{self, Energies, EnergyBalance},
+        viscous::Viscous,
+    },
+    rod::number::Real,
+};
+
+impl<R: Real> Run<R> {
+    /// Kinetic, elastic and potential energy of the string, J: second-order accurate in the step.
+    pub fn energy_J(&self) -> f64 {
+        self.energies().total()
+    }
+
+    /// Kinetic energy of the string, J.
+    pub fn kinetic_energy_J(&self) -> f64 {
+        energy::kinetic_J(&self.chain)
+    }
+
+    pub(super) fn energies(&self) -> Energies {
+        let viscous = self.state.viscous.as_ref();
+        Energies::of(
+            &self.chain,
+            &self.state.anchors,
+            &self.state.body,
+            viscous,
+            self.plan.dt_s,
+        )
+    }
+
+    pub(super) fn flow_work_J(&self) -> f64 {
+        let (chain, anchors) = (&self.chain, &self.state.anchors);
+        let work = |mud: &Viscous| mud.pull_work_J(chain, anchors, self.plan.dt_s);
+        self.state.viscous.as_ref().map_or(0.0, work)
+    }
+
+    /// Where energy came from and went since the window began, and the relative residual; none before it does, and
+    /// none of a run that diverged.
+    pub(super) fn energy_balance(&self) -> Option<(EnergyBalance, f64)> {
+        self.state
+            .window_open
+            .then(|| {
+                self.state
+                    .ledger
+                    .balance(&self.energies(), self.flow_work_J())
+            })
+            .flatten()
+    }
+}

@@ -1,0 +1,132 @@
+//! The beginning of a run.
+
+use super::{Run, sampling::SinceSample, state::State};
+use crate::{
+    dynamics::{
+        assembly,
+        bit::Bit,
+        body::Body,
+        chain::Row,
+        energy::Ledger,
+        hoist::{Hoist, Target},
+        record::Record,
+        schedule::SetPoints,
+        settings::DynamicsSettings,
+        setup::{self, Basis, SetupError},
+        start::{self, Scene},
+        step::{StepInput, Stepper},
+        top_drive::{StringSeen, TopDrive},
+        viscous::Viscous,
+        wear::Wear,
+    },
+    model::Model,
+    operation::Operation,
+    rod::{number::Real, torsion},
+};
+
+/// Time over which the extra damping of a prepared start fades, s; a schedule that changes something before has nothing of it against itself.
+const FADING_S: f64 = 5.0;
+
+impl<R: Real> Run<R> {
+    /// Lays the string in its hole, ready to run.
+    ///
+    /// The bit is placed so that it passes the operation's depth in the middle of the window: a string
+    /// that trips at 0.3 m/s for a minute is then, on average, where a static calculation has it.
+    ///
+    /// # Errors
+    /// A setting out of range, or a soft string without solution.
+    pub fn new(
+        model: &Model,
+        operation: &Operation,
+        settings: &DynamicsSettings,
+    ) -> Result<Self, SetupError> {
+        let basis = Basis::<R>::new(model, operation, settings)?;
+        let (mesh, dt) = (&basis.mesh, basis.plan.dt_s);
+        let (control, velocity) = setup::hoisting(operation, settings);
+        let first = settings.schedule.at_time_zero(operation);
+        let bit_md_m = setup::first_bit_md_m(operation, settings);
+        let chain = assembly::chain(model, mesh, &basis.plan);
+        let mut viscous = Viscous::new(model, mesh, &first, velocity, bit_md_m);
+        let input = StepInput {
+            dt,
+            stiffness_damping: settings.damping.stiffness_s,
+            mass_damping: settings.damping.mass_per_s,
+            rigid_velocity: velocity,
+            rigid_spin: first.rotation_rad_per_s(),
+            dissipation: settings.contact_law.dissipation_s_per_m(),
+            stribeck_speed: settings.stribeck_speed_m_per_s,
+        };
+        let (moving, at_rest) = start::motion(&first, velocity, settings);
+        // Whatever the run is made with, the string is laid in double precision.
+        let laying = Stepper::new(basis.abilities);
+        let scene = Scene {
+            model,
+            operation: &moving,
+            at_rest,
+            settings,
+            mesh,
+            surroundings: &basis.surroundings,
+            viscous: viscous.as_ref(),
+            stepper: &laying,
+            input: &input,
+        };
+        let initial = start::lay(&scene, chain, Body::new(model, mesh), bit_md_m)?;
+        let (mut chain, anchors) = (initial.chain.converted(), initial.anchors);
+        if let Some(mud) = &mut viscous {
+            mud.attach(&mut chain, &anchors, dt);
+            mud.update(&mut chain, &anchors, &basis.surroundings, dt);
+        }
+        let last = anchors.len() - 1;
+        let top = anchors[0].md_m + chain.displacement(0).dot(chain.tangent(0));
+        let bottom = anchors[last].md_m + chain.displacement(last).dot(chain.tangent(last));
+        let hoist = Hoist::new(
+            settings.hoist_line,
+            control,
+            settings.autodriller,
+            Target {
+                weight_N: first.weight_on_bit_now_N(),
+                velocity_m_per_s: velocity,
+            },
+            top,
+            initial.hook_load_N,
+        );
+        let string = StringSeen {
+            impedance_N_m_s: torsion::impedance_N_m_s(&mesh.elements[0].section),
+            frequency_Hz: torsion::lowest_frequency_Hz(mesh),
+        };
+        let top_drive = TopDrive::new(&settings.top_drive, string, &mut chain);
+        // The front on which the bit stands with its first weight.
+        let lighter_N = operation.weight_on_bit_now_N() - first.weight_on_bit_now_N();
+        let bottom = bottom + lighter_N / settings.bit.law.stiffness_N_per_m();
+        let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
+        let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
+        let layout = chain.layout();
+        let record = Record::new(model, mesh, layout);
+        let mut high = vec![[Row::filled(0.0); 3]; layout.blocks()];
+        for (index, anchor) in anchors.iter().enumerate() {
+            assembly::note_high_side(&mut high, layout.place(index), anchor);
+        }
+        let state = State {
+            anchors,
+            set_points: SetPoints::new(&first, &settings.schedule),
+            top_drive,
+            hoist,
+            body: initial.body,
+            bit: Bit::new(settings.bit, operation, bottom, settings.seed),
+            viscous,
+            rigid_velocity_m_per_s: velocity,
+            fading_s: settings
+                .schedule
+                .first_change_s()
+                .map_or(FADING_S, |change_s| change_s.min(FADING_S)),
+            steps: 0,
+            since_sample: SinceSample::default(),
+            record,
+            wear,
+            high,
+            ledger: Ledger::default(),
+            window_open: false,
+        };
+        Ok(Self::of(model, operation, settings, basis, chain, state))
+    }
+}

@@ -1,0 +1,74 @@
+//! Whether the numbers of a run still mean anything.
+
+use super::Run;
+use crate::{dynamics::chain::node, rod::number::Real};
+
+/// Speed beyond which a run has diverged, m/s: no drill string moves at that of a bullet.
+const DIVERGED_M_PER_S: f64 = 1e3;
+
+/// Spin beyond which a run has diverged, rad/s: a million revolutions a minute.
+const DIVERGED_RAD_PER_S: f64 = 1e5;
+
+/// A run that left the range of numbers that mean anything.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error(
+    "the run diverged {time_s:.3} s after its start, at {md_m:.1} m measured depth: {quantity} is {value:e}"
+)]
+pub struct Diverged {
+    /// When, s.
+    pub time_s: f64,
+    /// Where: measured depth of the worst node, m.
+    pub md_m: f64,
+    /// Which quantity.
+    pub quantity: &'static str,
+    /// Its value.
+    pub value: f64,
+}
+
+impl<R: Real> Run<R> {
+    /// Looks at every number; the run has diverged where one is too large or none.
+    pub(super) fn check_numbers(&self) -> Result<(), Diverged> {
+        // Not a number is too fast, too.
+        let fast = |x: f64, limit: f64| x.is_nan() || x.abs() >= limit;
+        // Every number is looked at: a loop that ends early is none that looks at eight at once.
+        let mut sound = true;
+        for state in &self.chain.states {
+            for axis in &state.v {
+                for v in axis.0.as_ref() {
+                    sound &= v.to_f64().abs() < DIVERGED_M_PER_S;
+                }
+            }
+            for spin in state.spin.0.as_ref() {
+                sound &= spin.to_f64().abs() < DIVERGED_RAD_PER_S;
+            }
+        }
+        if sound {
+            return Ok(());
+        }
+        let speed = |i: usize| {
+            let v = self.chain.velocity(i);
+            v.dot(v).sqrt()
+        };
+        let worst = (0..self.chain.nodes())
+            .find(|i| {
+                !speed(*i).is_finite() || fast(node!(self.chain, *i, spin), DIVERGED_RAD_PER_S)
+            })
+            .unwrap_or_else(|| {
+                (0..self.chain.nodes())
+                    .max_by(|a, b| speed(*a).total_cmp(&speed(*b)))
+                    .unwrap_or(0)
+            });
+        let spin = node!(self.chain, worst, spin);
+        let (quantity, value) = if !fast(spin, DIVERGED_RAD_PER_S) {
+            ("velocity (m/s)", speed(worst))
+        } else {
+            ("spin (rad/s)", spin)
+        };
+        Err(Diverged {
+            time_s: self.time_s(),
+            md_m: self.state.anchors[worst].md_m,
+            quantity,
+            value,
+        })
+    }
+}

@@ -1,0 +1,119 @@
+//! What a run notes of itself at each sample.
+
+use serde::{Deserialize, Serialize};
+
+use super::Run;
+use crate::{
+    dynamics::{
+        chain::{element, node},
+        energy::Ledger,
+        record,
+        settings::HoistControl,
+        viscous::Viscous,
+    },
+    rod::number::Real,
+};
+
+/// Scalars summed since the last sample.
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
+pub(super) struct SinceSample {
+    pub(super) steps: u64,
+    pub(super) hook_load: f64,
+    pub(super) surface_torque: f64,
+    pub(super) weight_on_bit: f64,
+    pub(super) bit_torque: f64,
+    pub(super) depth_of_cut: f64,
+}
+
+impl<R: Real> Run<R> {
+    /// Ends a sample: what was summed since the last goes to the record.
+    pub(super) fn sample(&mut self) {
+        let time = self.time_s();
+        let interval_s = self.sample_interval_s();
+        let run_samples = (self.end_time_s() / interval_s).round() as u64;
+        if !self.state.window_open && time >= self.settings.settle_s {
+            self.open_window();
+        }
+        let elongation = self.elongation_m();
+        let (chain, state) = (&self.chain, &mut self.state);
+        let (anchors, record) = (&state.anchors, &mut state.record);
+        if let Some(mud) = &mut state.viscous {
+            mud.sample(chain);
+        }
+        state.wear.sample(chain, |i| anchors[i].md_m);
+        let sums = std::mem::take(&mut state.since_sample);
+        let totals = record.sample(chain, &state.high, sums.steps);
+        record.map_contact(anchors, time, run_samples);
+        let n = sums.steps as f64;
+        let last = chain.nodes() - 1;
+        let twist = -(0..chain.elements())
+            .map(|i| element!(chain, i, twist))
+            .sum::<f64>();
+        let neutral_point_m = record::neutral_point_m(chain, anchors, totals.tension_N);
+        let path = &self.model.well.path;
+        let cutoff_depth_m = record.cutoff_depth_m(&self.mesh, path, anchors, interval_s);
+        let (block, weight) = match state.hoist.control() {
+            HoistControl::BlockVelocity(velocity) => (Some(velocity), None),
+            HoistControl::Autodriller => (None, Some(state.hoist.target_N())),
+            HoistControl::HookLoad(_) => (None, None),
+        };
+        let bit_depth_m = anchors[last].md_m + chain.displacement(last).dot(chain.tangent(last));
+        let rotation = state.set_points.rotary_speed_rad_per_s(time);
+        let series = &mut record.series;
+        series.time_s.push(time);
+        series.bit_depth_m.push(bit_depth_m);
+        series.hook_load_N.push(sums.hook_load / n);
+        series.surface_torque_N_m.push(sums.surface_torque / n);
+        series.friction_torque_N_m.push(totals.torque_N_m);
+        series.axial_friction_N.push(-totals.axial_N);
+        series.side_force_total_N.push(totals.normal_N);
+        series.weight_on_bit_N.push(sums.weight_on_bit / n);
+        series.bit_torque_N_m.push(sums.bit_torque / n);
+        series.depth_of_cut_m.push(sums.depth_of_cut / n);
+        series.twist_rad.push(twist);
+        series.stretch_m.push(elongation);
+        let block_now = state.hoist.velocity_m_per_s();
+        series.block_velocity_m_per_s.push(block_now);
+        let bit_spin = node!(chain, last, spin);
+        series.bit_rotary_speed_rad_per_s.push(bit_spin);
+        series.rotary_speed_rad_per_s.push(node!(chain, 0, spin));
+        series.rotary_speed_set_rad_per_s.push(rotation);
+        series.block_velocity_set_m_per_s.push(block);
+        series.weight_on_bit_set_N.push(weight);
+        series.schedule_line.push(state.set_points.line());
+        series.neutral_point_m.push(neutral_point_m);
+        series.cutoff_depth_m.push(cutoff_depth_m);
+    }
+
+    /// From now on statistics and the ledger of energy count.
+    fn open_window(&mut self) {
+        let (energies, flow_work_J) = (self.energies(), self.flow_work_J());
+        let before_s = self.time_s() - self.sample_interval_s();
+        let state = &mut self.state;
+        state.window_open = true;
+        state.record.close_contact_row(&state.anchors, before_s);
+        state.record.open_window();
+        state
+            .wear
+            .restart(state.anchors[state.anchors.len() - 1].md_m);
+        state.ledger = Ledger::open(energies, flow_work_J);
+        if let Some(mud) = &mut state.viscous {
+            mud.open_window();
+        }
+    }
+
+    /// Elongation against the unloaded string, m: by effective tension, less what the mud's pressure
+    /// takes, `(1 − 2ν)p/E`, and by what its flow adds to the pressure.
+    fn elongation_m(&self) -> f64 {
+        let (mud, anchors) = (self.mud, &self.state.anchors);
+        let mut sum = 0.0;
+        for (i, e) in self.mesh.elements.iter().enumerate() {
+            let tvd = 0.5 * (anchors[i].position_m.z + anchors[i + 1].position_m.z);
+            let section = &e.section;
+            let squeeze = section.pressure_strain_per_Pa * mud.pressure_Pa(tvd);
+            sum += e.length_m
+                * (element!(self.chain, i, tension) / section.axial_stiffness_N - squeeze);
+        }
+        sum + self.state.viscous.as_ref().map_or(0.0, Viscous::stretch_m)
+    }
+}

@@ -1,0 +1,95 @@
+//! Every column of every table: name, unit and meaning in one place.
+
+mod contact;
+mod frames;
+mod nodes;
+mod spectra;
+mod time;
+mod wear;
+
+pub use self::{
+    contact::CONTACT, frames::FRAMES, nodes::NODES, spectra::SPECTRA, time::TIME, wear::WEAR,
+};
+use crate::{Column, Data};
+
+/// Name, unit and meaning of a column.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ColumnSpec {
+    /// Name in the file, with the unit in it.
+    pub name: &'static str,
+    /// Unit symbol; empty where there is none.
+    pub unit: &'static str,
+    /// What it holds, in one sentence.
+    pub meaning: &'static str,
+    /// Whether it holds words rather than numbers.
+    pub text: bool,
+}
+
+impl ColumnSpec {
+    const fn text(name: &'static str, meaning: &'static str) -> Self {
+        Self {
+            name,
+            unit: "",
+            meaning,
+            text: true,
+        }
+    }
+
+    const fn number(name: &'static str, unit: &'static str, meaning: &'static str) -> Self {
+        Self {
+            name,
+            unit,
+            meaning,
+            text: false,
+        }
+    }
+
+    pub(crate) fn empty(&self) -> Column {
+        Column {
+            name: self.name.into(),
+            unit: self.unit.into(),
+            meaning: self.meaning.into(),
+            data: if self.text {
+                Data::Text(Vec::new())
+            } else {
+                Data::Number(Vec::new())
+            },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_unique_and_end_in_their_unit() {
+        for table in [NODES, TIME, WEAR, CONTACT, FRAMES, SPECTRA] {
+            for (index, column) in table.iter().enumerate() {
+                assert!(
+                    table[..index].iter().all(|other| other.name != column.name),
+                    "{} stands twice",
+                    column.name
+                );
+                let suffix = match column.unit {
+                    "" => "",
+                    "m" => "_m",
+                    "s" => "_s",
+                    "N" => "_N",
+                    "rad" => "_rad",
+                    "N·m" => "_N_m",
+                    "N/m" => "_N_per_m",
+                    "N·m/m" => "_N_m_per_m",
+                    "J/m" => "_J_per_m",
+                    "W/m" => "_W_per_m",
+                    "m/s" => "_m_per_s",
+                    "rad/s" => "_rad_per_s",
+                    "Pa" => "_Pa",
+                    "Hz" => "_Hz",
+                    other => panic!("{}: unknown unit {other}", column.name),
+                };
+                assert!(column.name.ends_with(suffix), "{}", column.name);
+            }
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! Columns of `time.parquet`.
+
+use crate::ColumnSpec;
+
+/// Columns of `time.parquet`: the scalars against time, one row per sample, for each operation that was
+/// solved by dynamics.
+pub const TIME: &[ColumnSpec] = &[
+    ColumnSpec::text("operation", "`trip_out`, `drill`, ..."),
+    ColumnSpec::number(
+        "time_s",
+        "s",
+        "Simulated time from the start, settling included",
+    ),
+    ColumnSpec::number("bit_depth_m", "m", "Measured depth of the bit"),
+    ColumnSpec::number("weight_on_bit_N", "N", "Weight on bit"),
+    ColumnSpec::number("bit_torque_N_m", "N·m", "Torque at the bit"),
+    ColumnSpec::number(
+        "depth_of_cut_m",
+        "m",
+        "Rock that a revolution of the bit takes away; 0 where a motor turns it at a speed that is not given",
+    ),
+    ColumnSpec::number(
+        "hook_load_N",
+        "N",
+        "Tension at the top of the string; block and top drive excluded",
+    ),
+    ColumnSpec::number(
+        "surface_torque_N_m",
+        "N·m",
+        "Torque at the top of the string",
+    ),
+    ColumnSpec::number(
+        "friction_torque_N_m",
+        "N·m",
+        "Torque of wall friction, summed along the string",
+    ),
+    ColumnSpec::number(
+        "axial_friction_N",
+        "N",
+        "Wall friction along the string, summed; positive adds to hook load",
+    ),
+    ColumnSpec::number(
+        "side_force_total_N",
+        "N",
+        "Magnitude of the side force, summed along the string",
+    ),
+    ColumnSpec::number(
+        "twist_rad",
+        "rad",
+        "Turn of the top against the bit; positive where the top leads",
+    ),
+    ColumnSpec::number("stretch_m", "m", "Elongation against the unloaded string"),
+    ColumnSpec::number(
+        "neutral_point_m",
+        "m",
+        "Measured depth of the shallowest zero of effective tension; `null` if none",
+    ),
+    ColumnSpec::number(
+        "cutoff_depth_m",
+        "m",
+        "Deepest change of the side force, averaged over the second before, from high to low side: a value a second, `null` between and if none",
+    ),
+    ColumnSpec::number(
+        "block_velocity_m_per_s",
+        "m/s",
+        "Speed of the travelling block; positive downwards",
+    ),
+    ColumnSpec::number(
+        "bit_rotary_speed_rad_per_s",
+        "rad/s",
+        "Rotary speed of the bit",
+    ),
+    ColumnSpec::number("rotary_speed_rad_per_s", "rad/s", "Rotary speed at surface"),
+    ColumnSpec::number(
+        "rotary_speed_set_rad_per_s",
+        "rad/s",
+        "What the rotary speed at surface is set to",
+    ),
+    ColumnSpec::number(
+        "block_velocity_set_m_per_s",
+        "m/s",
+        "What the speed of the block is set to; positive downwards, `null` where something else is",
+    ),
+    ColumnSpec::number(
+        "weight_on_bit_set_N",
+        "N",
+        "What the autodriller is set to hold; `null` where it is not in control",
+    ),
+    ColumnSpec::text(
+        "note",
+        "Note of the line of the schedule that began last; empty without one",
+    ),
+];
