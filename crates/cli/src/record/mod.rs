@@ -11,8 +11,8 @@ use wholestring::{
 };
 use wholestring_case::{Case, Records};
 use wholestring_results::{
-    CONTACT, FramesSoFar, Friction, NODES, OperationSummary, ResultsError, ResultsFolder, SCHEMA_VERSION,
-    SPECTRA, Status, Summary, TIME, Table, WEAR,
+    CONTACT, FramesSoFar, Friction, NODES, OperationSummary, ResultsError, ResultsFolder,
+    SCHEMA_VERSION, SPECTRA, Status, Summary, TIME, Table, WEAR,
 };
 use wholestring_units::{Dimension, UnitSet};
 
