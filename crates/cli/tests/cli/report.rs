@@ -68,11 +68,15 @@ fn a_run_writes_it_and_report_makes_it_again() {
         // 2 s at 50 Hz, to whole samples.
         assert!((95..=105).contains(&frames.kept), "{}", frames.kept);
         assert_eq!(times.len(), frames.kept);
-        let offset = frames.channels["offset_high_m"].values();
-        assert_eq!(offset.len(), times.len() * depths.len());
-        // A pipe of 120 mm in a hole of 200 mm lies 40 mm below its axis.
-        let middle = offset[offset.len() - depths.len() / 2];
-        assert!((middle + 0.04).abs() < 1e-3, "{middle} m");
+        let [high, right] =
+            ["offset_high_m", "offset_right_m"].map(|name| frames.channels[name].values());
+        assert_eq!(high.len(), times.len() * depths.len());
+        // A pipe of 120 mm in a hole of 200 mm lies 40 mm off its axis, on the low side; where it turns it climbs the
+        // wall to the right. The contact gives by hundredths of a millimetre.
+        let middle = high.len() - depths.len() / 2;
+        let offset = high[middle].hypot(right[middle]);
+        assert!((offset - 0.04).abs() < 1e-4, "{offset} m");
+        assert!(high[middle] < -0.038, "{} m", high[middle]);
     }
     let places = [Place::Results, Place::Numerics, Place::Inputs];
     for place in places {
