@@ -3,6 +3,7 @@
 
 mod command;
 mod count;
+mod page;
 mod python;
 mod verification;
 
@@ -32,6 +33,7 @@ type Step = (&'static str, fn() -> Result<Finding, Failure>);
 /// Cheap steps first, so that a slip is told early.
 const TEST: &[Step] = &[
     ("Formatting", formatting),
+    ("Bundle of the report", page::bundle),
     ("Lints", lints),
     ("Tests", tests),
     ("Table of verification", verification::check_table),
@@ -39,6 +41,7 @@ const TEST: &[Step] = &[
     ("Documentation", documentation),
     ("Core for the browser", wasm),
     ("Python example", python::example),
+    ("Report in a browser", page::browser),
 ];
 
 const VERIFY: &[Step] = &[

@@ -26,6 +26,8 @@ pub(crate) enum Command {
     Run(RunArgs),
     /// Solve a case for all combinations of some values
     Sweep(SweepArgs),
+    /// Make the report of a run again
+    Report(ReportArgs),
     /// Position and dogleg severity along a survey
     Survey(SurveyArgs),
     /// Measure this machine's speed at this work
@@ -85,6 +87,17 @@ pub(crate) struct RunArgs {
     /// Print nothing but errors
     #[arg(short, long)]
     pub(crate) quiet: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ReportArgs {
+    /// Folder that a run wrote to
+    #[arg(value_name = "DIR")]
+    pub(crate) folder: PathBuf,
+
+    /// Units that the page opens with [default: the case's]
+    #[arg(long, value_name = "si|metric|field")]
+    pub(crate) units: Option<UnitSet>,
 }
 
 #[derive(Debug, Args)]

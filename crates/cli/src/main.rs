@@ -4,6 +4,7 @@ mod args;
 mod bench;
 mod check;
 mod checkpoint;
+mod column;
 mod comparison;
 mod failure;
 mod folder_name;
@@ -13,6 +14,7 @@ mod interrupt;
 mod picture;
 mod progress;
 mod record;
+mod report;
 mod rig;
 mod run;
 mod solve;
@@ -35,6 +37,7 @@ fn main() -> ExitCode {
         Command::Check(args) => check::check(&args),
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::sweep(&args),
+        Command::Report(args) => report::report(&args),
         Command::Survey(args) => survey::survey(&args),
         Command::Bench(args) => bench::bench(&args),
         Command::Schema => schema(),

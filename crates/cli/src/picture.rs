@@ -4,8 +4,10 @@ use wholestring::well::{Hole, HoleKind};
 use wholestring_report::{
     Curve, Entry, Interval, IntervalKind, Panel, Profile, Stroke, profile_svg,
 };
-use wholestring_results::{Data, Table};
+use wholestring_results::Table;
 use wholestring_units::{Dimension, Unit, UnitSet};
+
+use crate::column::{numbers, words};
 
 /// The profiles in a table of nodes as the text of an SVG file.
 pub(crate) fn draw(
@@ -23,7 +25,7 @@ pub(crate) fn draw(
             sides,
             curves: curves(nodes, &legend, column, dimension, units),
         };
-    let deepest = number(nodes, "md_m")
+    let deepest = numbers(nodes, "md_m")
         .iter()
         .flatten()
         .fold(0.0, |a: f64, b| a.max(*b));
@@ -64,20 +66,6 @@ pub(crate) fn draw(
     })
 }
 
-fn number<'a>(table: &'a Table, name: &str) -> &'a [Option<f64>] {
-    match table.column(name).map(|column| &column.data) {
-        Some(Data::Number(values)) => values,
-        _ => &[],
-    }
-}
-
-fn text<'a>(table: &'a Table, name: &str) -> &'a [String] {
-    match table.column(name).map(|column| &column.data) {
-        Some(Data::Text(values)) => values,
-        _ => &[],
-    }
-}
-
 /// What is drawn: operations in the order of the table, and by which models.
 struct Legend<'a> {
     operations: Vec<&'a str>,
@@ -88,12 +76,12 @@ struct Legend<'a> {
 impl<'a> Legend<'a> {
     fn of(nodes: &'a Table) -> Self {
         let mut operations: Vec<&str> = Vec::new();
-        for operation in text(nodes, "operation") {
+        for operation in words(nodes, "operation") {
             if !operations.contains(&operation.as_str()) {
                 operations.push(operation);
             }
         }
-        let has = |model| text(nodes, "model").iter().any(|name| name == model);
+        let has = |model| words(nodes, "model").iter().any(|name| name == model);
         Self {
             operations,
             soft: has("soft"),
@@ -151,14 +139,14 @@ fn curves(
     dimension: Dimension,
     units: UnitSet,
 ) -> Vec<Curve> {
-    let (models, operations) = (text(nodes, "model"), text(nodes, "operation"));
+    let (models, operations) = (words(nodes, "model"), words(nodes, "operation"));
     let length = Dimension::Length.unit_in(units);
     let unit = dimension.unit_in(units);
     let shown =
         |value: &Option<f64>, unit: &Unit| value.map_or(f64::NAN, |value| unit.from_si(value));
     let mut curves: Vec<Curve> = Vec::new();
     let mut last = None;
-    let rows = number(nodes, "md_m").iter().zip(number(nodes, column));
+    let rows = numbers(nodes, "md_m").iter().zip(numbers(nodes, column));
     for (row, (md, value)) in rows.enumerate() {
         let this = (models[row].as_str(), operations[row].as_str());
         if last != Some(this) {

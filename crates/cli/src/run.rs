@@ -16,7 +16,7 @@ use crate::{
     load,
     progress::Watch,
     record::{self, Record},
-    rig, say,
+    report, rig, say,
     solve::{Way, checkpoint_every, solve},
 };
 
@@ -62,7 +62,9 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
 "
         ))?;
     }
-    solved.map_err(|stop| stop.failure(&folder))
+    let reported = report::write(&folder, units);
+    solved.map_err(|stop| stop.failure(&folder))?;
+    reported
 }
 
 fn bad(reason: impl std::fmt::Display) -> Failure {

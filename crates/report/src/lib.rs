@@ -1,4 +1,4 @@
-//! Pictures of what a run leaves, as SVG.
+//! Pictures of what a run leaves: its profile as SVG, and all of it as a page.
 #![warn(missing_docs)]
 
 mod axis;
@@ -6,6 +6,17 @@ mod canvas;
 mod colours;
 mod legend;
 mod line;
+mod packed;
+mod page;
 mod profile;
+mod report;
+mod thin;
 
+pub use packed::Packed;
+pub use page::report_html;
 pub use profile::{Curve, Entry, Interval, IntervalKind, Panel, Profile, Stroke, profile_svg};
+pub use report::{
+    Answer, Cell, ContactPicture, DisplayUnit, Fact, Frames, Part, Place, Report, Section, Sheet,
+    Solved, TimeRun, Well,
+};
+pub use thin::thinned;

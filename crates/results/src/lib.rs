@@ -16,7 +16,7 @@ mod spectrum;
 mod summary;
 mod table;
 
-pub use columns::{ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
+pub use columns::{CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
 pub use error::ResultsError;
 pub use folder::ResultsFolder;
 pub use frames::{FrameWriter, FramesSoFar};

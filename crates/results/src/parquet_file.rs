@@ -1,6 +1,6 @@
 //! Tables as Parquet files: the only place that knows the format.
 
-use std::{fs::File, io, path::Path, sync::Arc};
+use std::{fs::File, io, ops::Range, path::Path, sync::Arc};
 
 use parquet::{
     basic::{Compression, LogicalType, Repetition, Type as PhysicalType},
@@ -130,16 +130,39 @@ fn write_column<W: io::Write + Send>(
 }
 
 pub(crate) fn read(path: &Path) -> Result<Table, ResultsError> {
+    let reader = open(path)?;
+    let all = 0..reader.num_row_groups();
+    read_some(&reader, |_| true, all).map_err(|error| ResultsError::format(path, error))
+}
+
+/// Reads columns of these names, as far as the file has them, one row group after the other.
+pub(crate) fn read_groups(
+    path: &Path,
+    names: &[&str],
+    mut take: impl FnMut(Table),
+) -> Result<(), ResultsError> {
+    let reader = open(path)?;
+    for group in 0..reader.num_row_groups() {
+        let table = read_some(&reader, |name| names.contains(&name), group..group + 1);
+        take(table.map_err(|error| ResultsError::format(path, error))?);
+    }
+    Ok(())
+}
+
+fn open(path: &Path) -> Result<SerializedFileReader<File>, ResultsError> {
     let file = File::open(path).map_err(|source| ResultsError::Read {
         path: path.to_owned(),
         source,
     })?;
-    let table = read_table(file).map_err(|error| ResultsError::format(path, error))?;
-    Ok(Table::new(table))
+    SerializedFileReader::new(file).map_err(|error| ResultsError::format(path, error))
 }
 
-fn read_table(file: File) -> Result<Vec<Column>, ParquetError> {
-    let reader = SerializedFileReader::new(file)?;
+/// Columns whose names are wanted, of some row groups.
+fn read_some(
+    reader: &SerializedFileReader<File>,
+    wanted: impl Fn(&str) -> bool,
+    groups: Range<usize>,
+) -> Result<Table, ParquetError> {
     let metadata = reader.metadata().file_metadata();
     let notes = metadata.key_value_metadata();
     let note = |name: &str, what: &str| {
@@ -150,7 +173,8 @@ fn read_table(file: File) -> Result<Vec<Column>, ParquetError> {
             .unwrap_or_default()
     };
     let mut columns = Vec::new();
-    for (index, field) in metadata.schema_descr().columns().iter().enumerate() {
+    let fields = metadata.schema_descr().columns().iter().enumerate();
+    for (index, field) in fields.filter(|(_, field)| wanted(field.name())) {
         let data = match field.physical_type() {
             PhysicalType::DOUBLE | PhysicalType::FLOAT | PhysicalType::INT32
                 if field.max_def_level() == 1 =>
@@ -171,14 +195,14 @@ fn read_table(file: File) -> Result<Vec<Column>, ParquetError> {
             meaning: note(field.name(), "meaning"),
             data,
         };
-        for group in 0..reader.num_row_groups() {
+        for group in groups.clone() {
             let rows = reader.metadata().row_group(group).num_rows() as usize;
             let reader = reader.get_row_group(group)?.get_column_reader(index)?;
             read_column(reader, rows, &mut column)?;
         }
         columns.push(column);
     }
-    Ok(columns)
+    Ok(Table::new(columns))
 }
 
 fn read_column(reader: ColumnReader, rows: usize, column: &mut Column) -> Result<(), ParquetError> {

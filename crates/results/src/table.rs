@@ -135,6 +135,16 @@ impl Table {
         parquet_file::read(path)
     }
 
+    /// Reads back the columns of these names, as far as the file has them, piece by piece: a table may be larger
+    /// than memory. The pieces follow each other as the rows do.
+    pub fn read_parquet_pieces(
+        path: &Path,
+        names: &[&str],
+        take: impl FnMut(Self),
+    ) -> Result<(), ResultsError> {
+        parquet_file::read_groups(path, names, take)
+    }
+
     /// Writes the table as CSV: a header row of column names, numbers with the digits that make them
     /// exact, nothing where a number does not apply.
     pub fn write_csv(&self, path: &Path) -> Result<(), ResultsError> {

@@ -2,7 +2,7 @@
 
 use std::{fs, path::Path};
 
-use wholestring_results::{ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
+use wholestring_results::{CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
 
 fn rows(columns: &[ColumnSpec]) -> String {
     let mut text = String::from("| column | unit | meaning |\n|---|---|---|\n");
@@ -23,6 +23,7 @@ fn the_page_lists_every_column() {
         ("frames", FRAMES),
         ("spectra", SPECTRA),
         ("wear", WEAR),
+        ("contact", CONTACT),
     ] {
         let expected = rows(columns);
         assert!(

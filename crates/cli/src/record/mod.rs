@@ -11,8 +11,8 @@ use wholestring::{
 };
 use wholestring_case::{Case, Records};
 use wholestring_results::{
-    FramesSoFar, Friction, NODES, OperationSummary, ResultsError, ResultsFolder, SCHEMA_VERSION,
-    SPECTRA, Status, Summary, TIME, Table, WEAR,
+    CONTACT, FramesSoFar, Friction, NODES, OperationSummary, ResultsError, ResultsFolder,
+    SCHEMA_VERSION, SPECTRA, Status, Summary, TIME, Table, WEAR,
 };
 use wholestring_units::{Dimension, UnitSet};
 
@@ -26,6 +26,7 @@ pub(crate) struct Solved {
     nodes: Table,
     time: Table,
     wear: Table,
+    contact: Table,
     spectra: Table,
     /// Frames up to the checkpoint, of the operation under way too.
     frames: Option<FramesSoFar>,
@@ -39,6 +40,7 @@ pub(crate) struct Record {
     /// Lines of the case's schedule.
     schedule: Vec<ScheduleStep>,
     wear: Table,
+    contact: Table,
     spectra: Table,
     /// Frames of the whole string, where the case asks for them.
     pub(crate) frames: Option<Frames>,
@@ -75,6 +77,7 @@ impl Record {
         record.nodes = solved.nodes;
         record.time = solved.time;
         record.wear = solved.wear;
+        record.contact = solved.contact;
         record.spectra = solved.spectra;
         Ok(record)
     }
@@ -91,6 +94,7 @@ impl Record {
             time: Table::with_columns(TIME),
             schedule: case.dynamics.schedule.steps.clone(),
             wear: Table::with_columns(WEAR),
+            contact: Table::with_columns(CONTACT),
             spectra: Table::with_columns(SPECTRA),
             frames,
             records: case.records.clone(),
@@ -109,6 +113,7 @@ impl Record {
             nodes,
             time,
             wear,
+            contact,
             schedule: _,
             spectra,
             frames,
@@ -123,6 +128,7 @@ impl Record {
             nodes: nodes.clone(),
             time: time.clone(),
             wear: wear.clone(),
+            contact: contact.clone(),
             spectra: spectra.clone(),
             frames: frames.as_ref().map(|frames| frames.so_far().clone()),
         }
@@ -161,6 +167,7 @@ impl Record {
         folder.write_table("nodes", &self.nodes, csv)?;
         folder.write_table("time", &self.time, csv)?;
         folder.write_table("wear", &self.wear, csv)?;
+        folder.write_table("contact", &self.contact, csv)?;
         if self.records.spectra.is_empty() {
             folder.remove("spectra.parquet")?;
             folder.remove("spectra.csv")?;

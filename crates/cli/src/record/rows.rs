@@ -65,6 +65,7 @@ impl Record {
             indicators,
             nodes,
             wear,
+            contact,
             series,
         } = outcome;
         let statistics = statistics.iter().map(|(name, of)| {
@@ -107,6 +108,15 @@ impl Record {
                 ("md_m", &wear.md_m),
                 ("wear_work_J_per_m", &wear.wear_work_J_per_m),
                 ("wear_power_W_per_m", &wear.wear_power_W_per_m),
+            ],
+        );
+        self.contact.append(
+            &[("operation", &[operation.kind.name()])],
+            &[
+                ("time_s", &contact.time_s),
+                ("md_m", &contact.md_m),
+                ("side_force_N_per_m", &contact.side_force_N_per_m),
+                ("contact_force_N_per_m", &contact.contact_force_N_per_m),
             ],
         );
         self.add_series(operation, series);

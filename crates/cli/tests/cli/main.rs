@@ -5,6 +5,7 @@ mod check;
 mod contract;
 mod desk;
 mod documentation;
+mod report;
 mod resume;
 mod run;
 mod shipped;

@@ -14,7 +14,8 @@ use wholestring_results::{Data, Table};
 
 use crate::desk::{Desk, transcript};
 
-/// All that a run leaves but for the time that it took: every file but the summary to the byte.
+/// All that a run leaves but for the time that it took: every file but the summary and the page that tells of it to
+/// the byte.
 fn leavings(desk: &Desk, folder: &str) -> (Value, BTreeMap<String, Vec<u8>>) {
     let files = fs::read_dir(desk.path(folder)).unwrap();
     let mut files: BTreeMap<String, Vec<u8>> = files
@@ -24,6 +25,7 @@ fn leavings(desk: &Desk, folder: &str) -> (Value, BTreeMap<String, Vec<u8>>) {
             (name, fs::read(entry.path()).unwrap())
         })
         .collect();
+    assert!(files.remove("report.html").is_some());
     let summary = files.remove("summary.json").unwrap();
     let mut summary: Value = serde_json::from_slice(&summary).unwrap();
     for operation in summary["operations"].as_array_mut().unwrap() {

@@ -23,8 +23,10 @@ fn soft_string_side_by_side() {
     let output = desk.run(&[&["run", "slant.toml"], &SOFT[..]].concat());
     assert_snapshot!(transcript(&output));
     let expected = [
+        "contact.parquet",
         "nodes.parquet",
         "profile.svg",
+        "report.html",
         "summary.json",
         "time.parquet",
         "wear.parquet",
@@ -78,9 +80,12 @@ fn soft_string_and_dynamics_side_by_side() {
     let output = desk.run(&["run", "slant.toml", "--csv", "-o", "here/and/there"]);
     assert_snapshot!(masked(&transcript(&output)));
     let expected = [
+        "contact.csv",
+        "contact.parquet",
         "nodes.csv",
         "nodes.parquet",
         "profile.svg",
+        "report.html",
         "summary.json",
         "time.csv",
         "time.parquet",
@@ -487,8 +492,10 @@ fn frames_and_spectra() {
     let output = desk.run(&[&["run", "slant.toml", "-o", "out"], &SOFT[..]].concat());
     assert!(output.status.success());
     let expected = [
+        "contact.parquet",
         "nodes.parquet",
         "profile.svg",
+        "report.html",
         "summary.json",
         "time.parquet",
         "wear.parquet",

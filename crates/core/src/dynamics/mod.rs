@@ -34,8 +34,8 @@ pub use energy::EnergyBalance;
 pub use frame::{Channel, Frame};
 pub use indicators::{Indicators, StickSlip, TorqueUse, Whirl};
 pub use outcome::{
-    ContactClass, DynamicOutcome, HoleWear, NodeProfile, Numerics, Percentiles, Statistic,
-    TimeSeries,
+    ContactClass, ContactMap, DynamicOutcome, HoleWear, NodeProfile, Numerics, Percentiles,
+    Statistic, TimeSeries,
 };
 pub use precision::Simulation;
 pub use schedule::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep};

@@ -213,6 +213,20 @@ pub struct HoleWear {
     pub wear_power_W_per_m: Vec<f64>,
 }
 
+/// Contact over depth and time, coarse: row after row in time, each from the surface down. A stretch of string stands
+/// in a row, at most 200 of them, and each row is an average over the time since the one before, at most 201.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct ContactMap {
+    /// Time at which the row ends, s.
+    pub time_s: Vec<f64>,
+    /// Measured depth of the middle of the stretch, m.
+    pub md_m: Vec<f64>,
+    /// Mean signed side force per metre, positive on the high side, N/m.
+    pub side_force_N_per_m: Vec<f64>,
+    /// Mean magnitude of the contact force per metre, N/m.
+    pub contact_force_N_per_m: Vec<f64>,
+}
+
 /// Scalars against time, from time zero; rows are samples, contact quantities averages over them.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct TimeSeries {
@@ -288,6 +302,8 @@ pub struct DynamicOutcome {
     pub nodes: NodeProfile,
     /// Wear along the hole.
     pub wear: HoleWear,
+    /// Contact over depth and time.
+    pub contact: ContactMap,
     /// Scalars against time.
     pub series: TimeSeries,
 }

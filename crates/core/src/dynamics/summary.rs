@@ -96,6 +96,7 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
         indicators,
         nodes,
         wear: hole_wear(s, from),
+        contact: s.record.contact_map().clone(),
         series: series.clone(),
     }
 }

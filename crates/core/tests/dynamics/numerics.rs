@@ -19,6 +19,7 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         nodes: p,
         series: t,
         wear: w,
+        contact: c,
     } = outcome;
     let stick_slip = i.stick_slip.map(|of| {
         let rare = [of.severity, of.torque_severity, of.period_s].into_iter();
@@ -101,6 +102,8 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         ("wear of a node", &p.wear_work_J_per_m),
         ("wear of the hole", &w.wear_work_J_per_m),
         ("power of wear", &w.wear_power_W_per_m),
+        ("side force of the map", &c.side_force_N_per_m),
+        ("contact force of the map", &c.contact_force_N_per_m),
         ("low tension", &p.tension_percentiles_N.p05),
         ("middle torque", &p.torque_percentiles_N_m.p50),
         ("high contact force", &p.contact_force_percentiles_N.p95),

@@ -1,12 +1,15 @@
 //! Every column of every table: name, unit and meaning in one place.
 
+mod contact;
 mod frames;
 mod nodes;
 mod spectra;
 mod time;
 mod wear;
 
-pub use self::{frames::FRAMES, nodes::NODES, spectra::SPECTRA, time::TIME, wear::WEAR};
+pub use self::{
+    contact::CONTACT, frames::FRAMES, nodes::NODES, spectra::SPECTRA, time::TIME, wear::WEAR,
+};
 use crate::{Column, Data};
 
 /// Name, unit and meaning of a column.
@@ -61,7 +64,7 @@ mod tests {
 
     #[test]
     fn names_are_unique_and_end_in_their_unit() {
-        for table in [NODES, TIME, WEAR, FRAMES, SPECTRA] {
+        for table in [NODES, TIME, WEAR, CONTACT, FRAMES, SPECTRA] {
             for (index, column) in table.iter().enumerate() {
                 assert!(
                     table[..index].iter().all(|other| other.name != column.name),

@@ -1,5 +1,6 @@
 //! What is kept of a run while it goes on: sums per node, samples of the scalars.
 
+mod contact_map;
 mod depths;
 mod kept;
 mod look;
@@ -19,6 +20,7 @@ use crate::{
     model::Model,
     rod::{mesh::Mesh, number::Real},
 };
+use contact_map::MapKeeper;
 use depths::Sides;
 use kept::Kept;
 use look::Lane;
@@ -58,6 +60,7 @@ pub struct Record {
     sums: Vec<SumBlock>,
     kept: Kept,
     sides: Sides,
+    contact: MapKeeper,
     samples: u64,
     /// Scalars against time, from time zero.
     pub series: TimeSeries,
@@ -76,6 +79,7 @@ impl Record {
             sums: vec![SumBlock::EMPTY; layout.blocks()],
             kept: Kept::new(layout.blocks()),
             sides: Sides::new(mesh.nodes.len()),
+            contact: MapKeeper::new(mesh),
             samples: 0,
             series: TimeSeries::default(),
             window_row: 0,
@@ -88,6 +92,7 @@ impl Record {
         self.sums.fill(SumBlock::EMPTY);
         self.kept.clear();
         self.sides.restart();
+        self.contact.restart();
         self.samples = 0;
         self.window_row = self.series.time_s.len();
     }

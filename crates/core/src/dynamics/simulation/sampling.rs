@@ -30,6 +30,7 @@ impl<R: Real> Run<R> {
     pub(super) fn sample(&mut self) {
         let time = self.time_s();
         let interval_s = self.sample_interval_s();
+        let run_samples = (self.end_time_s() / interval_s).round() as u64;
         if !self.state.window_open && time >= self.settings.settle_s {
             self.open_window();
         }
@@ -42,6 +43,7 @@ impl<R: Real> Run<R> {
         state.wear.sample(chain, |i| anchors[i].md_m);
         let sums = std::mem::take(&mut state.since_sample);
         let totals = record.sample(chain, &state.high, sums.steps);
+        record.map_contact(anchors, time, run_samples);
         let n = sums.steps as f64;
         let last = chain.nodes() - 1;
         let twist = -(0..chain.elements())
@@ -86,8 +88,10 @@ impl<R: Real> Run<R> {
     /// From now on statistics and the ledger of energy count.
     fn open_window(&mut self) {
         let (energies, flow_work_J) = (self.energies(), self.flow_work_J());
+        let before_s = self.time_s() - self.sample_interval_s();
         let state = &mut self.state;
         state.window_open = true;
+        state.record.close_contact_row(&state.anchors, before_s);
         state.record.open_window();
         state
             .wear

@@ -1,6 +1,7 @@
 //! Every instruction set moves the string alike.
 
 mod body;
+mod contact_map;
 
 use super::*;
 use crate::{

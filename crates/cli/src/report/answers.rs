@@ -1,0 +1,152 @@
+//! The five numbers that an engineer looks for first, beside their limits.
+
+use serde_json::Value as Json;
+use wholestring::outcome::ModelKind;
+use wholestring_report::{Answer, Cell};
+use wholestring_results::{OperationSummary, Table};
+
+use super::rows;
+use crate::column::numbers;
+
+/// Five numbers. Of a dynamic model those that vary are means, and their largest of the window is held against the
+/// limit.
+pub(super) fn answers(solved: &OperationSummary, settings: &Json, nodes: &Table) -> Vec<Answer> {
+    let rig = |key: &str| settings["rig"][key].as_f64();
+    let largest = |key: &str| {
+        let statistics = solved.statistics.as_ref()?;
+        Some(statistics.get(key)?.max)
+    };
+    let scalars = &solved.scalars;
+    let block_N = rig("block_weight_N").unwrap_or(0.0);
+    let hook = Answer {
+        label: if block_N > 0.0 {
+            "Hook load with block"
+        } else {
+            "Hook load"
+        }
+        .into(),
+        value: Cell::quantity(scalars.hook_load_N + block_N, "force"),
+        worst: largest("hook_load_N").map(|load| load + block_N),
+        ..limited(rig("hoist_capacity_N"), "hoist's capacity")
+    };
+    let torque = Answer {
+        label: "Surface torque".into(),
+        value: Cell::quantity(scalars.surface_torque_N_m, "torque"),
+        worst: largest("surface_torque_N_m"),
+        ..limited(rig("top_drive_torque_N_m"), "top drive's rated torque")
+    };
+    let side = side_force(solved, nodes);
+    match solved.model {
+        ModelKind::Dynamic => vec![
+            hook,
+            torque,
+            stress(solved, nodes),
+            stick_slip(solved).unwrap_or_else(|| drag(solved)),
+            side,
+        ],
+        ModelKind::Soft => vec![
+            hook,
+            torque,
+            drag(solved),
+            Answer {
+                label: "Neutral point".into(),
+                value: scalars.neutral_point_m.map_or_else(
+                    || Cell::Text("none: all in tension".into()),
+                    |md| Cell::quantity(md, "length"),
+                ),
+                ..unlimited("measured depth")
+            },
+            side,
+        ],
+    }
+}
+
+/// An answer with this limit, whose label and value are yet to be given.
+fn limited(limit: Option<f64>, whose: &str) -> Answer {
+    Answer {
+        label: String::new(),
+        value: Cell::Nothing,
+        worst: None,
+        limit,
+        limit_label: match limit {
+            Some(_) => whose.into(),
+            None => format!("{whose} not given"),
+        },
+    }
+}
+
+fn unlimited(note: &str) -> Answer {
+    Answer {
+        limit_label: note.into(),
+        ..limited(None, "")
+    }
+}
+
+fn drag(solved: &OperationSummary) -> Answer {
+    Answer {
+        label: "Axial friction".into(),
+        value: Cell::quantity(solved.scalars.axial_friction_N, "force"),
+        ..unlimited("positive adds to hook load")
+    }
+}
+
+/// Severity of stick-slip, where the string turns: at one the bit just stops.
+fn stick_slip(solved: &OperationSummary) -> Option<Answer> {
+    let severity = solved.indicators?.stick_slip?.severity?;
+    Some(Answer {
+        label: "Stick-slip severity".into(),
+        value: Cell::quantity(severity, "ratio"),
+        ..limited(Some(1.0), "the bit just stops")
+    })
+}
+
+/// Use of the yield strength where it is known, the stress itself where it is not.
+fn stress(solved: &OperationSummary, nodes: &Table) -> Answer {
+    let largest = |name: &str| largest_of(solved, nodes, name, |value| value);
+    match largest("yield_use") {
+        Some(part) => Answer {
+            label: "Use of yield strength".into(),
+            value: Cell::quantity(part, "percent"),
+            ..limited(Some(1.0), "minimum yield strength, pipe body")
+        },
+        None => Answer {
+            label: "Largest von Mises stress".into(),
+            value: largest("von_mises_stress_max_Pa")
+                .map_or(Cell::Nothing, |stress| Cell::quantity(stress, "pressure")),
+            ..limited(None, "yield strength")
+        },
+    }
+}
+
+/// The largest mean side force: of a joint where the string has joints and the model tells, per length otherwise.
+fn side_force(solved: &OperationSummary, nodes: &Table) -> Answer {
+    match largest_of(solved, nodes, "side_force_per_joint_N", f64::abs) {
+        Some(force) => Answer {
+            label: "Largest side force of a tool joint".into(),
+            value: Cell::quantity(force, "force"),
+            ..unlimited("mean; no limit in the case")
+        },
+        None => Answer {
+            label: "Largest side force".into(),
+            value: largest_of(solved, nodes, "side_force_N_per_m", f64::abs)
+                .map_or(Cell::Nothing, |force| {
+                    Cell::quantity(force, "force per length")
+                }),
+            ..unlimited("no limit in the case")
+        },
+    }
+}
+
+/// The largest value of a column of the profile.
+fn largest_of(
+    solved: &OperationSummary,
+    nodes: &Table,
+    name: &str,
+    of: fn(f64) -> f64,
+) -> Option<f64> {
+    let values = numbers(nodes, name);
+    rows(nodes, Some(solved.model.name()), &solved.operation)
+        .into_iter()
+        .filter_map(|row| values.get(row).copied().flatten().map(of))
+        .max_by(f64::total_cmp)
+}

@@ -1,0 +1,99 @@
+//! What the page says was asked.
+
+use serde_json::Value as Json;
+use wholestring::operation::OperationKind;
+use wholestring_report::{Cell, Fact};
+use wholestring_results::{Friction, Summary};
+
+/// The question in a few facts: what is done, how deep, with what.
+pub(super) fn asked(summary: &Summary) -> Vec<Fact> {
+    let settings = &summary.settings;
+    let operation = &settings["operation"];
+    let kinds: Vec<OperationKind> = texts(&operation["kind"])
+        .filter_map(OperationKind::from_name)
+        .collect();
+    let any = |is: fn(OperationKind) -> bool| kinds.iter().any(|kind| is(*kind));
+    let mut asked = Vec::new();
+    let mut tell = |label: &str, value: Cell| {
+        asked.push(Fact {
+            label: label.into(),
+            value,
+        });
+    };
+    let names: Vec<String> = kinds.iter().map(|kind| spoken(kind.name())).collect();
+    tell(
+        if names.len() > 1 {
+            "Operations"
+        } else {
+            "Operation"
+        },
+        Cell::Text(names.join(", ")),
+    );
+    let models: Vec<&str> = texts(&settings["model"])
+        .map(|model| match model {
+            "soft" => "soft string",
+            "dynamic" => "dynamics",
+            other => other,
+        })
+        .collect();
+    tell("Solved by", Cell::Text(models.join(", ")));
+    tell("Bit depth", quantity(&operation["bit_depth_m"], "length"));
+    if any(OperationKind::rotates) {
+        let speed = &operation["rotary_speed_rad_per_s"];
+        tell("Rotary speed", quantity(speed, "rotary speed"));
+    }
+    if any(OperationKind::on_bottom) {
+        tell("Weight on bit", quantity(&operation["wob_N"], "force"));
+        let rate = &operation["rop_m_per_s"];
+        tell("Rate of penetration", quantity(rate, "rate of penetration"));
+        let torque = &settings["bit"]["torque_N_m"];
+        tell("Bit torque", quantity(torque, "torque"));
+    }
+    if any(|kind| !kind.on_bottom() && kind != OperationKind::RotateOffBottom) {
+        let speed = &operation["trip_speed_m_per_s"];
+        tell("Trip speed", quantity(speed, "speed"));
+    }
+    if let Some(solved) = summary.operations.first() {
+        let text = match &solved.friction {
+            Friction::Uniform(value) => value.to_string(),
+            Friction::BySection(values) => {
+                let values: Vec<String> = values.iter().map(f64::to_string).collect();
+                values.join(" / ")
+            }
+        };
+        tell("Friction factor", Cell::Text(text));
+    }
+    let density = &settings["mud"]["density_kg_per_m3"];
+    tell("Mud density", quantity(density, "density"));
+    if operation["flow_rate_m3_per_s"]
+        .as_f64()
+        .is_some_and(|flow| flow > 0.0)
+    {
+        let flow = &operation["flow_rate_m3_per_s"];
+        tell("Flow rate", quantity(flow, "flow rate"));
+    }
+    if texts(&settings["model"]).any(|model| model == "dynamic") {
+        let dynamics = &settings["dynamics"];
+        tell("Window", quantity(&dynamics["duration_s"], "time"));
+        tell("Settled before", quantity(&dynamics["settle_s"], "time"));
+    }
+    asked.retain(|fact| fact.value != Cell::Nothing);
+    asked
+}
+
+/// `trip_out` as people write it.
+pub(super) fn spoken(name: &str) -> String {
+    name.replace('_', " ")
+}
+
+fn quantity(value: &Json, dimension: &str) -> Cell {
+    value
+        .as_f64()
+        .map_or(Cell::Nothing, |value| Cell::quantity(value, dimension))
+}
+
+/// The words of a list, or the only one.
+fn texts(value: &Json) -> impl Iterator<Item = &str> {
+    let list = value.as_array().map_or(&[][..], |list| list);
+    list.iter().filter_map(Json::as_str).chain(value.as_str())
+}

@@ -1,0 +1,184 @@
+//! How each set of units shows each dimension on the page.
+
+use std::{collections::BTreeMap, f64::consts::TAU};
+
+use wholestring_report::DisplayUnit;
+use wholestring_units::{Dimension, UnitSet};
+
+/// Dimensions of which the page speaks and in which nobody writes: name, then symbol and factor in each set.
+const OTHERS: &[(&str, [(&str, f64); 3])] = &[
+    ("ratio", [("", 1.0); 3]),
+    ("percent", [("%", 0.01); 3]),
+    ("turns", [("rev", TAU); 3]),
+    (
+        "work per length",
+        [
+            ("kJ/m", 1e3),
+            ("kJ/m", 1e3),
+            ("ft·lbf/ft", 4.448_221_615_260_5),
+        ],
+    ),
+    (
+        "lateral speed",
+        [("m/s", 1.0), ("m/s", 1.0), ("ft/s", 0.3048)],
+    ),
+    (
+        "modulus",
+        [
+            ("GPa", 1e9),
+            ("GPa", 1e9),
+            ("Mpsi", 6.894_757_293_168_361e9),
+        ],
+    ),
+    (
+        "energy",
+        [
+            ("kJ", 1e3),
+            ("kJ", 1e3),
+            ("ft·lbf", 1.355_817_948_331_400_4),
+        ],
+    ),
+    ("time step", [("ms", 1e-3); 3]),
+];
+
+/// Every dimension by its name.
+pub(super) fn all() -> BTreeMap<String, [DisplayUnit; 3]> {
+    let known = Dimension::ALL.iter().map(|dimension| {
+        let units = [UnitSet::Si, UnitSet::Metric, UnitSet::Field].map(|set| {
+            let unit = dimension.unit_in(set);
+            DisplayUnit {
+                symbol: pretty(unit.symbol),
+                factor: unit.factor,
+            }
+        });
+        (dimension.name().to_owned(), units)
+    });
+    let others = OTHERS.iter().map(|(name, units)| {
+        let units = units.map(|(symbol, factor)| DisplayUnit {
+            symbol: symbol.into(),
+            factor,
+        });
+        ((*name).to_owned(), units)
+    });
+    known.chain(others).collect()
+}
+
+/// The symbol as it is printed: `kN.m` becomes `kN·m`, `deg/30m` becomes `°/30 m`.
+fn pretty(symbol: &str) -> String {
+    [
+        ("deg", "°"),
+        ("ft-lbf", "ft·lbf"),
+        (".", "·"),
+        ("m3", "m³"),
+        ("m2", "m²"),
+        ("/100ft2", "/100 ft²"),
+        ("ft2", "ft²"),
+        ("^n", "ⁿ"),
+        ("/30m", "/30 m"),
+        ("/100ft", "/100 ft"),
+    ]
+    .iter()
+    .fold(symbol.to_owned(), |text, (from, to)| text.replace(from, to))
+}
+
+/// The dimension of a key of the settings, by the unit at its end and by what it is; none of a bare number.
+pub(super) fn of_key(key: &str) -> Option<(&'static str, &str)> {
+    const SMALL: &[&str] = &[
+        "diameter",
+        "od",
+        "id",
+        "rms",
+        "tortuosity",
+        "amplitude",
+        "roughness",
+        "radius",
+        "wear_flat",
+        "bend_offset",
+        "eccentricity",
+    ];
+    let ends: &[(&str, &str)] = &[
+        ("_m_per_s_per_N", "hoist gain"),
+        ("_N_s_per_m", "damping"),
+        ("_rad_per_s", "rotary speed"),
+        ("_kg_per_m3", "density"),
+        ("_m3_per_s", "flow rate"),
+        ("_kg_per_m", "mass per length"),
+        ("_N_per_m", "force per length"),
+        ("_m_per_s", "speed"),
+        ("_s_per_m", "dissipation time"),
+        ("_Pa_s_n", "consistency index"),
+        ("_kg_m2", "moment of inertia"),
+        ("_N_m_s", "torque per rotary speed"),
+        ("_per_s", "frequency"),
+        ("_Pa_s", "viscosity"),
+        ("_N_m", "torque"),
+        ("_rad", "angle"),
+        ("_Pa", "pressure"),
+        ("_Hz", "frequency"),
+        ("_kg", "mass"),
+        ("_m", "length"),
+        ("_N", "force"),
+        ("_s", "time"),
+    ];
+    let (name, dimension) = ends
+        .iter()
+        .find_map(|(end, dimension)| Some((key.strip_suffix(end)?, *dimension)))?;
+    let ends_in = |word: &str| name == word || name.ends_with(&format!("_{word}"));
+    let dimension = match dimension {
+        "length" if SMALL.iter().any(|word| ends_in(word)) => "diameter",
+        "force per length" if name.contains("stiffness") => "stiffness",
+        "pressure" if name.contains("modulus") => "modulus",
+        "pressure" if name == "yield_point" => "shear stress",
+        "speed" if name == "rop" => "rate of penetration",
+        other => other,
+    };
+    Some((dimension, name))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::*;
+
+    #[test]
+    fn symbols_are_printed_as_the_field_prints_them() {
+        let all = all();
+        for (name, expected) in [
+            ("torque", ["kN·m", "kN·m", "ft·lbf"]),
+            ("dogleg severity", ["°/30 m", "°/30 m", "°/100 ft"]),
+            ("density", ["kg/m³", "sg", "ppg"]),
+            ("force", ["kN", "t", "klbf"]),
+            ("shear stress", ["Pa", "Pa", "lbf/100 ft²"]),
+        ] {
+            let symbols = all[name].each_ref().map(|unit| unit.symbol.as_str());
+            assert_eq!(symbols, expected);
+        }
+        let per_metre = (3.0 * PI / 180.0) / 30.0;
+        assert!((per_metre / all["dogleg severity"][0].factor - 3.0).abs() < 1e-12);
+        assert!((per_metre / all["dogleg severity"][2].factor - 3.048).abs() < 1e-12);
+    }
+
+    #[test]
+    fn keys_of_the_settings_have_their_dimension() {
+        for (key, expected) in [
+            ("bit_depth_m", "length"),
+            ("od_m", "diameter"),
+            ("diameter_m", "diameter"),
+            ("mass_per_length_kg_per_m", "mass per length"),
+            ("youngs_modulus_Pa", "modulus"),
+            ("yield_strength_Pa", "pressure"),
+            ("rock_stiffness_N_per_m", "stiffness"),
+            ("top_drive_torque_N_m", "torque"),
+            ("rotary_speed_rad_per_s", "rotary speed"),
+            ("gain_m_per_s_per_N", "hoist gain"),
+            ("rop_m_per_s", "rate of penetration"),
+            ("settle_s", "time"),
+        ] {
+            let found = of_key(key).map(|(dimension, _)| dimension);
+            assert_eq!(found, Some(expected), "{key}");
+            assert!(all().contains_key(expected), "{expected}");
+        }
+        assert_eq!(of_key("seed"), None);
+    }
+}

@@ -1,0 +1,216 @@
+//! The string at moments, chosen evenly from the frames that a run kept.
+
+use std::{collections::BTreeMap, path::Path};
+
+use wholestring_report::{Frames, Packed};
+use wholestring_results::{OperationSummary, ResultsError, Table};
+
+use crate::column::{numbers, words};
+
+/// Numbers of frames that a page holds, all operations together: 1.6 MB.
+const MOST_NUMBERS: usize = 600_000;
+
+/// Nodes of a frame on the page.
+const MOST_NODES: usize = 450;
+
+/// What the page can colour the string with, and where it lies.
+const CHANNELS: &[&str] = &[
+    "offset_high_m",
+    "offset_right_m",
+    "tension_N",
+    "torque_N_m",
+    "contact_force_N",
+    "rotary_speed_rad_per_s",
+    "bending_moment_N_m",
+];
+
+/// Frames of each operation; none where none were kept, or where they do not hold where the string lies.
+///
+/// The file may be larger than memory: it is read twice, piece by piece.
+pub(super) fn read(
+    folder: &Path,
+    runs: &[&OperationSummary],
+) -> Result<BTreeMap<String, Frames>, ResultsError> {
+    let path = folder.join("frames.parquet");
+    if !path.is_file() {
+        return Ok(BTreeMap::new());
+    }
+    let mut kept: BTreeMap<String, Kept> = BTreeMap::new();
+    Table::read_parquet_pieces(&path, &["operation", "node"], |piece| {
+        let operations = words(&piece, "operation").iter();
+        for (operation, node) in operations.zip(numbers(&piece, "node")) {
+            let kept = kept.entry(operation.clone()).or_default();
+            kept.rows += 1;
+            kept.frames += usize::from(*node == Some(0.0));
+        }
+    })?;
+    let mut reader = Reader {
+        kept,
+        share: MOST_NUMBERS / runs.len().max(1),
+        seen: BTreeMap::new(),
+        moment: None,
+        taken: BTreeMap::new(),
+    };
+    let mut names = vec!["operation", "time_s", "node", "md_m"];
+    names.extend(CHANNELS);
+    Table::read_parquet_pieces(&path, &names, |piece| reader.take(&piece))?;
+    reader.end_moment();
+    let taken = reader.taken.into_iter();
+    Ok(taken
+        .filter_map(|(operation, taken)| {
+            let kept = reader.kept[&operation].frames;
+            Some((operation, taken.frames(kept)?))
+        })
+        .collect())
+}
+
+fn larger(a: f64, b: f64) -> f64 {
+    if b.abs() > a.abs() { b } else { a }
+}
+
+/// A frame whose rows are being read.
+struct Moment {
+    operation: String,
+    time_s: f64,
+    md_m: Vec<f64>,
+    channels: Vec<Vec<f64>>,
+}
+
+/// What the file holds of an operation.
+#[derive(Default)]
+struct Kept {
+    frames: usize,
+    rows: usize,
+}
+
+/// Reads rows, which may end anywhere in a frame.
+struct Reader {
+    kept: BTreeMap<String, Kept>,
+    /// Numbers that an operation may have.
+    share: usize,
+    /// Frames seen so far by operation.
+    seen: BTreeMap<String, usize>,
+    /// The frame that is being read, if it is one to take.
+    moment: Option<Moment>,
+    taken: BTreeMap<String, Taken>,
+}
+
+impl Reader {
+    fn take(&mut self, piece: &Table) {
+        let nodes = numbers(piece, "node");
+        let (times, depths) = (numbers(piece, "time_s"), numbers(piece, "md_m"));
+        let operations = words(piece, "operation");
+        let channels: Vec<&[Option<f64>]> =
+            CHANNELS.iter().map(|name| numbers(piece, name)).collect();
+        for (row, node) in nodes.iter().enumerate() {
+            if *node == Some(0.0) {
+                self.end_moment();
+                self.begin_moment(&operations[row], times[row].unwrap_or(f64::NAN));
+            }
+            if let Some(moment) = &mut self.moment {
+                moment.md_m.push(depths[row].unwrap_or(f64::NAN));
+                for (values, channel) in moment.channels.iter_mut().zip(&channels) {
+                    if let Some(value) = channel.get(row) {
+                        values.push(value.unwrap_or(f64::NAN));
+                    }
+                }
+            }
+        }
+    }
+
+    fn begin_moment(&mut self, operation: &str, time_s: f64) {
+        let seen = self.seen.entry(operation.to_owned()).or_default();
+        let place = *seen;
+        *seen += 1;
+        let kept = &self.kept[operation];
+        let nodes = (kept.rows / kept.frames).min(MOST_NODES);
+        let most = (self.share / (nodes * CHANNELS.len())).max(2);
+        let every = kept.frames.div_ceil(most).max(1);
+        self.moment = place.is_multiple_of(every).then(|| Moment {
+            operation: operation.to_owned(),
+            time_s,
+            md_m: Vec::new(),
+            channels: vec![Vec::new(); CHANNELS.len()],
+        });
+    }
+
+    fn end_moment(&mut self) {
+        if let Some(moment) = self.moment.take() {
+            let taken = self.taken.entry(moment.operation.clone()).or_default();
+            taken.add(moment);
+        }
+    }
+}
+
+/// Frames of one operation that were taken.
+#[derive(Default)]
+struct Taken {
+    nodes: usize,
+    /// Nodes of the string that stand on the page.
+    chosen: Vec<usize>,
+    time_s: Vec<f64>,
+    md_m: Vec<f64>,
+    bit_md_m: Vec<f64>,
+    channels: Vec<Vec<f64>>,
+}
+
+impl Taken {
+    fn add(&mut self, moment: Moment) {
+        let nodes = moment.md_m.len();
+        if self.time_s.is_empty() {
+            self.nodes = nodes;
+            let every = nodes.div_ceil(MOST_NODES).max(1);
+            // The bit is always among them.
+            self.chosen = (0..nodes)
+                .filter(|node| (nodes - 1 - node).is_multiple_of(every))
+                .collect();
+            self.md_m = self.chosen.iter().map(|node| moment.md_m[*node]).collect();
+            self.channels = vec![Vec::new(); CHANNELS.len()];
+        } else if nodes != self.nodes {
+            // The run was killed while it wrote this one.
+            return;
+        }
+        self.time_s.push(moment.time_s);
+        self.bit_md_m.push(moment.md_m[nodes - 1]);
+        let mut above = 0;
+        for node in &self.chosen {
+            for (channel, (all, values)) in
+                self.channels.iter_mut().zip(&moment.channels).enumerate()
+            {
+                if values.len() == nodes {
+                    // Joints touch, what lies between them does not: a node stands for those above it too.
+                    let of = if CHANNELS[channel] == "contact_force_N" {
+                        above..node + 1
+                    } else {
+                        *node..node + 1
+                    };
+                    let largest = values[of].iter().copied().reduce(larger);
+                    all.push(largest.unwrap_or(f64::NAN));
+                }
+            }
+            above = node + 1;
+        }
+    }
+
+    fn frames(self, kept: usize) -> Option<Frames> {
+        let first = *self.bit_md_m.first()?;
+        let full = self.time_s.len() * self.chosen.len();
+        let channels: BTreeMap<String, Packed> = CHANNELS
+            .iter()
+            .zip(&self.channels)
+            .filter(|(_, values)| values.len() == full)
+            .map(|(name, values)| ((*name).to_owned(), Packed::short(values)))
+            .collect();
+        let lies = ["offset_high_m", "offset_right_m"];
+        lies.iter()
+            .all(|name| channels.contains_key(*name))
+            .then(|| Frames {
+                time_s: Packed::single(self.time_s),
+                md_m: Packed::single(self.md_m),
+                moved_m: Packed::single(self.bit_md_m.iter().map(|md| md - first)),
+                channels,
+                kept,
+                nodes: self.nodes,
+            })
+    }
+}

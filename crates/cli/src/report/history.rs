@@ -1,0 +1,126 @@
+//! What an operation did in time, as much of it as a page can show.
+
+use std::collections::BTreeMap;
+
+use wholestring_report::{ContactPicture, Packed, thinned};
+use wholestring_results::Table;
+
+use super::rows;
+use crate::column::{numbers, words};
+
+/// Rows of time histories that a page holds, all operations together.
+const MOST_ROWS: usize = 12_000;
+
+/// Times of a map of contact that a page holds, all operations together.
+const MOST_TIMES: usize = 450;
+
+/// Time histories of one operation.
+pub(super) struct History {
+    /// Samples that it took.
+    pub(super) samples: usize,
+    /// Columns by their name.
+    pub(super) columns: BTreeMap<String, Packed>,
+    /// When a line of the schedule with a note began, and the note.
+    pub(super) notes: Vec<(f64, String)>,
+}
+
+/// Time histories of an operation that shares the page with `many`, itself included.
+pub(super) fn history(time: &Table, operation: &str, many: usize) -> History {
+    let rows = rows(time, None, operation);
+    let number = |name: &str, row: &usize| {
+        let value = numbers(time, name).get(*row).copied().flatten();
+        value.unwrap_or(f64::NAN)
+    };
+    let times: Vec<f64> = rows.iter().map(|row| number("time_s", row)).collect();
+    let (names, columns): (Vec<&str>, Vec<Vec<f64>>) = time
+        .columns()
+        .iter()
+        .map(|column| column.name.as_str())
+        .filter(|name| *name != "time_s" && !numbers(time, name).is_empty())
+        .map(|name| {
+            (
+                name,
+                rows.iter()
+                    .map(|row| number(name, row))
+                    .collect::<Vec<f64>>(),
+            )
+        })
+        .filter(|(_, values)| values.iter().any(|value| value.is_finite()))
+        .unzip();
+    let slices: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
+    let (times, columns) = thinned(&times, &slices, MOST_ROWS / many.max(1));
+    let names = names.into_iter().map(String::from);
+    let columns = names.zip(columns.into_iter().map(Packed::single));
+    History {
+        samples: rows.len(),
+        columns: columns
+            .chain([("time_s".into(), Packed::single(times))])
+            .collect(),
+        notes: notes(time, &rows),
+    }
+}
+
+/// Where the note changes to another one.
+fn notes(time: &Table, rows: &[usize]) -> Vec<(f64, String)> {
+    let (all, times) = (words(time, "note"), numbers(time, "time_s"));
+    let mut last = "";
+    let mut notes = Vec::new();
+    for row in rows {
+        let note = all.get(*row).map_or("", String::as_str);
+        if note != last && !note.is_empty() {
+            notes.push((times[*row].unwrap_or(0.0), note.to_owned()));
+        }
+        last = note;
+    }
+    notes
+}
+
+/// The map of contact of an operation that shares the page with `many`, itself included.
+pub(super) fn contact(table: &Table, operation: &str, many: usize) -> Option<ContactPicture> {
+    let rows = rows(table, None, operation);
+    let number = |name: &str, row: &usize| {
+        let value = numbers(table, name).get(*row).copied().flatten();
+        value.unwrap_or(f64::NAN)
+    };
+    let times: Vec<f64> = rows.iter().map(|row| number("time_s", row)).collect();
+    // All stretches of one time follow each other.
+    let stretches = times.iter().take_while(|time| **time == times[0]).count();
+    let count = times.len().checked_div(stretches)?;
+    // Neighbouring times become one where there are too many.
+    let many = count.div_ceil((MOST_TIMES / many.max(1)).max(1));
+    let groups: Vec<std::ops::Range<usize>> = (0..count)
+        .step_by(many)
+        .map(|first| first..(first + many).min(count))
+        .collect();
+    let mean = |name: &str| -> Vec<f64> {
+        groups
+            .iter()
+            .flat_map(|group| {
+                (0..stretches).map(|stretch| {
+                    let sum: f64 = group
+                        .clone()
+                        .map(|time| number(name, &rows[time * stretches + stretch]))
+                        .sum();
+                    sum / group.len() as f64
+                })
+            })
+            .collect()
+    };
+    let depths = |stretch: usize| {
+        let sum: f64 = (0..count)
+            .map(|time| number("md_m", &rows[time * stretches + stretch]))
+            .sum();
+        sum / count as f64
+    };
+    Some(ContactPicture {
+        from_s: 0.0,
+        time_s: Packed::single(
+            groups
+                .iter()
+                .map(|group| times[(group.end - 1) * stretches]),
+        ),
+        md_m: Packed::single((0..stretches).map(depths)),
+        side_force: Packed::short(&mean("side_force_N_per_m")),
+        contact_force: Packed::short(&mean("contact_force_N_per_m")),
+    })
+}

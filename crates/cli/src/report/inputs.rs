@@ -1,0 +1,249 @@
+//! Every input of a run, defaults included, as tables.
+
+use serde_json::{Map, Value as Json};
+use wholestring_report::{Cell, Place, Sheet};
+
+use super::dimensions;
+
+/// The settings of a summary, a table for each of the case file's, and one for each list in them.
+pub(super) fn sheets(settings: &Json) -> Vec<Sheet> {
+    let Some(settings) = settings.as_object() else {
+        return Vec::new();
+    };
+    let mut sheets = Vec::new();
+    let mut general = Vec::new();
+    let mut others = Vec::new();
+    for (key, value) in settings {
+        match value {
+            Json::Object(table) => tables(&label(key), table, &mut others),
+            Json::Array(list) if list.iter().any(Json::is_object) => {
+                others.push(list_sheet(&label(key), list));
+            }
+            other => general.push(vec![Cell::Text(label(key)), cell(key, other)]),
+        }
+    }
+    sheets.push(sheet("Case", Vec::new(), general));
+    sheets.extend(others);
+    sheets
+}
+
+/// A table of keys and values, and one for each list or set of columns in it.
+fn tables(title: &str, table: &Map<String, Json>, sheets: &mut Vec<Sheet>) {
+    let place = sheets.len();
+    let mut rows = Vec::new();
+    gather("", title, table, &mut rows, sheets);
+    if !rows.is_empty() {
+        sheets.insert(place, sheet(title, Vec::new(), rows));
+    }
+}
+
+fn gather(
+    prefix: &str,
+    title: &str,
+    table: &Map<String, Json>,
+    rows: &mut Vec<Vec<Cell>>,
+    sheets: &mut Vec<Sheet>,
+) {
+    for (key, value) in table {
+        let name = under(prefix, key);
+        let below = || format!("{title}: {}", lower(&name));
+        match value {
+            Json::Object(inner) if is_columns(inner) => sheets.push(columns_sheet(&below(), inner)),
+            Json::Object(inner) => gather(&name, title, inner, rows, sheets),
+            Json::Array(list) if list.iter().any(Json::is_object) => {
+                sheets.push(list_sheet(&below(), list));
+            }
+            other => rows.push(vec![Cell::Text(name), cell(key, other)]),
+        }
+    }
+}
+
+/// Whether a table holds lists of numbers of one length: the columns of a survey.
+fn is_columns(table: &Map<String, Json>) -> bool {
+    let lengths: Vec<Option<usize>> = table
+        .values()
+        .map(|value| {
+            let list = value.as_array()?;
+            list.iter().all(Json::is_number).then_some(list.len())
+        })
+        .collect();
+    matches!(lengths[..], [Some(first), ..] if lengths.iter().all(|length| *length == Some(first)))
+}
+
+fn columns_sheet(title: &str, table: &Map<String, Json>) -> Sheet {
+    // JSON has lost the order in which they stood; a depth comes first.
+    let mut names: Vec<&String> = table.keys().collect();
+    names.sort_by_key(|name| (name.as_str() != "md_m", name.as_str() == "azimuth_rad"));
+    let rows = table.values().filter_map(Json::as_array).map(Vec::len);
+    let rows = (0..rows.max().unwrap_or(0))
+        .map(|row| {
+            names
+                .iter()
+                .map(|name| cell(name, &table[*name][row]))
+                .collect()
+        })
+        .collect();
+    sheet(title, names.iter().map(|name| label(name)).collect(), rows)
+}
+
+/// A table with a row for each item.
+fn list_sheet(title: &str, list: &[Json]) -> Sheet {
+    let mut names: Vec<String> = Vec::new();
+    let flat: Vec<Vec<(String, Cell)>> = list
+        .iter()
+        .map(|item| {
+            let mut cells = Vec::new();
+            flatten("", item, &mut cells);
+            cells
+        })
+        .collect();
+    for (name, _) in flat.iter().flatten() {
+        if !names.contains(name) {
+            names.push(name.clone());
+        }
+    }
+    let value = |cells: &[(String, Cell)], name: &String| {
+        let cell = cells.iter().find(|(other, _)| other == name);
+        cell.map_or(Cell::Nothing, |(_, cell)| cell.clone())
+    };
+    // What no item has is no column.
+    names.retain(|name| flat.iter().any(|cells| value(cells, name) != Cell::Nothing));
+    // What a thing is called comes first.
+    names.sort_by_key(|name| !["Component", "Kind", "At"].contains(&name.as_str()));
+    let rows = flat
+        .iter()
+        .map(|cells| names.iter().map(|name| value(cells, name)).collect())
+        .collect();
+    sheet(title, names, rows)
+}
+
+fn flatten(prefix: &str, item: &Json, cells: &mut Vec<(String, Cell)>) {
+    for (key, value) in item.as_object().into_iter().flatten() {
+        let name = under(prefix, key);
+        match value {
+            Json::Object(_) => flatten(&name, value, cells),
+            other => cells.push((name, cell(key, other))),
+        }
+    }
+}
+
+fn sheet(title: &str, heads: Vec<String>, rows: Vec<Vec<Cell>>) -> Sheet {
+    Sheet {
+        place: Place::Inputs,
+        title: title.into(),
+        heads,
+        rows,
+    }
+}
+
+/// A value of the settings.
+fn cell(key: &str, value: &Json) -> Cell {
+    match value {
+        Json::Null => Cell::Nothing,
+        Json::Bool(yes) => Cell::Text(if *yes { "yes" } else { "no" }.into()),
+        Json::String(text) => Cell::Text(text.clone()),
+        Json::Number(number) => {
+            let value = number.as_f64().unwrap_or(f64::NAN);
+            match dimensions::of_key(key) {
+                Some((dimension, _)) => Cell::quantity(value, dimension),
+                None => Cell::number(value),
+            }
+        }
+        Json::Array(items) => {
+            let text = |item: &Json| match item {
+                Json::String(text) => text.replace('_', " "),
+                other => other.to_string(),
+            };
+            Cell::Text(items.iter().map(text).collect::<Vec<_>>().join(", "))
+        }
+        Json::Object(_) => Cell::Text(value.to_string()),
+    }
+}
+
+/// A key as people read it, without its unit: `bit_depth_m` is the bit depth.
+fn label(key: &str) -> String {
+    let name = dimensions::of_key(key).map_or(key, |(_, name)| name);
+    match name {
+        "md" => return "Measured depth".into(),
+        "od" => return "OD".into(),
+        "id" => return "ID".into(),
+        "rop" => return "Rate of penetration".into(),
+        "wob" => return "Weight on bit".into(),
+        "tvd" => return "TVD".into(),
+        _ => {}
+    }
+    let words = name
+        .replace('_', " ")
+        .replace("youngs", "Young's")
+        .replace("poisson", "Poisson's")
+        .replace(" od", " OD");
+    let mut letters = words.chars();
+    letters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
+}
+
+/// A key of a table within a table: `damping.mass_per_s` is "Damping, mass".
+fn under(above: &str, key: &str) -> String {
+    match (above, label(key)) {
+        ("", own) => own,
+        (above, own) if own.chars().nth(1).is_some_and(char::is_uppercase) => {
+            format!("{above}, {own}")
+        }
+        (above, own) => format!("{above}, {}", lower(&own)),
+    }
+}
+
+fn lower(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| {
+        first.to_lowercase().chain(letters).collect()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn every_input_has_its_place() {
+        let settings = json!({
+            "name": "A well",
+            "model": ["soft", "dynamic"],
+            "well": {
+                "survey": null,
+                "stations": { "azimuth_rad": [0.0, 0.0], "inclination_rad": [0.0, 0.1], "md_m": [0.0, 100.0] },
+                "hole": [{ "kind": "open", "diameter_m": 0.2, "friction": { "kinetic": 0.3 } }],
+            },
+            "dynamics": { "damping": { "mass_per_s": 0.5 }, "seed": 1 },
+        });
+        let sheets = sheets(&settings);
+        let titles: Vec<&str> = sheets.iter().map(|sheet| sheet.title.as_str()).collect();
+        assert_eq!(
+            titles,
+            ["Case", "Dynamics", "Well", "Well: hole", "Well: stations"]
+        );
+        let find = |title: &str| sheets.iter().find(|sheet| sheet.title == title).unwrap();
+        assert_eq!(
+            find("Dynamics").rows,
+            [
+                vec![
+                    Cell::Text("Damping, mass".into()),
+                    Cell::quantity(0.5, "frequency")
+                ],
+                vec![Cell::Text("Seed".into()), Cell::Number(1.0)],
+            ]
+        );
+        let stations = find("Well: stations");
+        assert_eq!(stations.heads, ["Measured depth", "Inclination", "Azimuth"]);
+        assert_eq!(
+            stations.rows[1],
+            [("length", 100.0), ("angle", 0.1), ("angle", 0.0)]
+                .map(|(dimension, value)| Cell::quantity(value, dimension))
+        );
+        let hole = find("Well: hole");
+        assert_eq!(hole.heads, ["Kind", "Diameter", "Friction, kinetic"]);
+    }
+}

@@ -1,0 +1,222 @@
+//! Tables of numbers: what every model answered, and how it was computed.
+
+use wholestring_report::{Cell, Place, Sheet};
+use wholestring_results::{OperationSummary, Summary};
+
+use super::asked::spoken;
+
+/// A row: what it is, its dimension, and how it is read.
+type Row<'a> = (
+    &'a str,
+    &'a str,
+    &'a dyn Fn(&OperationSummary) -> Option<f64>,
+);
+
+/// Results of all models and operations side by side.
+pub(super) fn results(summary: &Summary) -> Vec<Sheet> {
+    let scalars: &[(Row<'_>, &str)] = &[
+        (
+            ("Hook load", "force", &|of| Some(of.scalars.hook_load_N)),
+            "hook_load_N",
+        ),
+        (
+            ("Axial friction", "force", &|of| {
+                Some(of.scalars.axial_friction_N)
+            }),
+            "axial_friction_N",
+        ),
+        (
+            ("Weight on bit", "force", &|of| {
+                Some(of.scalars.weight_on_bit_N)
+            }),
+            "weight_on_bit_N",
+        ),
+        (
+            ("Side force, total", "force", &|of| {
+                Some(of.scalars.side_force_total_N)
+            }),
+            "side_force_total_N",
+        ),
+        (
+            ("Surface torque", "torque", &|of| {
+                Some(of.scalars.surface_torque_N_m)
+            }),
+            "surface_torque_N_m",
+        ),
+        (
+            ("Friction torque", "torque", &|of| {
+                Some(of.scalars.friction_torque_N_m)
+            }),
+            "friction_torque_N_m",
+        ),
+        (
+            ("Bit torque", "torque", &|of| {
+                Some(of.scalars.bit_torque_N_m)
+            }),
+            "bit_torque_N_m",
+        ),
+        (
+            ("Twist", "turns", &|of| Some(of.scalars.twist_rad)),
+            "twist_rad",
+        ),
+        (
+            ("Stretch", "length", &|of| Some(of.scalars.stretch_m)),
+            "stretch_m",
+        ),
+        (
+            ("Neutral point", "length", &|of| of.scalars.neutral_point_m),
+            "",
+        ),
+        (
+            ("Cut-off depth", "length", &|of| of.scalars.cutoff_depth_m),
+            "",
+        ),
+    ];
+    let mut sheet = side_by_side(
+        Place::Results,
+        "All models and operations",
+        &summary.operations,
+    );
+    for ((label, dimension, value), key) in scalars {
+        let cells = summary.operations.iter().map(|of| {
+            let spread = of.statistics.as_ref().and_then(|all| all.get(*key));
+            match value(of).filter(|value| value.is_finite()) {
+                Some(value) => Cell::Quantity {
+                    value,
+                    dimension: (*dimension).into(),
+                    std: spread
+                        .map(|spread| spread.std)
+                        .filter(|std| std.is_finite()),
+                },
+                None => Cell::Nothing,
+            }
+        });
+        sheet.rows.push(named(label, cells));
+    }
+    let stick = |of: &OperationSummary| of.indicators.and_then(|all| all.stick_slip);
+    let more: &[Row<'_>] = &[
+        ("Stick-slip severity", "ratio", &|of| stick(of)?.severity),
+        ("Bit stuck", "percent", &|of| {
+            Some(stick(of)?.stuck_fraction)
+        }),
+        ("Fastest turn of the bit", "rotary speed", &|of| {
+            Some(stick(of)?.bit_speed_max_rad_per_s)
+        }),
+        ("Stick-slip period", "time", &|of| stick(of)?.period_s),
+        ("Backward whirl", "rotary speed", &|of| {
+            Some(of.indicators?.backward_whirl?.rate_rad_per_s)
+        }),
+        ("Forward whirl", "rotary speed", &|of| {
+            Some(of.indicators?.forward_whirl?.rate_rad_per_s)
+        }),
+        ("Use of the top drive, largest", "percent", &|of| {
+            Some(of.indicators?.top_drive?.max)
+        }),
+        ("Drag of the mud", "force", &|of| {
+            Some(of.hydraulics?.mud_drag_N)
+        }),
+        ("Torque of the mud", "torque", &|of| {
+            Some(of.hydraulics?.mud_torque_N_m)
+        }),
+        ("Pump pressure", "pressure", &|of| {
+            Some(of.hydraulics?.pump_pressure_Pa)
+        }),
+    ];
+    add(&mut sheet, more, &summary.operations);
+    vec![sheet]
+}
+
+/// How the dynamic solutions were computed.
+pub(super) fn numerics(summary: &Summary) -> Vec<Sheet> {
+    let solved: Vec<OperationSummary> = summary
+        .operations
+        .iter()
+        .filter(|of| of.numerics.is_some())
+        .cloned()
+        .collect();
+    if solved.is_empty() {
+        return Vec::new();
+    }
+    let mut sheet = side_by_side(Place::Numerics, "How the dynamics were computed", &solved);
+    let numerics = |of: &OperationSummary| of.numerics.clone();
+    let energy = |of: &OperationSummary| of.numerics.as_ref().and_then(|all| all.energy);
+    let rows: &[Row<'_>] = &[
+        ("Elements", "ratio", &|of| {
+            Some(numerics(of)?.elements as f64)
+        }),
+        ("Time step", "time step", &|of| {
+            Some(numerics(of)?.time_step_s)
+        }),
+        ("Steps", "ratio", &|of| Some(numerics(of)?.steps as f64)),
+        ("Axial mass added", "percent", &|of| {
+            Some(numerics(of)?.added_axial_mass_fraction)
+        }),
+        ("Deepest penetration of the wall", "diameter", &|of| {
+            Some(numerics(of)?.max_penetration_m)
+        }),
+        ("Energy residual", "percent", &|of| {
+            Some(numerics(of)?.energy_residual)
+        }),
+        ("Work of top drive, hoist, bit, mud", "energy", &|of| {
+            Some(energy(of)?.work_J())
+        }),
+        ("Losses", "energy", &|of| Some(energy(of)?.loss_J())),
+        ("Lost to friction on the wall", "energy", &|of| {
+            Some(energy(of)?.friction_loss_J)
+        }),
+        ("Change of energy", "energy", &|of| {
+            Some(energy(of)?.change_J())
+        }),
+        ("Time that it took", "time", &|of| {
+            Some(numerics(of)?.wall_time_s)
+        }),
+        ("Simulated time over that", "ratio", &|of| {
+            Some(numerics(of)?.real_time_factor)
+        }),
+    ];
+    add(&mut sheet, rows, &solved);
+    let instructions = solved
+        .iter()
+        .map(|of| numerics(of).map_or(Cell::Nothing, |of| Cell::Text(of.instructions)));
+    sheet.rows.push(named("Instruction set", instructions));
+    vec![sheet]
+}
+
+/// A table with a column for each model and operation.
+fn side_by_side(place: Place, title: &str, solved: &[OperationSummary]) -> Sheet {
+    let head = |of: &OperationSummary| {
+        let model = match of.model.name() {
+            "soft" => "soft string",
+            "dynamic" => "dynamics",
+            other => other,
+        };
+        format!("{}, {model}", spoken(&of.operation))
+    };
+    Sheet {
+        place,
+        title: title.into(),
+        heads: std::iter::once(String::new())
+            .chain(solved.iter().map(head))
+            .collect(),
+        rows: Vec::new(),
+    }
+}
+
+/// Adds the rows that hold anything.
+fn add(sheet: &mut Sheet, rows: &[Row<'_>], solved: &[OperationSummary]) {
+    for (label, dimension, value) in rows {
+        let cells: Vec<Cell> = solved
+            .iter()
+            .map(|of| value(of).map_or(Cell::Nothing, |value| Cell::quantity(value, dimension)))
+            .collect();
+        if cells.iter().any(|cell| *cell != Cell::Nothing) {
+            sheet.rows.push(named(label, cells));
+        }
+    }
+}
+
+fn named(label: &str, cells: impl IntoIterator<Item = Cell>) -> Vec<Cell> {
+    std::iter::once(Cell::Text(label.into()))
+        .chain(cells)
+        .collect()
+}

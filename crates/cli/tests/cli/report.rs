@@ -1,0 +1,164 @@
+//! `report.html`: a run writes it, and `report` makes it again.
+
+use std::fs;
+
+use wholestring_report::{Cell, Place, Report};
+
+use crate::desk::Desk;
+
+/// The report that stands in a page.
+fn read(page: &str) -> Report {
+    let (_, rest) = page.split_once(r#"id="report">"#).expect("a page");
+    let (json, _) = rest.split_once("</script>").expect("the data end");
+    serde_json::from_str(json).expect("a report")
+}
+
+const WITH_FRAMES: [&str; 4] = ["-o", "out", "--set", "records.frames=50Hz"];
+
+#[test]
+fn a_run_writes_it_and_report_makes_it_again() {
+    let desk = Desk::new();
+    let output = desk.run(&[&["run", "slant.toml"], &WITH_FRAMES[..]].concat());
+    assert!(output.status.success());
+    let path = desk.path("out/report.html");
+    let page = fs::read_to_string(&path).unwrap();
+    fs::remove_file(&path).unwrap();
+    let output = desk.run(&["report", "out"]);
+    assert!(output.status.success());
+    let told = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(told.trim_end(), "out/report.html");
+    assert!(fs::read_to_string(&path).unwrap() == page, "the same page");
+
+    let report = read(&page);
+    assert_eq!(report.title, "Straight slant");
+    let solved: Vec<_> = report
+        .solved
+        .iter()
+        .map(|of| (of.model.as_str(), of.operation.as_str(), of.answers.len()))
+        .collect();
+    assert_eq!(
+        solved,
+        [
+            ("soft", "trip_out", 5),
+            ("dynamic", "trip_out", 5),
+            ("soft", "rotate_off_bottom", 5),
+            ("dynamic", "rotate_off_bottom", 5),
+        ]
+    );
+    // What the page shows is what the summary says.
+    let summary = desk.summary("out");
+    for (shown, told) in report.solved.iter().zip(&summary.operations) {
+        assert_eq!(
+            shown.answers[0].value,
+            Cell::quantity(told.scalars.hook_load_N, "force")
+        );
+        let tension = shown.profile["tension_N"].values();
+        assert!((tension[0] / told.scalars.hook_load_N - 1.0).abs() < 1e-6);
+    }
+    for run in &report.runs {
+        assert_eq!(run.history["time_s"].values().len(), run.samples);
+        let contact = run.contact.as_ref().expect("a map");
+        let (times, depths) = (contact.time_s.values(), contact.md_m.values());
+        assert_eq!(
+            contact.side_force.values().len(),
+            times.len() * depths.len()
+        );
+        let frames = run.frames.as_ref().expect("frames");
+        let (times, depths) = (frames.time_s.values(), frames.md_m.values());
+        // 2 s at 50 Hz, to whole samples.
+        assert!((95..=105).contains(&frames.kept), "{}", frames.kept);
+        assert_eq!(times.len(), frames.kept);
+        let [high, right] =
+            ["offset_high_m", "offset_right_m"].map(|name| frames.channels[name].values());
+        assert_eq!(high.len(), times.len() * depths.len());
+        // A pipe of 120 mm in a hole of 200 mm lies 40 mm off its axis, on the low side; where it turns it climbs the
+        // wall to the right. The contact gives by hundredths of a millimetre.
+        let middle = high.len() - depths.len() / 2;
+        let offset = high[middle].hypot(right[middle]);
+        assert!((offset - 0.04).abs() < 1e-4, "{offset} m");
+        assert!(high[middle] < -0.038, "{} m", high[middle]);
+    }
+    let places = [Place::Results, Place::Numerics, Place::Inputs];
+    for place in places {
+        assert!(report.sheets.iter().any(|sheet| sheet.place == place));
+    }
+}
+
+/// Straight down at 60 deg: what the page draws of path, hole and string.
+#[test]
+fn path_hole_and_string_are_those_of_the_case() {
+    let desk = Desk::new();
+    let output = desk.run(&["run", "slant.toml", "-o", "out", "--set", "model=soft"]);
+    assert!(output.status.success());
+    let report = read(&fs::read_to_string(desk.path("out/report.html")).unwrap());
+    let last = |values: Vec<f64>| *values.last().unwrap();
+    assert_eq!(last(report.well.md_m.values()), 600.0);
+    assert!((last(report.well.tvd_m.values()) - 300.0).abs() < 1e-3);
+    assert!((last(report.well.north_m.values()) - 600.0 * 0.75_f64.sqrt()).abs() < 1e-3);
+    let ends: Vec<_> = report.hole.iter().map(|of| (of.from_m, of.to_m)).collect();
+    assert_eq!(ends, [(0.0, 400.0), (400.0, 600.0)]);
+    assert_eq!(report.string.len(), 1);
+    assert_eq!(
+        (report.string[0].from_m, report.string[0].to_m),
+        (0.0, 600.0)
+    );
+    assert!(report.runs.is_empty());
+}
+
+/// Every operation by both models over a minute, with as many frames as there are samples: however much a run keeps,
+/// its page stays small.
+#[test]
+fn a_report_of_a_minute_stays_small() {
+    let desk = Desk::new();
+    let more = [
+        "--set",
+        "dynamics.duration=60s",
+        "--set",
+        "records.frames=100Hz",
+        "--set",
+        r#"operation.kind=["trip_out", "rotate_off_bottom", "drill"]"#,
+    ];
+    let output = desk.run(&[&["run", "slant.toml", "-o", "out"], &more[..]].concat());
+    assert!(output.status.success());
+    let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
+    assert!(page.len() < 5_000_000, "{} bytes", page.len());
+    let report = read(&page);
+    for run in &report.runs {
+        let rows = run.history["time_s"].values().len();
+        assert!(
+            rows <= 4000 && run.samples > 5500,
+            "{rows} of {}",
+            run.samples
+        );
+        let frames = run.frames.as_ref().expect("frames");
+        let shown = frames.time_s.values().len();
+        assert!((30..400).contains(&shown), "{shown} of {}", frames.kept);
+    }
+}
+
+#[test]
+fn a_folder_of_no_run_is_refused() {
+    let desk = Desk::new();
+    let output = desk.run(&["report", "nowhere"]);
+    assert_eq!(output.status.code(), Some(2));
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(
+        told,
+        "error: nowhere is no folder of a run: it holds no summary.json\n"
+    );
+}
+
+#[test]
+fn a_damaged_folder_is_refused() {
+    let desk = Desk::new();
+    let output = desk.run(&["run", "slant.toml", "-o", "out", "--set", "model=soft"]);
+    assert!(output.status.success());
+    fs::write(desk.path("out/nodes.parquet"), "not a table").unwrap();
+    let output = desk.run(&["report", "out"]);
+    assert_eq!(output.status.code(), Some(2));
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(
+        told.starts_with("error: out/nodes.parquet is not a file of results: "),
+        "{told}"
+    );
+}

@@ -1,0 +1,192 @@
+//! The page of a run as one file that needs nothing else.
+
+use crate::Report;
+
+/// The page's program and its looks, bundled from `web/` by `npm run bundle`.
+const PROGRAM: &str = include_str!("../assets/report.js");
+const LOOKS: &str = include_str!("../assets/report.css");
+/// Licences of what is in the bundle.
+const LICENCES: &str = include_str!("../assets/licences.txt");
+
+/// What the page may do: run what is in it, and nothing else; it never asks the network for anything.
+const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
+
+/// The report as the text of an HTML file.
+///
+/// No name in it can end the element that it stands in, whatever it holds.
+pub fn report_html(report: &Report) -> String {
+    let title = escaped(&report.title);
+    let program = escaped(&report.program);
+    let data = data(report);
+    let licences = escaped(LICENCES);
+    format!(
+        r#"<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy" content="{POLICY}">
+<meta name="generator" content="{program}">
+<link rel="icon" href="data:,">
+<title>{title}</title>
+<style>
+{LOOKS}</style>
+</head>
+<body>
+<noscript><p>{title}: this page draws its plots itself and needs JavaScript, though no network.</p></noscript>
+<main id="page"></main>
+<template id="licences">{licences}</template>
+<script type="application/json" id="report">{data}</script>
+<script>
+{PROGRAM}</script>
+</body>
+</html>
+"#
+    )
+}
+
+/// JSON in which nothing looks like HTML.
+fn data(report: &Report) -> String {
+    let json = serde_json::to_string(report).expect("numbers and words");
+    // These stand in JSON within strings only, where an escape means the same.
+    json.replace('<', "\\u003c")
+        .replace('>', "\\u003e")
+        .replace('&', "\\u0026")
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::*;
+    use crate::{
+        Answer, Cell, DisplayUnit, Fact, Packed, Part, Place, Section, Sheet, Solved, TimeRun, Well,
+    };
+
+    const NASTY: &str = "</script><script>alert(1)</script> <!-- & \" ' \u{2028} </title>";
+
+    fn report() -> Report {
+        let column = || Packed::single([0.0, 1.0, f64::NAN]);
+        let unit = |symbol: &str| DisplayUnit {
+            symbol: symbol.into(),
+            factor: 0.1,
+        };
+        let fact = |value| Fact {
+            label: NASTY.into(),
+            value,
+        };
+        Report {
+            program: "wholestring".into(),
+            title: NASTY.into(),
+            units: "si".into(),
+            dimensions: BTreeMap::from([("force".into(), ["kN", "t", "klbf"].map(unit))]),
+            asked: vec![
+                fact(Cell::Text(NASTY.into())),
+                fact(Cell::Nothing),
+                fact(Cell::number(0.1 + 0.2)),
+                fact(Cell::number(f64::NAN)),
+                fact(Cell::quantity(1e300, "force")),
+            ],
+            solved: vec![Solved {
+                model: "soft".into(),
+                operation: "drill".into(),
+                message: Some(NASTY.into()),
+                answers: vec![Answer {
+                    label: "Hook load".into(),
+                    value: Cell::quantity(1.0, "force"),
+                    worst: None,
+                    limit: Some(2.0),
+                    limit_label: NASTY.into(),
+                }],
+                profile: BTreeMap::from([("md_m".into(), column())]),
+                wear: BTreeMap::new(),
+            }],
+            well: Well {
+                md_m: column(),
+                north_m: column(),
+                east_m: column(),
+                tvd_m: column(),
+                inclination_rad: column(),
+                azimuth_rad: column(),
+                dogleg_rad_per_m: column(),
+                high: [column(), column(), column()],
+            },
+            hole: vec![Section {
+                kind: "open".into(),
+                from_m: 0.0,
+                to_m: 1.0,
+                diameter_m: 0.2,
+                friction: 0.3,
+            }],
+            string: vec![Part {
+                name: NASTY.into(),
+                from_m: 0.0,
+                to_m: 1.0,
+                od_m: 0.1,
+                id_m: 0.05,
+                contact_od_m: 0.1,
+            }],
+            runs: vec![TimeRun {
+                operation: "drill".into(),
+                window_s: 1.0,
+                samples: 3,
+                history: BTreeMap::from([("time_s".into(), column())]),
+                notes: vec![(0.5, NASTY.into())],
+                contact: None,
+                frames: None,
+            }],
+            sheets: vec![Sheet {
+                place: Place::Inputs,
+                title: "Mud".into(),
+                heads: Vec::new(),
+                rows: vec![vec![Cell::Text(NASTY.into()), Cell::number(1.0)]],
+            }],
+        }
+    }
+
+    #[test]
+    fn no_name_ends_its_element() {
+        let nasty = report_html(&report());
+        let mut tame = report();
+        tame.title = "tame".into();
+        let count = |text: &str, what: &str| text.matches(what).count();
+        let page = report_html(&tame);
+        for what in [
+            "</script",
+            "<script",
+            "<!--",
+            "</title",
+            "</style",
+            "</template",
+        ] {
+            assert_eq!(count(&nasty, what), count(&page, what), "{what}");
+        }
+        // One element of data and one of program, each ended once.
+        assert_eq!(count(&page, "</script"), 2);
+        assert_eq!(count(&page, "<!--"), 0);
+    }
+
+    #[test]
+    fn the_page_holds_the_report() {
+        let report = report();
+        let page = report_html(&report);
+        let (_, rest) = page.split_once(r#"id="report">"#).unwrap();
+        let (json, _) = rest.split_once("</script>").unwrap();
+        assert_eq!(serde_json::from_str::<Report>(json).unwrap(), report);
+    }
+
+    #[test]
+    fn the_page_names_no_other_place() {
+        for scheme in ["src=\"", "href=\"h", "@import", "url(h"] {
+            assert!(!LOOKS.contains(scheme), "{scheme}");
+        }
+        assert!(LICENCES.contains("MIT"));
+    }
+}

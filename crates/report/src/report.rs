@@ -1,0 +1,261 @@
+//! What a page tells of a run: plain data, SI, ready to be shown.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::Packed;
+
+/// A run as its page shows it.
+///
+/// Numbers are SI, angles radians. Where a number has a unit, the name of its dimension stands beside it, and
+/// [`Report::dimensions`] says how each set of units shows it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Report {
+    /// Name and version of the program.
+    pub program: String,
+    /// Name of the case.
+    pub title: String,
+    /// Units that the page opens with: `si`, `metric` or `field`.
+    pub units: String,
+    /// By dimension: its unit in SI, metric and field units.
+    pub dimensions: BTreeMap<String, [DisplayUnit; 3]>,
+    /// What was asked.
+    pub asked: Vec<Fact>,
+    /// What the models answered, in the order in which they were solved.
+    pub solved: Vec<Solved>,
+    /// The path of the well.
+    pub well: Well,
+    /// Sections of the hole, from the surface down.
+    pub hole: Vec<Section>,
+    /// Parts of the string, from the surface down.
+    pub string: Vec<Part>,
+    /// What operations did in time, those that dynamics solved.
+    pub runs: Vec<TimeRun>,
+    /// Tables of numbers: results of all models, numerics, then every input.
+    pub sheets: Vec<Sheet>,
+}
+
+/// A unit as people see it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DisplayUnit {
+    /// Its symbol; empty for a bare number.
+    pub symbol: String,
+    /// SI units in one of it.
+    pub factor: f64,
+}
+
+/// A value with what it is.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Fact {
+    /// What it is.
+    pub label: String,
+    /// The value.
+    pub value: Cell,
+}
+
+/// A value of a table.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Cell {
+    /// A number with a dimension.
+    Quantity {
+        /// The value, SI.
+        value: f64,
+        /// Name of its dimension, as in [`Report::dimensions`].
+        dimension: String,
+        /// Its standard deviation, where it is a mean.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        std: Option<f64>,
+    },
+    /// A bare number.
+    Number(f64),
+    /// Words.
+    Text(String),
+    /// Nothing: it does not apply.
+    Nothing,
+}
+
+impl Cell {
+    /// A number with a dimension; nothing where it is not finite.
+    pub fn quantity(value: f64, dimension: &str) -> Self {
+        if !value.is_finite() {
+            return Self::Nothing;
+        }
+        Self::Quantity {
+            value,
+            dimension: dimension.into(),
+            std: None,
+        }
+    }
+
+    /// A bare number; nothing where it is not finite.
+    pub fn number(value: f64) -> Self {
+        if value.is_finite() {
+            Self::Number(value)
+        } else {
+            Self::Nothing
+        }
+    }
+}
+
+/// What one model answered for one operation.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Solved {
+    /// `soft` or `dynamic`.
+    pub model: String,
+    /// `trip_out`, `drill`, ...
+    pub operation: String,
+    /// Why it ended before its end; nothing where it did not.
+    pub message: Option<String>,
+    /// The numbers that matter most, beside their limits.
+    pub answers: Vec<Answer>,
+    /// Columns of `nodes.parquet` by their name.
+    pub profile: BTreeMap<String, Packed>,
+    /// Columns of `wear.parquet` by their name; empty but for dynamics.
+    pub wear: BTreeMap<String, Packed>,
+}
+
+/// A number beside its limit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Answer {
+    /// What it is.
+    pub label: String,
+    /// The number that people ask for: of a dynamic run a mean, where `worst` is given.
+    pub value: Cell,
+    /// What is held against the limit: the largest of the window, where the value is a mean.
+    pub worst: Option<f64>,
+    /// The limit.
+    pub limit: Option<f64>,
+    /// Whose limit it is, or that none is given.
+    pub limit_label: String,
+}
+
+/// The path of the well, point by point.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Well {
+    /// Measured depth, m.
+    pub md_m: Packed,
+    /// North, east and vertical depth, m.
+    pub north_m: Packed,
+    /// East, m.
+    pub east_m: Packed,
+    /// True vertical depth, m.
+    pub tvd_m: Packed,
+    /// Inclination, rad.
+    pub inclination_rad: Packed,
+    /// Azimuth, rad.
+    pub azimuth_rad: Packed,
+    /// Dogleg severity, rad/m.
+    pub dogleg_rad_per_m: Packed,
+    /// Unit vector to the high side: north, east and down of all points, one component after the other.
+    pub high: [Packed; 3],
+}
+
+/// A section of the hole.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Section {
+    /// `casing` or `open`.
+    pub kind: String,
+    /// Where it begins, m.
+    pub from_m: f64,
+    /// Where it ends, m.
+    pub to_m: f64,
+    /// Its diameter, m.
+    pub diameter_m: f64,
+    /// Coefficient of kinetic friction.
+    pub friction: f64,
+}
+
+/// A part of the string.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Part {
+    /// What the user calls it.
+    pub name: String,
+    /// Where it begins, m measured depth.
+    pub from_m: f64,
+    /// Where it ends, m.
+    pub to_m: f64,
+    /// Outside diameter of the body, m.
+    pub od_m: f64,
+    /// Inside diameter, m.
+    pub id_m: f64,
+    /// Diameter on which it touches the wall: of joints or blades where it has them, m.
+    pub contact_od_m: f64,
+}
+
+/// An operation in time.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TimeRun {
+    /// `trip_out`, `drill`, ...
+    pub operation: String,
+    /// Where the window of the statistics begins, s.
+    pub window_s: f64,
+    /// Samples that the run took.
+    pub samples: usize,
+    /// Columns of `time.parquet` by their name, thinned.
+    pub history: BTreeMap<String, Packed>,
+    /// What the schedule notes, and when, s.
+    pub notes: Vec<(f64, String)>,
+    /// Contact over depth and time.
+    pub contact: Option<ContactPicture>,
+    /// The string at moments.
+    pub frames: Option<Frames>,
+}
+
+/// Contact over depth and time: row after row in time, each from the surface down.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ContactPicture {
+    /// Where the first row begins, s.
+    pub from_s: f64,
+    /// Where each row ends, s.
+    pub time_s: Packed,
+    /// Measured depth of each stretch, m.
+    pub md_m: Packed,
+    /// Mean signed side force per metre, N/m.
+    pub side_force: Packed,
+    /// Mean magnitude of the contact force per metre, N/m.
+    pub contact_force: Packed,
+}
+
+/// The string at moments: frame after frame, each from the surface down.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Frames {
+    /// When, s.
+    pub time_s: Packed,
+    /// Measured depth of the nodes in the first frame, m.
+    pub md_m: Packed,
+    /// How far the bit has moved down the hole since then, m.
+    pub moved_m: Packed,
+    /// Columns of `frames.parquet` by their name.
+    pub channels: BTreeMap<String, Packed>,
+    /// Frames that were kept.
+    pub kept: usize,
+    /// Nodes of the string.
+    pub nodes: usize,
+}
+
+/// A table.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Sheet {
+    /// Where on the page it stands.
+    pub place: Place,
+    /// Its title.
+    pub title: String,
+    /// Heads of its columns; none where it needs none.
+    pub heads: Vec<String>,
+    /// Rows.
+    pub rows: Vec<Vec<Cell>>,
+}
+
+/// Where on the page a table stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Place {
+    /// Among the results.
+    Results,
+    /// Among the numerics.
+    Numerics,
+    /// Among the inputs.
+    Inputs,
+}

@@ -1,0 +1,315 @@
+// Time histories that zoom and pan together.
+
+import uPlot from "uplot";
+import "uplot/dist/uPlot.min.css";
+import { below } from "./curve.js";
+import { el } from "./dom.js";
+import { colour, line } from "./palette.js";
+import { NODE_CHANNELS, PLOTS } from "./plots.js";
+import { chosen, chosenRun } from "./solutions.js";
+import { choose, on, state } from "./state.js";
+import { digits, grouped, quantity, shown, shownAll, symbol } from "./units.js";
+
+const SYNC = uPlot.sync("time");
+
+export function history(report) {
+  const holder = el("div", { class: "histories" });
+  let plots = [];
+  let following = false;
+
+  /** Plots of the chosen operation, with their data. */
+  function shownPlots(run) {
+    const columns = run.history;
+    const fixed = PLOTS.map((plot) => ({ ...plot, columns: plot.columns.filter(([name]) => columns[name]) }))
+      .filter((plot) => plot.columns.length)
+      .filter((plot) => plot.columns.some(([name]) => columns[name].some((value) => value !== 0)))
+      .map((plot) => ({ ...plot, times: columns.time_s, values: plot.columns.map(([name]) => columns[name]) }));
+    const node = nodePlot(run);
+    return node ? [...fixed, node] : fixed;
+  }
+
+  let channel = "contact_force_N";
+
+  /** What the chosen node did: from frames where they were kept, from the map of contact otherwise. */
+  function nodePlot(run) {
+    const { frames, contact } = run;
+    if (frames?.channels[channel]) {
+      const nodes = frames.md_m.length;
+      const node = nearest(frames.md_m, state.depth);
+      const [name, title, dimension] = NODE_CHANNELS.find(([name]) => name === channel);
+      const values = Float32Array.from(frames.time_s, (_, k) => frames.channels[name][k * nodes + node]);
+      return {
+        title: `${title} at ${quantity(frames.md_m[node], "length", 5)}`,
+        dimension,
+        columns: [[name, "node"]],
+        times: frames.time_s,
+        values: [values],
+        chooses: NODE_CHANNELS.filter(([name]) => frames.channels[name]),
+      };
+    }
+    if (contact) {
+      const stretches = contact.md_m.length;
+      const stretch = nearest(contact.md_m, state.depth);
+      const values = Float32Array.from(contact.time_s, (_, k) => contact.side_force[k * stretches + stretch]);
+      return {
+        title: `Side force around ${quantity(contact.md_m[stretch], "length", 5)}`,
+        dimension: "force per length",
+        columns: [["side_force_N_per_m", "side force"]],
+        times: contact.time_s,
+        values: [values],
+      };
+    }
+    return null;
+  }
+
+  function draw() {
+    plots.forEach((plot) => plot.destroy());
+    plots = [];
+    const run = chosenRun(report);
+    const cards = run ? shownPlots(run).map((plot) => card(plot, run)) : [];
+    holder.replaceChildren(...cards.map((card) => card.element));
+    for (const { plot, body } of cards) plots.push(make(plot, body, run));
+  }
+
+  function card(plot, run) {
+    const body = el("div", { class: "plot" });
+    const unit = symbol(plot.dimension);
+    const head = el(
+      "h3",
+      {},
+      plot.points && plot.columns.length === 1
+        ? plot.columns[0][1].replace(/^./, (letter) => letter.toUpperCase())
+        : plot.title,
+      unit && el("span", { class: "unit" }, ` ${unit}`),
+    );
+    if (plot.chooses)
+      head.append(
+        el(
+          "select",
+          {
+            class: "noprint",
+            "aria-label": "Quantity of the chosen node",
+            onchange: (event) => {
+              channel = event.target.value;
+              draw();
+            },
+          },
+          plot.chooses.map(([name, title]) => el("option", { value: name, selected: name === channel }, title)),
+        ),
+      );
+    return { plot, body, element: el("figure", { class: "card history" }, head, body) };
+  }
+
+  function make(plot, body, run) {
+    const softValue = soft(plot);
+    const data = [Array.from(plot.times), ...plot.values.map((values) => shownAll(values, plot.dimension))];
+    const series = plot.columns.map(([, label], i) => {
+      const set = label === "set";
+      return {
+        label,
+        stroke: set ? colour("muted") : line([0, 2, 3][i] ?? i),
+        width: set ? 1 : 1.4,
+        dash: set ? [5, 4] : undefined,
+        spanGaps: Boolean(plot.points),
+        points: { show: false },
+        value: (_, value) => (value === null ? "–" : digits(value)),
+      };
+    });
+    if (softValue !== null) {
+      data.push(data[0].map(() => softValue));
+      series.push({
+        label: "soft string",
+        stroke: line(1),
+        width: 1.4,
+        dash: [7, 4],
+        points: { show: false },
+        value: (_, value) => digits(value ?? NaN),
+      });
+    }
+    const axis = {
+      stroke: colour("muted"),
+      grid: { stroke: colour("grid"), width: 1 },
+      ticks: { show: false },
+      font: "11px system-ui, sans-serif",
+    };
+    const view = state.times ?? [0, Math.max(run.history.time_s.at(-1), 1e-3)];
+    const made = new uPlot(
+      {
+        width: Math.max(body.clientWidth, 200),
+        height: 200,
+        cursor: {
+          sync: { key: SYNC.key, scales: ["x", null] },
+          drag: { x: true, y: false, uni: 8 },
+          points: { size: 6 },
+        },
+        legend: { live: true, markers: { width: 0, fill: (plot, i) => plot.series[i].stroke(plot, i) } },
+        scales: {
+          x: { time: false, min: view[0], max: view[1] },
+          y: { dir: plot.down ? -1 : 1, range: (_, low, high) => air(low, high, plot.dimension) },
+        },
+        axes: [
+          {
+            ...axis,
+            size: 30,
+            values: (_, splits) => splits.map((split) => grouped(String(Number(split.toFixed(6))))),
+            label: undefined,
+          },
+          {
+            ...axis,
+            size: 62,
+            values: (_, splits) => splits.map((split) => grouped(String(Number(split.toFixed(6))))),
+          },
+        ],
+        series: [{ label: "time, s", value: (_, value) => (value === null ? "–" : value.toFixed(2)) }, ...series],
+        hooks: {
+          setScale: [(plot, key) => key === "x" && follow(plot)],
+          drawClear: [(plot) => settling(plot, run)],
+          draw: [(plot) => notes(plot, run)],
+        },
+      },
+      data,
+      body,
+    );
+    listen(made);
+    return made;
+  }
+
+  /** The soft string's number for this plot, where there is one. */
+  function soft(plot) {
+    const solved = chosen(report, "soft");
+    if (!plot.soft || !solved) return null;
+    const [name, row] = plot.soft;
+    const value = solved.profile[name]?.[row];
+    return Number.isFinite(value) ? shown(value, plot.dimension) : null;
+  }
+
+  /** Keeps all plots on the same times. */
+  function follow(plot) {
+    if (following || plot.scales.x.min == null || plots.length === 0) return;
+    following = true;
+    const { min, max } = plot.scales.x;
+    const run = chosenRun(report);
+    const end = run.history.time_s.at(-1);
+    for (const other of plots) if (other !== plot) other.setScale("x", { min, max });
+    choose({ times: min <= 1e-6 && max >= end - 1e-6 ? null : [min, max] });
+    following = false;
+  }
+
+  /** What is before the window of the statistics is grey. */
+  function settling(plot, run) {
+    const { ctx, bbox } = plot;
+    const to = plot.valToPos(run.window_s, "x", true);
+    const right = Math.min(Math.max(to, bbox.left), bbox.left + bbox.width);
+    ctx.save();
+    ctx.fillStyle = colour("settling");
+    ctx.fillRect(bbox.left, bbox.top, right - bbox.left, bbox.height);
+    ctx.restore();
+  }
+
+  /** What the schedule notes, as far as there is room. */
+  function notes(plot, run) {
+    const { ctx, bbox } = plot;
+    const ratio = devicePixelRatio;
+    let free = -Infinity;
+    ctx.save();
+    ctx.font = `${10 * ratio}px system-ui, sans-serif`;
+    ctx.textAlign = "left";
+    ctx.fillStyle = colour("muted");
+    ctx.strokeStyle = colour("muted");
+    ctx.setLineDash([2 * ratio, 3 * ratio]);
+    const pointed = state.moment === null ? [] : [[state.moment, ""]];
+    for (const [time, note] of [...run.notes, ...pointed]) {
+      const x = plot.valToPos(time, "x", true);
+      if (x < bbox.left || x > bbox.left + bbox.width) continue;
+      ctx.beginPath();
+      ctx.moveTo(x, bbox.top);
+      ctx.lineTo(x, bbox.top + bbox.height);
+      ctx.stroke();
+      const wide = ctx.measureText(note).width;
+      if (note && x > free && x + wide < bbox.left + bbox.width) {
+        ctx.fillText(note, x + 3 * ratio, bbox.top + 11 * ratio);
+        free = x + wide + 8 * ratio;
+      }
+    }
+    ctx.restore();
+  }
+
+  /** Ctrl + wheel zooms about the pointer, Shift + drag moves. */
+  function listen(plot) {
+    const { over } = plot;
+    const end = () => chosenRun(report).history.time_s.at(-1);
+    const set = (min, max) => {
+      const low = Math.max(min, 0);
+      const high = Math.min(max, end());
+      if (high - low > 1e-3) plot.setScale("x", { min: low, max: high });
+    };
+    over.addEventListener(
+      "wheel",
+      (event) => {
+        if (!event.ctrlKey && !event.metaKey) return;
+        event.preventDefault();
+        const at = plot.posToVal(event.clientX - over.getBoundingClientRect().left, "x");
+        const by = Math.exp(event.deltaY * 0.002);
+        set(at + (plot.scales.x.min - at) * by, at + (plot.scales.x.max - at) * by);
+      },
+      { passive: false },
+    );
+    over.addEventListener(
+      "mousedown",
+      (event) => {
+        if (!event.shiftKey) return;
+        event.stopImmediatePropagation();
+        const from = event.clientX;
+        const { min, max } = plot.scales.x;
+        const move = (event) => {
+          const by = ((from - event.clientX) / over.clientWidth) * (max - min);
+          const kept = Math.min(Math.max(by, -min), end() - max);
+          set(min + kept, max + kept);
+        };
+        addEventListener("mousemove", move);
+        addEventListener("mouseup", () => removeEventListener("mousemove", move), { once: true });
+      },
+      { capture: true },
+    );
+    over.addEventListener("dblclick", () => plot.setScale("x", { min: 0, max: end() }));
+  }
+
+  on("units operation depth", draw);
+  on("times", () => {
+    if (following) return;
+    const run = chosenRun(report);
+    if (!run) return;
+    const [min, max] = state.times ?? [0, run.history.time_s.at(-1)];
+    following = true;
+    for (const plot of plots) plot.setScale("x", { min, max });
+    following = false;
+  });
+  on("moment", () => plots.forEach((plot) => plot.redraw(false, false)));
+  let width = 0;
+  new ResizeObserver(() => {
+    if (holder.clientWidth === width) return;
+    width = holder.clientWidth;
+    for (const plot of plots) plot.setSize({ width: Math.max(plot.root.parentElement.clientWidth, 200), height: 200 });
+  }).observe(holder);
+  const hint = el(
+    "p",
+    { class: "hint noprint" },
+    "drag to zoom, Ctrl + wheel, Shift + drag to move, double-click for all times; grey: before the window of the statistics",
+  );
+  return { element: el("div", {}, hint, holder), redraw: draw };
+}
+
+/** The interval with air; what hardly moves is not blown up to noise. */
+function air(low, high, dimension) {
+  if (low === null || high === null) return [0, 1];
+  const least = 2e-3 * Math.max(Math.abs(low), Math.abs(high)) || shown(1, dimension);
+  const span = Math.max(high - low, least);
+  const middle = (low + high) / 2;
+  return [middle - 0.58 * span, middle + 0.58 * span];
+}
+
+/** The index whose depth is nearest. */
+export function nearest(depths, depth) {
+  const next = Math.min(Math.max(below(depths, depth ?? 0), 1), depths.length - 1);
+  return Math.abs(depths[next] - depth) < Math.abs(depths[next - 1] - depth) ? next : next - 1;
+}

@@ -1,0 +1,49 @@
+// Colours that the colour-blind tell apart, from the page's looks.
+
+/** The value of a custom property of the page. */
+export const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+
+/** The colour of a curve by its place. */
+export const line = (index) => colour(`line-${index % 7}`);
+
+/** Red, green and blue from 0 to 255 of `#rrggbb`. */
+export function rgb(hex) {
+  const number = parseInt(hex.slice(1), 16);
+  return [number >> 16, (number >> 8) & 255, number & 255];
+}
+
+/** Cividis (Nuñez, Anderton and Renslow 2018), by a few of its colours: even in lightness to every kind of eye. */
+const CIVIDIS = [
+  "#00224e",
+  "#123570",
+  "#3b496c",
+  "#575d6d",
+  "#707173",
+  "#8a8678",
+  "#a59c74",
+  "#c3b369",
+  "#e1cc55",
+  "#fee838",
+].map(rgb);
+
+function between(stops, part) {
+  const place = part * (stops.length - 1);
+  const low = Math.min(Math.floor(place), stops.length - 2);
+  const rest = place - low;
+  return stops[low].map((value, i) => value + rest * (stops[low + 1][i] - value));
+}
+
+/** Steps of a scale of colours. */
+const STEPS = 512;
+
+/**
+ * A scale of colours: gives red, green and blue for a part from 0 to 1. A signed one goes from the low side over nothing
+ * to the high side.
+ */
+export function colourScale(signed) {
+  const stops = signed
+    ? ["low-side-strong", "low-side", "middle", "high-side", "high-side-strong"].map((name) => rgb(colour(name)))
+    : CIVIDIS;
+  const table = Array.from({ length: STEPS + 1 }, (_, i) => between(stops, i / STEPS));
+  return (part) => table[Math.round(Math.min(Math.max(part, 0), 1) * STEPS)];
+}

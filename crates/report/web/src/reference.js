@@ -1,0 +1,107 @@
+// Signs by which to find one's way in space: depths along the well, and a box with vertical depth, north and east.
+
+import {
+  BufferGeometry,
+  CanvasTexture,
+  Float32BufferAttribute,
+  LineBasicMaterial,
+  LineSegments,
+  Sprite,
+  SpriteMaterial,
+  Vector3,
+} from "three";
+import { el } from "./dom.js";
+import { colour } from "./palette.js";
+import { ticks, tickText } from "./ticks.js";
+import { shown, si, symbol } from "./units.js";
+
+/** Words that face the reader; `anchor` is the part of them that lies left of their place. */
+function label(text, place, size, ink = "text", anchor = 0.5) {
+  const sheet = el("canvas", {});
+  const pen = sheet.getContext("2d");
+  const font = "600 44px system-ui, sans-serif";
+  pen.font = font;
+  sheet.width = Math.ceil(pen.measureText(text).width) + 8;
+  sheet.height = 56;
+  pen.font = font;
+  pen.textBaseline = "middle";
+  pen.fillStyle = colour(ink);
+  pen.fillText(text, 4, 30);
+  const sprite = new Sprite(new SpriteMaterial({ map: new CanvasTexture(sheet), depthTest: false, transparent: true }));
+  sprite.position.set(...place);
+  sprite.center.set(anchor, 0.5);
+  sprite.scale.set((size * sheet.width) / sheet.height, size, 1);
+  sprite.renderOrder = 3;
+  return sprite;
+}
+
+/** Corners of a box around the path between two depths, never flat. */
+export function bounds(course, [from, to]) {
+  const low = new Vector3(Infinity, Infinity, Infinity);
+  const high = low.clone().negate();
+  for (let i = 0; i <= 100; i++) {
+    const at = new Vector3(...course.at(from + ((to - from) * i) / 100, {}).place);
+    low.min(at);
+    high.max(at);
+  }
+  const least = 0.22 * high.clone().sub(low).length();
+  for (const axis of ["x", "y", "z"]) {
+    const short = Math.max(least - (high[axis] - low[axis]), 0) / 2;
+    const air = short + (axis === "y" ? 0 : 0.03 * least);
+    low[axis] -= air;
+    high[axis] += air;
+  }
+  return { low, high };
+}
+
+/** Corners, across, of the two walls of the box that lie behind the well to a reader who looks from there. */
+export function walls({ low, high }, [x, , z]) {
+  const [west, east] = x >= 0 ? [low.x, high.x] : [high.x, low.x];
+  const [north, south] = z >= 0 ? [low.z, high.z] : [high.z, low.z];
+  return [
+    [west, north],
+    [east, north],
+    [west, south],
+  ];
+}
+
+/** The signs for the depths in view, beside a hole of this radius in the scene, to a reader who looks from there. */
+export function reference(course, range, radius, from) {
+  const box = bounds(course, range);
+  const { low, high } = box;
+  const [behind, right, left] = walls(box, from);
+  const size = high.clone().sub(low).length();
+  const unit = symbol("length");
+  const along = ticks(shown(range[0], "length"), shown(range[1], "length"), 8);
+  const depths = along.values.map((value) => {
+    const { place, high } = course.at(si(value, "length"), {});
+    const away = radius + 0.012 * size;
+    return label(
+      `${tickText(value, along.step)} ${unit}`,
+      place.map((at, axis) => at + away * high[axis]),
+      0.021 * size,
+      "text",
+      0,
+    );
+  });
+  const lines = [];
+  const edge = (a, b) => lines.push(...a, ...b);
+  const down = ticks(shown(-high.y, "length"), shown(-low.y, "length"), 5);
+  const levels = down.values.map((value) => {
+    const y = -si(value, "length");
+    const at = ([x, z]) => [x, y, z];
+    edge(at(behind), at(right));
+    edge(at(behind), at(left));
+    return label(`TVD ${tickText(value, down.step)} ${unit}`, at(left), 0.019 * size, "muted", 1.06);
+  });
+  for (const [x, z] of [behind, right, left]) edge([x, low.y, z], [x, high.y, z]);
+  const frame = new BufferGeometry();
+  frame.setAttribute("position", new Float32BufferAttribute(lines, 3));
+  return [
+    new LineSegments(frame, new LineBasicMaterial({ color: colour("frame"), transparent: true, opacity: 0.35 })),
+    ...depths,
+    ...levels,
+    label("N", [(low.x + high.x) / 2, high.y, low.z - 0.04 * size], 0.024 * size),
+    label("E", [high.x + 0.04 * size, high.y, (low.z + high.z) / 2], 0.024 * size),
+  ];
+}

@@ -1,0 +1,385 @@
+// The well in space with the string in it: across the hole everything is larger than along it.
+
+import {
+  AmbientLight,
+  Color,
+  DirectionalLight,
+  DoubleSide,
+  Mesh,
+  MeshLambertMaterial,
+  PerspectiveCamera,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { Course, Tube } from "./bore.js";
+import { el, select } from "./dom.js";
+import { colour, colourScale } from "./palette.js";
+import { frameAt, poseOf, quantitiesOf, rangeOf } from "./pose.js";
+import { bounds, reference, walls } from "./reference.js";
+import { chosenRun, spoken } from "./solutions.js";
+import { choose, on, state } from "./state.js";
+import { isPrinting } from "./theme.js";
+import { ticks, tickText } from "./ticks.js";
+import { digits, shown, symbol } from "./units.js";
+
+const HEIGHT = 520;
+const SIDES = 10;
+
+export function scene(report) {
+  const canvas = el("canvas", { class: "space", role: "img", "aria-label": "The well in space, the string in it" });
+  let renderer;
+  try {
+    renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
+  } catch {
+    return {
+      element: el("p", { class: "warning" }, "This view needs WebGL, which this browser does not give."),
+      redraw: () => {},
+    };
+  }
+  const course = new Course(report.well);
+  const world = new Scene();
+  const camera = new PerspectiveCamera(38, 1, 1, 1e5);
+  const orbit = new OrbitControls(camera, canvas);
+  orbit.enableDamping = false;
+  orbit.enableZoom = false;
+  const sun = new DirectionalLight(0xffffff, 2.2);
+  world.add(new AmbientLight(0xffffff, 1.6), sun);
+  const deepest = report.well.md_m.at(-1);
+  const widest = Math.max(...report.hole.map((section) => section.diameter_m), 0.1);
+  // So that the hole is as thick as an eye can tell the sides of.
+  let exaggeration = niceBelow((0.03 * deepest) / widest);
+  let quantity = null;
+  let frame = null;
+  let playing = null;
+  let items = [];
+
+  // Browsers print the picture that was last on the screen: paper gets a copy of the one that is meant for it.
+  const paper = el("canvas", { class: "space-paper" });
+  const holder = el("div", { class: "space-holder" }, canvas, paper);
+  const key = el("div", { class: "colour-key" });
+  const time = el("output", {});
+  const scrubber = el("input", {
+    type: "range",
+    min: 0,
+    step: 1,
+    "aria-label": "Moment",
+    oninput: () => {
+      const run = chosenRun(report);
+      choose({ moment: run.frames.time_s[Number(scrubber.value)] });
+    },
+  });
+  const play = el("button", { type: "button", onclick: () => (playing ? stop() : start()) }, "Play");
+  const mean = el(
+    "button",
+    {
+      type: "button",
+      onclick: () => {
+        stop();
+        choose({ moment: null });
+      },
+    },
+    "Mean",
+  );
+  const moments = el("div", { class: "moments" }, play, mean, scrubber, time);
+  const factor = el("output", {});
+  const slider = el("input", {
+    type: "range",
+    min: 0,
+    max: 3.7,
+    step: 0.01,
+    value: Math.log10(exaggeration),
+    "aria-label": "Exaggeration across the hole",
+    oninput: () => {
+      exaggeration = 10 ** Number(slider.value);
+      build();
+    },
+  });
+  const quantityHolder = el("span", {});
+  const views = [
+    ["Whole well", () => across(0.3)],
+    ["From the side", () => across(0.02)],
+    ["From above", () => [0.001, 1, 0.001]],
+  ].map(([name, from]) => el("button", { type: "button", onclick: () => look(from()) }, name));
+  const tools = el(
+    "div",
+    { class: "tools noprint" },
+    quantityHolder,
+    el("label", {}, "Across × ", slider, factor),
+    views,
+    el(
+      "span",
+      { class: "hint" },
+      "drag to turn, right-drag to move, Ctrl + wheel to go nearer; shows the depths in view above",
+    ),
+  );
+
+  canvas.addEventListener(
+    "wheel",
+    (event) => {
+      if (!event.ctrlKey && !event.metaKey) return;
+      event.preventDefault();
+      const offset = camera.position
+        .clone()
+        .sub(orbit.target)
+        .multiplyScalar(Math.exp(event.deltaY * 0.002));
+      camera.position.copy(orbit.target).add(offset);
+      render();
+    },
+    { passive: false },
+  );
+  orbit.addEventListener("change", render);
+
+  function start() {
+    play.textContent = "Stop";
+    playing = setInterval(() => {
+      const { frames } = chosenRun(report);
+      const next = (Number(scrubber.value) + 1) % frames.time_s.length;
+      choose({ moment: frames.time_s[next] });
+    }, 80);
+  }
+
+  function stop() {
+    clearInterval(playing);
+    playing = null;
+    play.textContent = "Play";
+  }
+
+  const view = () => state.depths ?? [report.well.md_m[0], deepest];
+
+  /** Depths at which rings of the hole stand. */
+  function depthsOf([from, to]) {
+    const within = Array.from(report.well.md_m).filter((depth) => depth > from && depth < to);
+    const step = (to - from) / 300;
+    const even = Array.from({ length: 301 }, (_, i) => from + i * step);
+    return [...even, ...within].sort((a, b) => a - b);
+  }
+
+  function dispose() {
+    for (const item of items) {
+      world.remove(item);
+      item.geometry?.dispose();
+      item.material.map?.dispose();
+      item.material.dispose();
+    }
+    items = [];
+  }
+
+  function add(item) {
+    items.push(item);
+    world.add(item);
+    return item;
+  }
+
+  /** Everything anew: hole, string, frame of reference. */
+  function build() {
+    dispose();
+    const [from, to] = view();
+    const out = {};
+    for (const section of report.hole) {
+      const range = [Math.max(section.from_m, from), Math.min(section.to_m, to)];
+      if (range[1] <= range[0]) continue;
+      const depths = depthsOf(range);
+      const tube = new Tube(depths.length, 28);
+      depths.forEach((depth, i) => {
+        course.at(depth, out);
+        tube.ring(i, out.place, out.high, out.right, (section.diameter_m / 2) * exaggeration);
+      });
+      tube.changed();
+      const casing = section.kind === "casing";
+      const material = new MeshLambertMaterial({
+        color: colour(casing ? "casing" : "rock"),
+        transparent: true,
+        opacity: casing ? 0.16 : 0.26,
+        side: DoubleSide,
+        depthWrite: false,
+      });
+      add(new Mesh(tube, material)).renderOrder = 2;
+    }
+    reference(course, [from, to], (widest / 2) * exaggeration, across(0.3)).forEach(add);
+    string();
+    factor.textContent = ` ${digits(exaggeration, 2)}`;
+    render();
+  }
+
+  let tube = null;
+  let drawn = null;
+
+  /** The string as it lies, coloured. */
+  function string() {
+    const run = chosenRun(report);
+    frame = run?.frames && state.moment !== null ? frameAt(run.frames, state.moment) : null;
+    const pose = poseOf(report, run, frame);
+    const offered = quantitiesOf(pose);
+    if (!offered.some(([name]) => name === quantity)) quantity = offered[0][0];
+    const [, name, dimension, signed] = offered.find(([name]) => name === quantity);
+    quantityHolder.replaceChildren(
+      select(
+        "Colour: ",
+        offered.map(([name, title]) => [name, title]),
+        quantity,
+        (value) => {
+          quantity = value;
+          string();
+          render();
+        },
+      ),
+    );
+    const [from, to] = view();
+    const nodes = Array.from(pose.depths, (depth, i) => [depth, i]).filter(
+      ([depth]) => depth >= from - 1 && depth <= to + 1,
+    );
+    if (!tube || drawn.geometry !== tube || tube.rings !== nodes.length) {
+      if (drawn) {
+        world.remove(drawn);
+        items = items.filter((item) => item !== drawn);
+        drawn.geometry.dispose();
+        drawn.material.dispose();
+      }
+      tube = new Tube(Math.max(nodes.length, 2), SIDES);
+      drawn = add(new Mesh(tube, new MeshLambertMaterial({ vertexColors: true })));
+    }
+    if (!items.includes(drawn)) add(drawn);
+    const values = pose.values(quantity);
+    const range = rangeOf(pose, run, frame, quantity, signed);
+    const scale = colourScale(signed);
+    const paint = (value) => scale((value - range[0]) / (range[1] - range[0])).map((of) => of / 255);
+    const out = {};
+    const tint = new Color();
+    const parts = report.string;
+    nodes.forEach(([depth, i], ring) => {
+      course.at(Math.min(depth, deepest), out);
+      const [high, right] = [pose.high[i] * exaggeration || 0, pose.right[i] * exaggeration || 0];
+      const place = out.place.map((at, axis) => at + high * out.high[axis] + right * out.right[axis]);
+      const part = parts.find((part) => depth <= part.to_m) ?? parts.at(-1);
+      tube.ring(ring, place, out.high, out.right, ((part?.od_m ?? 0.12) / 2) * exaggeration);
+      const [red, green, blue] = Number.isFinite(values[i]) ? paint(values[i]) : [0.5, 0.5, 0.5];
+      tint.setRGB(red, green, blue, "srgb");
+      tube.paint(ring, tint.r, tint.g, tint.b);
+    });
+    tube.changed();
+    drawKey(name, dimension, range, signed, scale);
+    moments.hidden = !run?.frames;
+    if (run?.frames) {
+      scrubber.max = run.frames.time_s.length - 1;
+      if (frame !== null) scrubber.value = frame;
+      mean.disabled = frame === null;
+      time.textContent = frame === null ? "mean of the window" : `${run.frames.time_s[frame].toFixed(2)} s`;
+    }
+  }
+
+  function drawKey(name, dimension, range, signed, scale) {
+    const stops = Array.from({ length: 21 }, (_, i) => `rgb(${scale(i / 20).join(" ")}) ${i * 5}%`);
+    const ends = range.map((value) => shown(value, dimension));
+    const { values, step } = ticks(ends[0], ends[1], 4);
+    key.replaceChildren(
+      el(
+        "span",
+        {},
+        `${name}${symbol(dimension) ? `, ${symbol(dimension)}` : ""}${signed ? " (low side −, high side +)" : ""}, ${spoken(state.operation)}`,
+      ),
+      el("div", { class: "ramp", style: `background:linear-gradient(to right, ${stops.join(",")})` }),
+      el(
+        "div",
+        { class: "ramp-ticks" },
+        values.map((value) =>
+          el("span", { style: `left:${((value - ends[0]) / (ends[1] - ends[0])) * 100}%` }, tickText(value, step)),
+        ),
+      ),
+    );
+  }
+
+  /** Places along the path in view. */
+  function along() {
+    const [from, to] = view();
+    return Array.from({ length: 41 }, (_, i) => course.at(from + ((to - from) * i) / 40, {}).place);
+  }
+
+  /** Across the vertical plane in which the well goes, so much from above. */
+  function across(above) {
+    const [a, b] = view().map((depth) => course.at(depth, {}).place);
+    const [x, z] = [b[0] - a[0], b[2] - a[2]];
+    const flat = Math.hypot(x, z);
+    if (flat < 1e-3) return [0.6, above, 0.8];
+    const side = x - z < 0 ? -1 : 1;
+    return [(-z / flat) * side, above, (x / flat) * side];
+  }
+
+  /** Looks at the depths in view from a direction. */
+  function look(direction) {
+    const { low, high } = bounds(course, view());
+    const middle = low.clone().add(high).multiplyScalar(0.5);
+    orbit.target.copy(middle);
+    const wide = canvas.clientWidth / HEIGHT;
+    const towards = new Vector3(...direction).normalize();
+    const right = new Vector3(0, 1, 0).cross(towards).normalize();
+    const up = towards.clone().cross(right);
+    const tall = Math.tan((camera.fov * Math.PI) / 360);
+    // As near as the path and the drawn corners of the box allow, with room for their labels.
+    let far = 0;
+    const corners = walls({ low, high }, across(0.3)).flatMap(([x, z]) => [low.y, high.y].map((y) => [x, y, z]));
+    for (const corner of [...corners, ...along()]) {
+      const at = new Vector3(...corner).sub(middle);
+      const needs = Math.max(Math.abs(at.dot(right)) / (tall * wide * 0.86), Math.abs(at.dot(up)) / (tall * 0.93));
+      far = Math.max(far, needs + at.dot(towards));
+    }
+    camera.position.copy(middle).addScaledVector(towards, far);
+    camera.near = far / 200;
+    camera.far = far * 20;
+    camera.updateProjectionMatrix();
+    orbit.update();
+    render();
+  }
+
+  function render() {
+    sun.position.copy(camera.position);
+    sun.target.position.copy(orbit.target);
+    sun.target.updateMatrixWorld();
+    renderer.render(world, camera);
+    if (!isPrinting()) return;
+    [paper.width, paper.height] = [canvas.width, canvas.height];
+    paper.getContext("2d").drawImage(canvas, 0, 0);
+  }
+
+  function size() {
+    const width = holder.clientWidth || 1200;
+    renderer.setPixelRatio(Math.min(devicePixelRatio * (devicePixelRatio < 1.5 ? 1.5 : 1), 2.5));
+    renderer.setSize(width, HEIGHT, false);
+    camera.aspect = width / HEIGHT;
+    camera.updateProjectionMatrix();
+  }
+
+  function redraw() {
+    size();
+    build();
+    look(across(0.3));
+  }
+
+  on("units operation", () => {
+    stop();
+    build();
+  });
+  on("depths", () => {
+    build();
+    look(camera.position.clone().sub(orbit.target).toArray());
+  });
+  on("moment", () => {
+    string();
+    render();
+  });
+  let width = 0;
+  new ResizeObserver(() => {
+    if (holder.clientWidth === width) return;
+    width = holder.clientWidth;
+    size();
+    render();
+  }).observe(holder);
+  return { element: el("div", {}, tools, holder, moments, key), redraw };
+}
+
+/** 1, 2 or 5 times a power of ten that is not above. */
+function niceBelow(value) {
+  const power = 10 ** Math.floor(Math.log10(Math.max(value, 1)));
+  return [5, 2, 1].map((m) => m * power).find((m) => m <= Math.max(value, 1)) ?? 1;
+}

@@ -1,0 +1,75 @@
+// Hole and string drawn beside the tracks.
+
+import { svg } from "./dom.js";
+import { quantity } from "./units.js";
+
+const name = (section) => (section.kind === "casing" ? "casing" : "open hole");
+
+/** What lies at a depth, in a few words. */
+export function lies(report, depth) {
+  const within = (part) => depth >= part.from_m && depth <= part.to_m;
+  const section = report.hole.find(within);
+  const part = report.string.find(within);
+  return [
+    section && `${name(section)} ${quantity(section.diameter_m, "diameter")}`,
+    part && `${part.name} ${quantity(part.od_m, "diameter")}`,
+  ].filter(Boolean);
+}
+
+/** The drawing between two depths. */
+export function schematic(report, { left, width, top, height }, [from, to], y) {
+  const middle = left + width / 2;
+  const widest = Math.max(...report.hole.map((s) => s.diameter_m), ...report.string.map((p) => p.contact_od_m));
+  const half = (diameter) => ((width - 22) / 2) * (diameter / widest);
+  const group = svg("g", { "clip-path": `inset(0)` });
+  const clip = (depth) => Math.min(Math.max(y(depth), top - 12), top + height + 12);
+  for (const section of report.hole) {
+    if (section.to_m < from || section.from_m > to) continue;
+    const [y1, y2, w] = [clip(section.from_m), clip(section.to_m), half(section.diameter_m)];
+    const tip = svg(
+      "title",
+      {},
+      `${name(section)} ${quantity(section.diameter_m, "diameter")}, ${quantity(section.from_m, "length", 5)} to ${quantity(section.to_m, "length", 5)}, friction ${section.friction}`,
+    );
+    group.append(
+      svg(
+        "rect",
+        {
+          x: middle - w,
+          y: y1,
+          width: 2 * w,
+          height: Math.max(y2 - y1, 0),
+          class: section.kind === "casing" ? "bore" : "rock",
+        },
+        tip,
+      ),
+    );
+    for (const side of [-1, 1]) {
+      const x = middle + side * w;
+      group.append(svg("line", { x1: x, x2: x, y1, y2, class: section.kind === "casing" ? "casing" : "wall" }));
+      if (section.kind === "casing" && section.to_m < to)
+        group.append(svg("path", { d: `M${x} ${y2}h${side * 8}L${x} ${y2 - 9}Z`, class: "shoe" }));
+    }
+  }
+  const deepest = report.string.at(-1);
+  for (const part of report.string) {
+    if (part.to_m < from || part.from_m > to) continue;
+    const [y1, y2, w] = [clip(part.from_m), clip(part.to_m), Math.max(half(part.od_m), 1.5)];
+    const tip = svg(
+      "title",
+      {},
+      `${part.name}, OD ${quantity(part.od_m, "diameter")}, ${quantity(part.from_m, "length", 5)} to ${quantity(part.to_m, "length", 5)}`,
+    );
+    const kind = /drill pipe/i.test(part.name) && !/heavy/i.test(part.name) ? "pipe" : "tool";
+    const shape =
+      part === deepest
+        ? svg("path", {
+            d: `M${middle - w} ${Math.min(y1, y2 - 5)}h${2 * w}v${Math.max(y2 - y1, 5) * 0.5}L${middle} ${y2 + 3}L${middle - w} ${y2 - Math.max(y2 - y1, 5) * 0.5}Z`,
+            class: "bit",
+          })
+        : svg("rect", { x: middle - w, y: y1, width: 2 * w, height: Math.max(y2 - y1, 0.7), class: kind });
+    shape.append(tip);
+    group.append(shape);
+  }
+  return group;
+}

@@ -1,0 +1,105 @@
+// Tables of numbers in the reader's units.
+
+import { el } from "./dom.js";
+import { on } from "./state.js";
+import { digits, grouped, plain, quantity, shown, symbol } from "./units.js";
+
+const bare = (value) => (Number.isInteger(value) && Math.abs(value) < 1e12 ? grouped(String(value)) : plain(value));
+
+/** A cell with its unit, in no more digits than it has; in so many where that is said. */
+export function cellText(cell, significant) {
+  if (cell === null || cell === "") return "–";
+  if (typeof cell === "string") return cell;
+  if (typeof cell === "number") return bare(cell);
+  return quantity(cell.value, cell.dimension, significant ?? 6, significant ? digits : plain);
+}
+
+/** The number of an input without its unit, in the digits that it has. */
+function inputText(cell) {
+  return cell === null || typeof cell !== "object" ? cellText(cell) : plain(shown(cell.value, cell.dimension));
+}
+
+/** The number of a result without its unit, with its deviation. */
+function numberText(cell, largest) {
+  if (cell === null || typeof cell !== "object") return cellText(cell);
+  // What is nothing beside the others of its row is shown as nothing.
+  const near = (value) => (Math.abs(value) < 1e-6 * largest ? 0 : value);
+  const value = near(shown(cell.value, cell.dimension));
+  const text = cell.dimension === "ratio" && Number.isInteger(value) ? bare(value) : digits(value, 5);
+  return cell.std === undefined ? text : `${text} ± ${digits(near(shown(cell.std, cell.dimension)), 2)}`;
+}
+
+/** The one dimension of some cells; null where they have none or several. */
+function common(cells) {
+  const all = new Set(cells.filter((cell) => cell !== null && typeof cell === "object").map((cell) => cell.dimension));
+  return all.size === 1 ? [...all][0] : null;
+}
+
+const unit = (dimension) =>
+  dimension && symbol(dimension) !== "" ? el("span", { class: "unit" }, ` ${symbol(dimension)}`) : null;
+const isText = (cell) => typeof cell === "string";
+
+/** A table whose rows are quantities: its first column names them with their unit. */
+function byRow(sheet) {
+  const largest = (cells) =>
+    Math.max(...cells.map((cell) => (cell?.dimension ? Math.abs(shown(cell.value, cell.dimension)) : 0)));
+  return sheet.rows.map(([name, ...cells]) =>
+    el(
+      "tr",
+      {},
+      el("th", { scope: "row" }, name, unit(common(cells))),
+      cells.map((cell) => el("td", { class: "number" }, numberText(cell, largest(cells)))),
+    ),
+  );
+}
+
+/** A table whose columns are quantities: their heads name the unit. */
+function byColumn(sheet) {
+  return sheet.rows.map((cells) =>
+    el(
+      "tr",
+      {},
+      cells.map((cell) => el("td", { class: isText(cell) ? null : "number" }, inputText(cell))),
+    ),
+  );
+}
+
+/** A list of keys and values. */
+function keys(sheet) {
+  return sheet.rows.map(([name, value]) =>
+    el("tr", {}, el("th", { scope: "row" }, name), el("td", {}, cellText(value))),
+  );
+}
+
+export function sheet(sheet) {
+  const body = el("tbody", {});
+  const head = el("thead", {});
+  const results = sheet.place !== "inputs";
+  const draw = () => {
+    body.replaceChildren(...(results ? byRow(sheet) : sheet.heads.length ? byColumn(sheet) : keys(sheet)));
+    const column = (i) => (results ? null : unit(common(sheet.rows.map((row) => row[i]))));
+    if (sheet.heads.length)
+      head.replaceChildren(
+        el(
+          "tr",
+          {},
+          sheet.heads.map((name, i) => el("th", { scope: "col" }, name, column(i))),
+        ),
+      );
+  };
+  on("units", draw);
+  draw();
+  const table = el(
+    "div",
+    { class: "scrolls" },
+    el("table", { class: sheet.heads.length ? "grid" : "keys" }, head, body),
+  );
+  if (results) return el("div", { class: "sheet" }, el("h3", {}, sheet.title), table);
+  const long = sheet.rows.length > 24;
+  return el(
+    "details",
+    { class: `sheet prints${sheet.heads.length > 4 ? " wide" : ""}`, open: !long },
+    el("summary", {}, sheet.title, long ? ` (${sheet.rows.length} rows)` : ""),
+    table,
+  );
+}

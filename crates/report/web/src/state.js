@@ -1,0 +1,34 @@
+// What the reader has chosen, and who wants to know.
+
+const listeners = new Map();
+
+/** The choices: units, theme, operation, interval of depth and time in view (null for all), depth and time pointed at. */
+export const state = {
+  units: "si",
+  theme: "auto",
+  operation: null,
+  depths: null,
+  times: null,
+  depth: null,
+  moment: null,
+  pointer: null,
+};
+
+/** Calls `tell` whenever one of the choices changes. */
+export function on(names, tell) {
+  for (const name of names.split(" ")) {
+    if (!listeners.has(name)) listeners.set(name, []);
+    listeners.get(name).push(tell);
+  }
+}
+
+/** Makes a choice. */
+export function choose(changes) {
+  const told = new Set();
+  for (const [name, value] of Object.entries(changes)) {
+    if (Object.is(state[name], value)) continue;
+    state[name] = value;
+    for (const tell of listeners.get(name) ?? []) told.add(tell);
+  }
+  for (const tell of told) tell();
+}

@@ -1,0 +1,41 @@
+// Light and dark, and paper, which is light.
+
+import { choose, state } from "./state.js";
+
+const system = matchMedia("(prefers-color-scheme: dark)");
+let printing = false;
+
+/** Whether the page is on its way to paper. */
+export const isPrinting = () => printing;
+
+/** Whether the page is dark now. */
+const isDark = () => !printing && (state.theme === "dark" || (state.theme === "auto" && system.matches));
+
+/** Sets the looks; `redraw` draws again what is drawn in colours of its own. */
+export function followTheme(redraw) {
+  const set = () => {
+    document.documentElement.dataset.theme = isDark() ? "dark" : "light";
+  };
+  const apply = () => {
+    set();
+    redraw();
+  };
+  system.addEventListener("change", apply);
+  const print = (now) => () => {
+    printing = now;
+    for (const details of document.querySelectorAll("details.prints")) {
+      if (now) {
+        details.dataset.was = details.open ? "open" : "";
+        details.open = true;
+      } else details.open = details.dataset.was === "open";
+    }
+    apply();
+  };
+  addEventListener("beforeprint", print(true));
+  addEventListener("afterprint", print(false));
+  set();
+  return (theme) => {
+    choose({ theme });
+    apply();
+  };
+}

@@ -1,0 +1,36 @@
+// Round numbers along an axis.
+
+import { grouped } from "./units.js";
+
+/** Round numbers from `from` to `to`, about `count` of them. */
+export function ticks(from, to, count) {
+  const span = to - from;
+  if (!(span > 0) || !Number.isFinite(span)) return { values: [from], step: 1 };
+  const rough = span / Math.max(count, 1);
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const step = [1, 2, 2.5, 5, 10].map((m) => m * power).find((s) => s >= rough * 0.999);
+  const values = [];
+  for (let k = Math.ceil(from / step - 1e-9); k * step <= to + step * 1e-9; k++) values.push(k * step);
+  return { values, step };
+}
+
+/** A tick as text, with no more decimals than the step needs. */
+export function tickText(value, step) {
+  const rounded = Math.abs(value) < step * 1e-6 ? 0 : value;
+  let decimals = 0;
+  while (decimals < 8 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6) decimals++;
+  return grouped(rounded.toFixed(decimals));
+}
+
+/**
+ * The interval with some air, and round zero where values keep to one side of it and come near; of nothing, or nothing
+ * but zeros, the interval up to `one`.
+ */
+export function domain(low, high, withZero, one) {
+  if (!(low <= high) || (low === 0 && high === 0)) return [0, one];
+  if (withZero || (low > 0 && low < 0.35 * high)) low = Math.min(low, 0);
+  if (withZero || (high < 0 && high > 0.35 * low)) high = Math.max(high, 0);
+  const span = high - low || Math.abs(high) * 0.2 || 1;
+  const air = 0.05 * span;
+  return [low === 0 ? 0 : low - air, high === 0 ? 0 : high + air];
+}
