@@ -2,6 +2,7 @@
 
 use super::{
     assembly::Anchor,
+    body::Body,
     chain::{Chain, Rows, element, node},
     record::{Look, Strength},
 };
@@ -165,6 +166,7 @@ pub(super) struct Scene<'a> {
     pub chain: &'a Chain,
     pub anchors: &'a [Anchor],
     pub high: &'a [Rows<f64>],
+    pub body: &'a Body,
     pub strength: &'a Strength,
     pub time_s: f64,
     /// Steps that the chain's sums hold.
@@ -233,6 +235,13 @@ impl Scene<'_> {
 
     fn look(&self, row: usize) -> Look {
         let per_step = 1.0 / self.summed_steps as f64;
-        Look::at(self.chain, self.high, self.strength, row, per_step)
+        Look::at(
+            self.chain,
+            self.high,
+            self.body,
+            self.strength,
+            row,
+            per_step,
+        )
     }
 }

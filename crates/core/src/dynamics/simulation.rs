@@ -510,7 +510,9 @@ impl Simulation {
         }
         self.wear.sample(&self.chain, |i| self.anchors[i].md_m);
         let sums = std::mem::take(&mut self.since_sample);
-        let totals = self.record.sample(&self.chain, &self.high, sums.steps);
+        let totals = self
+            .record
+            .sample(&self.chain, &self.high, &self.body, sums.steps);
         let n = sums.steps as f64;
         let last = self.chain.nodes() - 1;
         let elongation = self.elongation_m();
@@ -567,6 +569,7 @@ impl Simulation {
             chain: &self.chain,
             anchors: &self.anchors,
             high: &self.high,
+            body: &self.body,
             strength: self.record.strength(),
             time_s: self.time_s(),
             summed_steps: self.steps_per_sample,

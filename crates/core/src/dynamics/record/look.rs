@@ -1,9 +1,12 @@
 //! What eight nodes, and the elements below them, show at a moment: the one place that reads the chain
 //! for the record.
 
-use super::strength::Strength;
+use super::strength::{Metal, Strength};
 use crate::{
-    dynamics::chain::{Chain, Rows},
+    dynamics::{
+        body::Body,
+        chain::{Chain, ElementBlock, Rows, StateBlock},
+    },
     rod::{lanes::LANES, vector::Vector},
 };
 
@@ -43,6 +46,14 @@ pub struct Look {
     pub speed_square: Lane,
 }
 
+/// A row of elements: how their ends stand, what is in them, and the bodies at their upper ends.
+struct Stretch<'a> {
+    upper: &'a StateBlock<f64>,
+    lower: &'a StateBlock<f64>,
+    elements: &'a ElementBlock<f64>,
+    metal: &'a Metal,
+}
+
 impl Look {
     const EMPTY: Self = Self {
         tension: NONE,
@@ -66,13 +77,29 @@ impl Look {
     pub fn at(
         chain: &Chain,
         high: &[Rows<f64>],
+        body: &Body,
         strength: &Strength,
         row: usize,
         per_step: f64,
     ) -> Self {
         let mut look = Self::EMPTY;
         look.across_the_hole(chain, high, row, per_step);
-        look.along_the_string(chain, strength, row);
+        let stretch = Stretch {
+            upper: &chain.states[row],
+            lower: &chain.ends(row),
+            elements: &chain.element_blocks[row],
+            metal: strength.block(row),
+        };
+        for lane in 0..LANES {
+            look.bear(&stretch, lane, of(&stretch.upper.d, lane));
+        }
+        // The element below a bend stands on another face of the body: what is bent without stress bears none.
+        for bend in &body.bends {
+            let (row_of_bend, lane) = chain.place(bend.index);
+            if row_of_bend == row {
+                look.bear(&stretch, lane, bend.pose(chain).d1);
+            }
+        }
         look
     }
 
@@ -106,39 +133,39 @@ impl Look {
         }
     }
 
-    /// What the string carries at the nodes. The bending moment is the elastic one that the element
-    /// below has at its upper end; the bit, below which there is none, carries none.
+    /// What the string carries at a node whose element below sees the director `d1` there. The bending moment is
+    /// the elastic one that this element has at its upper end; the bit, below which there is none, carries none.
     #[inline(always)]
-    fn along_the_string(&mut self, chain: &Chain, strength: &Strength, row: usize) {
-        let elements = &chain.element_blocks[row];
-        let state = &chain.states[row];
-        let ends = chain.ends(row);
-        let body = strength.block(row);
-        for lane in 0..LANES {
-            let (u1, u2) = (of(&state.u, lane), of(&ends.u, lane));
-            let (d1, d2) = (of(&state.d, lane), of(&ends.d, lane));
-            let chord = of(&elements.chord, lane) + (u2 - u1);
-            // Newton's step from the rest length to the inverse of the chord's: a stretch of 1e-3 leaves
-            // 1.5e-6, and no root is drawn.
-            let rest = elements.inverse_length.0[lane];
-            let t = chord.scaled(rest * (1.5 - 0.5 * chord.dot(chord) * rest * rest));
-            let tension = elements.tension.0[lane];
-            let torque = elements.torque.0[lane];
-            // The gradient of the element's energy on its upper director: `rod::element`.
-            let near = elements.bending_near.0[lane] + elements.bow_near.0[lane] * tension;
-            let far = elements.bending_far.0[lane] - elements.bow_far.0[lane] * tension;
-            let pull = near * t.dot(d1) + far * t.dot(d2);
-            let moment = d2.scaled(far).minus(t, pull).cross(d1);
-            let bending = moment.dot(moment).sqrt();
-            let normal_stress =
-                tension.abs() * body.per_area[lane] + bending * body.per_modulus[lane];
-            let shear_stress = 0.5 * torque * body.per_modulus[lane];
-            self.tension[lane] = tension;
-            self.torque[lane] = torque;
-            self.bending[lane] = bending;
-            self.stress[lane] =
-                (normal_stress * normal_stress + 3.0 * shear_stress * shear_stress).sqrt();
-        }
+    fn bear(&mut self, stretch: &Stretch<'_>, lane: usize, d1: Vector<f64>) {
+        let Stretch {
+            upper,
+            lower,
+            elements,
+            metal,
+        } = stretch;
+        let (u1, u2) = (of(&upper.u, lane), of(&lower.u, lane));
+        let d2 = of(&lower.d, lane);
+        let chord = of(&elements.chord, lane) + (u2 - u1);
+        // Newton's step from the rest length to the inverse of the chord's: a stretch of 1e-3 leaves
+        // 1.5e-6, and no root is drawn.
+        let rest = elements.inverse_length.0[lane];
+        let t = chord.scaled(rest * (1.5 - 0.5 * chord.dot(chord) * rest * rest));
+        let tension = elements.tension.0[lane];
+        let torque = elements.torque.0[lane];
+        // The gradient of the element's energy on its upper director: `rod::element`.
+        let near = elements.bending_near.0[lane] + elements.bow_near.0[lane] * tension;
+        let far = elements.bending_far.0[lane] - elements.bow_far.0[lane] * tension;
+        let pull = near * t.dot(d1) + far * t.dot(d2);
+        let moment = d2.scaled(far).minus(t, pull).cross(d1);
+        let bending = moment.dot(moment).sqrt();
+        let normal_stress =
+            tension.abs() * metal.per_area[lane] + bending * metal.per_modulus[lane];
+        let shear_stress = 0.5 * torque * metal.per_modulus[lane];
+        self.tension[lane] = tension;
+        self.torque[lane] = torque;
+        self.bending[lane] = bending;
+        self.stress[lane] =
+            (normal_stress * normal_stress + 3.0 * shear_stress * shear_stress).sqrt();
     }
 }
 

@@ -11,6 +11,7 @@ mod tests;
 use serde::{Deserialize, Serialize};
 
 use super::{
+    body::Body,
     chain::{Chain, Rows, place},
     outcome::TimeSeries,
 };
@@ -89,13 +90,14 @@ impl Record {
 
     /// Takes a sample of every node: contact quantities as averages over the `steps` since the last
     /// one, which the chain has summed. `high` holds each node's high side, row by row
-    /// as in the chain.
-    pub fn sample(&mut self, chain: &Chain, high: &[Rows<f64>], steps: u64) -> Totals {
+    /// as in the chain; `body` has the bends.
+    pub fn sample(&mut self, chain: &Chain, high: &[Rows<f64>], body: &Body, steps: u64) -> Totals {
         let mut totals = TotalBlock::EMPTY;
         Pass {
             sums: &mut self.sums,
             chain,
             high,
+            body,
             strength: &self.strength,
             per_step: 1.0 / steps as f64,
             first: self.samples == 0,

@@ -13,13 +13,13 @@ use crate::{
 /// section modulus `I/(D/2)`.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Strength {
-    blocks: Vec<Body>,
+    blocks: Vec<Metal>,
     yield_Pa: Vec<Option<f64>>,
 }
 
-/// Bodies at eight nodes.
+/// The metal at a row of nodes.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-pub struct Body {
+pub struct Metal {
     /// Inverse of the metal's area, 1/m².
     pub per_area: Lane,
     /// Inverse of the section modulus, 1/m³.
@@ -30,7 +30,7 @@ impl Strength {
     /// The bodies of a string.
     pub fn new(model: &Model, mesh: &Mesh) -> Self {
         let mut blocks = vec![
-            Body {
+            Metal {
                 per_area: [0.0; LANES],
                 per_modulus: [0.0; LANES],
             };
@@ -52,17 +52,17 @@ impl Strength {
                 .min_by(|a, b| modulus(*a).total_cmp(&modulus(*b)))
                 .unwrap_or(first);
             let (row, lane) = place(blocks.len(), index);
-            let body = &mut blocks[row];
-            body.per_area[lane] = 1.0 / components[weakest].area_m2();
-            body.per_modulus[lane] = 1.0 / modulus(weakest);
+            let metal = &mut blocks[row];
+            metal.per_area[lane] = 1.0 / components[weakest].area_m2();
+            metal.per_modulus[lane] = 1.0 / modulus(weakest);
             yield_Pa.push(components[weakest].yield_strength_Pa);
         }
         Self { blocks, yield_Pa }
     }
 
-    /// Eight nodes.
+    /// A row of nodes.
     #[inline(always)]
-    pub fn block(&self, block: usize) -> &Body {
+    pub fn block(&self, block: usize) -> &Metal {
         &self.blocks[block]
     }
 

@@ -125,7 +125,7 @@ fn whirl_goes_round_at_its_rate() {
                 chain.set_displacement(index + 1, *place);
                 chain.set_velocity(index + 1, *velocity);
             }
-            record.sample(&chain, &high, 1);
+            record.sample(&chain, &high, &Body::default(), 1);
         }
         let [rolls, turns, swings] = [1, 2, 3].map(|i| record.circling(i));
         for (found, rate) in [(rolls, backward), (turns, spin)] {
@@ -164,7 +164,7 @@ fn moment_and_stress_of_a_circle() {
         element!(chain, index, torque = TORQUE_N_M);
     }
     let mut record = Record::new(&model, &mesh);
-    record.sample(&chain, &high, 1);
+    record.sample(&chain, &high, &Body::default(), 1);
     let middle = |from_bit_m: f64| {
         let off = |i: &usize| (mesh.nodes[*i].from_bit_m - from_bit_m).abs();
         (0..mesh.nodes.len())
@@ -216,7 +216,7 @@ fn contact_is_averaged_and_signed() {
             node!(chain, index, sum_normal = normal);
             node!(chain, index, sum_torque = 0.1 * normal);
         }
-        let totals = record.sample(&chain, &high, 20);
+        let totals = record.sample(&chain, &high, &Body::default(), 20);
         assert!(
             (totals.normal_N - 2.0 * normal / 20.0).abs() < 1e-12,
             "{sample}"
