@@ -264,6 +264,8 @@ impl Record {
                     &nodes.contact_force_percentiles_N.p95,
                 ),
                 ("true_tension_N", &nodes.true_tension_N),
+                ("outside_pressure_Pa", &nodes.outside_pressure_Pa),
+                ("inside_pressure_Pa", &nodes.inside_pressure_Pa),
                 ("bending_moment_N_m", &nodes.bending_moment_N_m),
                 ("bending_moment_max_N_m", &nodes.bending_moment_max_N_m),
                 (
@@ -327,6 +329,8 @@ impl Record {
                     &numbers(&series.block_velocity_set_m_per_s),
                 ),
                 ("weight_on_bit_set_N", &numbers(&series.weight_on_bit_set_N)),
+                ("flow_rate_m3_per_s", &series.flow_rate_m3_per_s),
+                ("pump_pressure_Pa", &numbers(&series.pump_pressure_Pa)),
             ],
         );
     }

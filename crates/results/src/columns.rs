@@ -155,7 +155,17 @@ pub const NODES: &[ColumnSpec] = &[
     ColumnSpec::number(
         "true_tension_N",
         "N",
-        "Force in the metal, `T − p A`: effective tension less the pressure of the mud at rest on the section",
+        "Force in the metal, `T + p_i A_i − p_o A_o + ρ Q²/A_i`: effective tension and what the mud's pressures and its stream add",
+    ),
+    ColumnSpec::number(
+        "outside_pressure_Pa",
+        "Pa",
+        "Pressure of the mud in the annulus: of its weight and its flow",
+    ),
+    ColumnSpec::number(
+        "inside_pressure_Pa",
+        "Pa",
+        "Pressure of the mud in the bore",
     ),
     ColumnSpec::number(
         "bending_moment_N_m",
@@ -320,6 +330,12 @@ pub const TIME: &[ColumnSpec] = &[
         "N",
         "What the autodriller is set to hold; `null` where it is not in control",
     ),
+    ColumnSpec::number("flow_rate_m3_per_s", "m³/s", "What the pumps deliver"),
+    ColumnSpec::number(
+        "pump_pressure_Pa",
+        "Pa",
+        "Pressure that the pumps deliver at; `null` without a rheology",
+    ),
     ColumnSpec::text(
         "note",
         "Note of the line of the schedule that began last; empty without one",
@@ -447,6 +463,7 @@ mod tests {
                     "J/m" => "_J_per_m",
                     "W/m" => "_W_per_m",
                     "m/s" => "_m_per_s",
+                    "m³/s" => "_m3_per_s",
                     "rad/s" => "_rad_per_s",
                     "Pa" => "_Pa",
                     "Hz" => "_Hz",

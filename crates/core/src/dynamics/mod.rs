@@ -7,6 +7,7 @@ mod body;
 mod carry;
 mod chain;
 mod energy;
+mod flow_pressures;
 mod frame;
 mod hoist;
 mod imbalance;

@@ -93,6 +93,8 @@ pub struct Simulation {
     body: Body,
     bit: Bit,
     viscous: Option<Viscous>,
+    /// What the pumps deliver, m³/s.
+    flow_m3_per_s: f64,
     rigid_velocity_m_per_s: f64,
     /// Time over which the extra damping of the start fades, s.
     fading_s: f64,
@@ -221,6 +223,7 @@ impl Simulation {
             body: initial.body,
             bit: Bit::new(settings.bit, operation, bottom, settings.seed),
             viscous,
+            flow_m3_per_s: first.flow_now_m3_per_s(),
             rigid_velocity_m_per_s: velocity,
             fading_s: settings
                 .schedule
@@ -278,6 +281,7 @@ impl Simulation {
     /// Changes what the pumps deliver from now on, m³/s; the pressure drop of the bit follows. Without a rheology
     /// the mud does nothing to the string, however it flows.
     pub fn set_flow_rate(&mut self, flow_m3_per_s: f64) {
+        self.flow_m3_per_s = flow_m3_per_s;
         if let Some(mud) = &mut self.viscous {
             mud.set_flow(flow_m3_per_s, self.operation.bit_loss_Pa(flow_m3_per_s));
         }
@@ -507,6 +511,8 @@ impl Simulation {
         }
         if let Some(mud) = &mut self.viscous {
             mud.sample(&self.chain);
+            let pressures = mud.pressures();
+            self.record.press(|node| pressures.difference_Pa(node));
         }
         self.wear.sample(&self.chain, |i| self.anchors[i].md_m);
         let sums = std::mem::take(&mut self.since_sample);
@@ -558,6 +564,11 @@ impl Simulation {
         series.rotary_speed_set_rad_per_s.push(rotation);
         series.block_velocity_set_m_per_s.push(block);
         series.weight_on_bit_set_N.push(weight);
+        series.flow_rate_m3_per_s.push(self.flow_m3_per_s);
+        let viscous = self.viscous.as_ref();
+        series
+            .pump_pressure_Pa
+            .push(viscous.map(|mud| mud.pressures().pump_Pa()));
         series.schedule_line.push(self.set_points.line());
         series.neutral_point_m.push(neutral_point_m);
         series.cutoff_depth_m.push(cutoff_depth_m);
@@ -647,6 +658,7 @@ impl Simulation {
             energy: self.energy_balance().filter(|_| !diverged),
             diverged,
             hydraulics: self.viscous.as_ref().map(Viscous::mean),
+            pressures: self.viscous.as_ref().map(Viscous::mean_pressures),
             instructions: self.stepper.instructions,
         })
     }

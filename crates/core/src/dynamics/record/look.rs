@@ -158,14 +158,10 @@ impl Look {
         let pull = near * t.dot(d1) + far * t.dot(d2);
         let moment = d2.scaled(far).minus(t, pull).cross(d1);
         let bending = moment.dot(moment).sqrt();
-        let normal_stress =
-            tension.abs() * metal.per_area[lane] + bending * metal.per_modulus[lane];
-        let shear_stress = 0.5 * torque * metal.per_modulus[lane];
         self.tension[lane] = tension;
         self.torque[lane] = torque;
         self.bending[lane] = bending;
-        self.stress[lane] =
-            (normal_stress * normal_stress + 3.0 * shear_stress * shear_stress).sqrt();
+        self.stress[lane] = metal.stress_Pa(lane, tension, bending, torque);
     }
 }
 

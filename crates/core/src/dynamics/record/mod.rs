@@ -111,6 +111,12 @@ impl Record {
         totals
     }
 
+    /// Presses the bodies, from the next sample on, by what the pressure inside has over that outside at each
+    /// node, Pa.
+    pub fn press(&mut self, difference_Pa: impl Fn(usize) -> f64) {
+        self.strength.press(difference_Pa);
+    }
+
     /// The bodies that carry the string's stresses.
     pub fn strength(&self) -> &Strength {
         &self.strength

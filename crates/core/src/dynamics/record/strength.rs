@@ -24,6 +24,39 @@ pub struct Metal {
     pub per_area: Lane,
     /// Inverse of the section modulus, 1/m³.
     pub per_modulus: Lane,
+    /// Inner over outer diameter.
+    pub bore_part: Lane,
+    /// Area of the bore over that of the metal.
+    pub bore_per_area: Lane,
+    /// Square of what the pressure inside has over that outside, Pa².
+    pub burst_square: Lane,
+}
+
+impl Metal {
+    /// Von Mises stress, Pa, on the outside of the bend, at the outer or the inner surface, whichever bears more, of a
+    /// body that carries an effective tension `T`, N, a bending moment `M` and a torque `M_t`, N·m.
+    ///
+    /// Lamé's stresses of a thick tube with the pressures `p_o` and `p_i` leave, whatever their mean,
+    ///
+    /// ```text
+    /// σ² = (|T|/A + σ_b)² + 3τ² + 3 (A_o/A (p_i − p_o))²        inside,  A_i for A_o outside,
+    /// ```
+    ///
+    /// with `σ_b = M D/2I` and `τ = M_t D/4I` outside, the part `d/D` of both inside: the axial stress
+    /// `(T + p_i A_i − p_o A_o)/A` is `T/A` more than the mean of radial and hoop stress.
+    #[inline(always)]
+    pub fn stress_Pa(&self, lane: usize, tension_N: f64, bending_N_m: f64, torque_N_m: f64) -> f64 {
+        let pulled = tension_N.abs() * self.per_area[lane];
+        let bent = bending_N_m * self.per_modulus[lane];
+        let sheared = 0.5 * torque_N_m * self.per_modulus[lane];
+        let square = |part: f64, area: f64| {
+            let (normal, shear) = (pulled + part * bent, part * sheared);
+            normal * normal + 3.0 * (shear * shear + area * area * self.burst_square[lane])
+        };
+        let bore = self.bore_per_area[lane];
+        let (outer, inner) = (square(1.0, bore), square(self.bore_part[lane], 1.0 + bore));
+        if inner > outer { inner } else { outer }.sqrt()
+    }
 }
 
 impl Strength {
@@ -33,6 +66,9 @@ impl Strength {
             Metal {
                 per_area: [0.0; LANES],
                 per_modulus: [0.0; LANES],
+                bore_part: [0.0; LANES],
+                bore_per_area: [0.0; LANES],
+                burst_square: [0.0; LANES],
             };
             mesh.nodes.len().div_ceil(LANES)
         ];
@@ -53,11 +89,23 @@ impl Strength {
                 .unwrap_or(first);
             let (row, lane) = place(blocks.len(), index);
             let metal = &mut blocks[row];
-            metal.per_area[lane] = 1.0 / components[weakest].area_m2();
+            let component = &components[weakest];
+            metal.per_area[lane] = 1.0 / component.area_m2();
             metal.per_modulus[lane] = 1.0 / modulus(weakest);
-            yield_Pa.push(components[weakest].yield_strength_Pa);
+            metal.bore_part[lane] = component.id_m / component.od_m;
+            metal.bore_per_area[lane] = component.inner_area_m2() / component.area_m2();
+            yield_Pa.push(component.yield_strength_Pa);
         }
         Self { blocks, yield_Pa }
+    }
+
+    /// Presses the bodies by what the pressure inside has over that outside at each node, Pa.
+    pub fn press(&mut self, difference_Pa: impl Fn(usize) -> f64) {
+        let rows = self.blocks.len();
+        for index in 0..self.yield_Pa.len() {
+            let (row, lane) = place(rows, index);
+            self.blocks[row].burst_square[lane] = difference_Pa(index).powi(2);
+        }
     }
 
     /// A row of nodes.
