@@ -924,6 +924,13 @@ fn of_the_top_side() {
         )),
     );
     refused("hoist_mass_negative", read(&hoist("mass = \"-20 t\"")));
+    let block = |mass: &str| {
+        let hoist = format!("[hoist]\nmass = \"{mass}\"\n[rig]\nblock_weight = \"20 tf\"\n#");
+        changed("[rig] ", &hoist)
+    };
+    warned("warn_two_blocks", read(&block("35 t")));
+    let same = read(&block("20.5 t")).expect("a sound case");
+    assert!(same.warnings.is_empty(), "{}", same.warnings);
     warned(
         "warn_top_drive_constant",
         read(&drive("inertia = \"2900 kg.m2\"")),
@@ -965,10 +972,30 @@ fn of_records() {
             "spectrum_segment_of_few_samples",
             "spectra = \"twist\"\nspectrum_segment = \"0.1 s\"",
         ),
+        (
+            "node_spectra_without_depth",
+            "node_spectra = \"bending_moment\"",
+        ),
+        (
+            "node_signal_misspelt",
+            "node_spectra = \"bending_momment\"\nnode_spectra_at = \"4290 m\"",
+        ),
+        (
+            "node_spectra_below_the_bit",
+            "node_spectra = \"tension\"\nnode_spectra_at = [\"100 m\", \"9 km\"]",
+        ),
+        (
+            "node_spectra_twice_at_a_depth",
+            "node_spectra = \"tension\"\nnode_spectra_at = [\"100 m\", 100]",
+        ),
     ] {
         refused(name, read(&records(keys)));
     }
     for (name, keys) in [
+        (
+            "node_spectra_at_without_signal",
+            "node_spectra_at = \"4290 m\"",
+        ),
         ("channels_without_frames", "channels = \"force\""),
         (
             "spectrum_segment_without_spectra",

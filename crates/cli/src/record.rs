@@ -212,7 +212,7 @@ impl Record {
             ],
         );
         self.add_series(operation, series);
-        self.add_spectra(operation, series);
+        self.add_spectra(operation, outcome);
     }
 
     fn add_profile(&mut self, operation: &Operation, nodes: &NodeProfile) {
@@ -337,7 +337,8 @@ impl Record {
 
     /// Adds the spectra that the case asks for; a window that was interrupted before a segment of it was full is
     /// one segment.
-    fn add_spectra(&mut self, operation: &Operation, series: &TimeSeries) {
+    fn add_spectra(&mut self, operation: &Operation, outcome: &DynamicOutcome) {
+        let series = &outcome.series;
         let from = series.time_s.partition_point(|time| *time < self.settle_s);
         let [first, .., last] = series.time_s[from..] else {
             return;
@@ -345,17 +346,25 @@ impl Record {
         let interval_s = (last - first) / (series.time_s.len() - from - 1) as f64;
         // Rounding to whole steps may leave the window a sample short.
         let segment = (self.records.spectrum_segment_s / interval_s).round() as usize;
-        for signal in &self.records.spectra {
-            let samples = &signal.of(series)[from..];
+        let scalars = self.records.spectra.iter();
+        let scalars = scalars.map(|s| (s.name(), s.unit(), None, s.of(series)));
+        let probed = series.probes.iter();
+        let probed = probed.map(|p| {
+            let md_m = outcome.nodes.md_m[p.node];
+            (p.signal.name(), p.signal.unit(), Some(md_m), &p.samples[..])
+        });
+        for (name, unit, md_m, samples) in scalars.chain(probed) {
+            let samples = &samples[from..];
             let segment = segment.min(samples.len());
             if let Some(spectrum) = Spectrum::welch(samples, interval_s, segment) {
                 self.spectra.append(
                     &[
                         ("operation", &[operation.kind.name()]),
-                        ("signal", &[signal.name()]),
-                        ("unit", &[signal.unit()]),
+                        ("signal", &[name]),
+                        ("unit", &[unit]),
                     ],
                     &[
+                        ("md_m", &numbers(&vec![md_m; spectrum.density.len()])),
                         ("frequency_Hz", &spectrum.frequency_Hz),
                         ("density", &spectrum.density),
                     ],
@@ -390,7 +399,7 @@ impl Record {
         folder.write_table("nodes", &self.nodes, csv)?;
         folder.write_table("time", &self.time, csv)?;
         folder.write_table("wear", &self.wear, csv)?;
-        if self.records.spectra.is_empty() {
+        if self.records.spectra.is_empty() && self.records.probes.is_empty() {
             folder.remove("spectra.parquet")?;
             folder.remove("spectra.csv")?;
         } else {

@@ -42,5 +42,5 @@ pub use settings::{
     SpeedController, Start, TopDriveSettings,
 };
 pub use setup::{Effort, SetupError};
-pub use signal::Signal;
+pub use signal::{NodeSignal, Probe, Probed, Signal};
 pub use simulation::{Checkpoint, Diverged, ResumeError, Simulation};

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{energy::EnergyBalance, indicators::Indicators};
+use super::{energy::EnergyBalance, indicators::Indicators, signal::Probed};
 use crate::{mud::Hydraulics, outcome::Scalars};
 
 /// Distribution of one quantity over the window.
@@ -268,6 +268,8 @@ pub struct TimeSeries {
     /// Deepest change of the side force from high to low side over the second before, m: one value a
     /// second, none between.
     pub cutoff_depth_m: Vec<Option<f64>>,
+    /// What single nodes showed, as the settings ask for it.
+    pub probes: Vec<Probed>,
 }
 
 impl DynamicOutcome {

@@ -16,6 +16,7 @@ use super::{
     schedule::{HoistNow, HoistSetPoint, SetPoints},
     settings::{ContactLaw, DynamicsSettings, HoistControl, Start},
     setup::{self, Basis, SetupError},
+    signal::Probed,
     start::{self, Scene},
     step::{StepInput, Stepper},
     summary,
@@ -201,7 +202,13 @@ impl Simulation {
         let bottom = bottom + lighter_N / settings.bit.law.stiffness_N_per_m();
         let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
         let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
-        let record = Record::new(model, &mesh);
+        let mut record = Record::new(model, &mesh);
+        let probes = settings.probes.iter().map(|probe| Probed {
+            node: mesh.nearest_node(operation.bit_depth_m - probe.md_m),
+            signal: probe.signal,
+            samples: Vec::new(),
+        });
+        record.series.probes = probes.collect();
         let mut high = vec![[Row::filled(0.0); 3]; chain.node_blocks.len()];
         for (index, anchor) in anchors.iter().enumerate() {
             assembly::note_high_side(&mut high, index, anchor);
@@ -531,7 +538,13 @@ impl Simulation {
         let cutoff_depth_m =
             self.record
                 .cutoff_depth_m(&self.mesh, path, &self.anchors, interval_s);
+        let scene = self.scene();
+        let probes = self.record.series.probes.iter();
+        let probed: Vec<f64> = probes.map(|p| scene.signal(p.node, p.signal)).collect();
         let series = &mut self.record.series;
+        for (probe, value) in series.probes.iter_mut().zip(probed) {
+            probe.samples.push(value);
+        }
         series.time_s.push(time);
         series.bit_depth_m.push(
             self.anchors[last].md_m + self.chain.displacement(last).dot(self.chain.tangent(last)),
@@ -576,6 +589,10 @@ impl Simulation {
 
     /// The whole string as it is now, at the end of a sample: after [`advance`](Self::advance).
     pub fn frame(&self) -> Frame {
+        self.scene().frame()
+    }
+
+    fn scene(&self) -> frame::Scene<'_> {
         frame::Scene {
             chain: &self.chain,
             anchors: &self.anchors,
@@ -585,7 +602,6 @@ impl Simulation {
             time_s: self.time_s(),
             summed_steps: self.steps_per_sample,
         }
-        .frame()
     }
 
     /// Time between two samples, s: the setting, rounded to whole steps.

@@ -23,6 +23,7 @@ mod mud;
 mod np13;
 mod numerics;
 mod operations;
+mod probes;
 mod rough;
 mod schedule;
 mod steadiness;
