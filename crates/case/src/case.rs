@@ -311,6 +311,12 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     if let (Some(dynamics), Some(hole)) = (case.dynamics.get(), &hole) {
         dynamics.check_stribeck(hole, reader);
     }
+    if let (Some(table), Some(settings), Some(operations), Some(models)) =
+        (case.dynamics.get(), &dynamics, &operations, &models)
+        && models.contains(&ModelKind::Dynamic)
+    {
+        table.check_precision(operations, settings, reader)?;
+    }
     let records = match (&dynamics, case.records.get()) {
         (Some(dynamics), Some(records)) => records.build(dynamics, bit_depth_m, reader),
         _ => None,

@@ -4,7 +4,7 @@ use serde_json::{Value as Json, json};
 use wholestring::{
     dynamics::{
         Band, BitLaw, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistSetPoint,
-        Schedule, ScheduleStep, SpeedController, Start, TopDriveSettings,
+        Precision, Schedule, ScheduleStep, SpeedController, Start, TopDriveSettings,
     },
     model::Model,
     mud::Rheology,
@@ -309,6 +309,10 @@ fn run(dynamics: &DynamicsSettings, case: &CaseTable) -> Json {
         "sample_interval_s": dynamics.sample_interval_s,
         "checkpoint_interval_s": table.and_then(|table| table.checkpoint_interval.get()),
         "seed": dynamics.seed,
+        "precision": match dynamics.precision {
+            Precision::Double => "double",
+            Precision::Single => "single",
+        },
     });
     match dynamics.contact_law {
         ContactLaw::Hertz {

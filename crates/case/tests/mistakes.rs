@@ -639,6 +639,16 @@ fn of_the_wall_and_what_touches_it() {
             "[well.roughness]\nrms = \"1 mm\"\nwavelength = \"20 m\"\n[mud]".to_owned(),
         ),
         (
+            "precision_unknown",
+            "seed = 1",
+            "seed = 1\nprecision = \"half\"".to_owned(),
+        ),
+        (
+            "precision_of_short_elements",
+            "element_length = \"3.2 m\"\n\n[dynamics]",
+            "element_length = \"0.5 m\"\n\n[dynamics]\nprecision = \"single\"".to_owned(),
+        ),
+        (
             "stribeck_speed_zero",
             "seed = 1",
             "seed = 1\nstribeck_speed = 0".to_owned(),
@@ -697,6 +707,13 @@ fn of_the_mud() {
         );
         refused(name, read(&text));
     }
+}
+
+#[test]
+fn of_precision() {
+    let single = changed("seed = 1", "seed = 1\nprecision = \"single\"");
+    let sliding = single.replace("kind = \"drill\"", "kind = \"slide\"");
+    refused("precision_of_a_sliding_string", read(&sliding));
 }
 
 #[test]

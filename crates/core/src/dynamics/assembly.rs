@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    chain::{Chain, NO_WALL_M, Rows, node, place},
+    chain::{Chain, NO_WALL_M, Rows, node},
     settings::ContactLaw,
 };
 use crate::{
@@ -12,6 +12,7 @@ use crate::{
     rod::{
         element::{Pose, Stiffness},
         mesh::Mesh,
+        number::Real,
         stability::StepPlan,
         vector::Vector,
     },
@@ -130,14 +131,26 @@ impl Surroundings {
     }
 
     /// Puts a node's anchor at `md_m`, the node itself staying where it is.
-    pub fn anchor(&self, chain: &mut Chain, anchors: &mut [Anchor], index: usize, md_m: f64) {
+    pub fn anchor(
+        &self,
+        chain: &mut Chain<impl Real>,
+        anchors: &mut [Anchor],
+        index: usize,
+        md_m: f64,
+    ) {
         let there = anchors[index].position_m + Vector3::from(chain.displacement(index));
         self.place(chain, anchors, index, md_m);
         chain.set_displacement(index, (there - anchors[index].position_m).into());
     }
 
     /// Puts a node's anchor at `md_m` and takes the node along.
-    pub fn place(&self, chain: &mut Chain, anchors: &mut [Anchor], index: usize, md_m: f64) {
+    pub fn place(
+        &self,
+        chain: &mut Chain<impl Real>,
+        anchors: &mut [Anchor],
+        index: usize,
+        md_m: f64,
+    ) {
         let wall = self.bore.at(&self.path, md_m);
         let axis = &wall.axis;
         anchors[index] = Anchor {
@@ -151,7 +164,7 @@ impl Surroundings {
     }
 
     /// Gives a node the wall at `md_m`.
-    fn meet_wall(&self, chain: &mut Chain, index: usize, md_m: f64, wall: &BorePoint) {
+    fn meet_wall(&self, chain: &mut Chain<impl Real>, index: usize, md_m: f64, wall: &BorePoint) {
         let Some(radius) = self.touches[index] else {
             node!(chain, index, clearance = NO_WALL_M);
             return;
@@ -211,7 +224,16 @@ impl Surroundings {
 
     /// Moves the anchors of nodes that slid beyond their reach, the chords between them, and the nodes' high
     /// sides.
-    pub fn follow(&self, chain: &mut Chain, anchors: &mut [Anchor], high: &mut [Rows<f64>]) {
+    pub fn follow(
+        &self,
+        chain: &mut Chain<impl Real>,
+        anchors: &mut [Anchor],
+        high: &mut [Rows<f64>],
+    ) {
+        // A hundredth shorter: the sum of three products is rounded otherwise.
+        if !chain.slid(0.99 * self.reach_m) {
+            return;
+        }
         let mut moved_above = false;
         for index in 0..chain.nodes() {
             let along = chain.tangent(index).dot(chain.displacement(index));
@@ -219,7 +241,7 @@ impl Surroundings {
             if moved {
                 let md = anchors[index].md_m + along;
                 self.anchor(chain, anchors, index, md);
-                note_high_side(high, index, &anchors[index]);
+                note_high_side(high, chain.layout().place(index), &anchors[index]);
             }
             if index > 0 && (moved || moved_above) {
                 span(chain, anchors, index - 1);
@@ -229,16 +251,15 @@ impl Surroundings {
     }
 }
 
-/// Writes a node's high side down among those of all nodes, row by row as in the chain.
-pub fn note_high_side(high: &mut [Rows<f64>], index: usize, anchor: &Anchor) {
-    let (row, lane) = place(high.len(), index);
-    for (axis, side) in high[row].iter_mut().zip(anchor.high_side.iter()) {
+/// Writes a node's high side down at its place among those of all nodes.
+pub fn note_high_side(high: &mut [Rows<f64>], (block, lane): (usize, usize), anchor: &Anchor) {
+    for (axis, side) in high[block].iter_mut().zip(anchor.high_side.iter()) {
         axis.0[lane] = *side;
     }
 }
 
 /// Sets the anchor chord of an element from its two anchors.
-pub fn span(chain: &mut Chain, anchors: &[Anchor], index: usize) {
+pub fn span(chain: &mut Chain<impl Real>, anchors: &[Anchor], index: usize) {
     let chord = anchors[index + 1].position_m - anchors[index].position_m;
     chain.set_anchor_chord(index, chord.into());
 }
@@ -248,11 +269,6 @@ pub fn chain(model: &Model, mesh: &Mesh, plan: &StepPlan) -> Chain {
     let mut chain = Chain::new(mesh.nodes.len());
     let mud = &model.mud;
     let last = mesh.nodes.len() - 1;
-    for index in 0..=last {
-        node!(chain, index, mass_axial = 0.0);
-        node!(chain, index, mass_lateral = 0.0);
-        node!(chain, index, polar = 0.0);
-    }
     for (index, element) in mesh.elements.iter().enumerate() {
         let section = &element.section;
         let inertia = &plan.inertia[index];
@@ -337,6 +353,6 @@ pub(super) fn half_a_step_before(mut pose: Pose<f64>, dt: f64) -> Pose<f64> {
 }
 
 /// Weight of the node at the top of the chain along the hole, N: part of the hook load.
-pub fn top_weight_N(chain: &Chain) -> f64 {
+pub fn top_weight_N(chain: &Chain<impl Real>) -> f64 {
     chain.weight(0).dot(chain.tangent(0))
 }

@@ -11,6 +11,7 @@ use super::{
 use crate::rod::{
     bent::{carried, director_below, moment_above, moment_below, pose_below},
     element::{Pose, energy, react},
+    number::Real,
     vector::Vector,
 };
 
@@ -58,11 +59,11 @@ impl Bend {
     }
 
     /// The pose of the element below, as the bend shows it.
-    pub fn pose(&self, chain: &Chain) -> Pose<f64> {
+    pub fn pose(&self, chain: &Chain<impl Real>) -> Pose<f64> {
         self.pose_with(chain, self.part)
     }
 
-    fn below(&self, chain: &Chain, part: f64) -> Vector<f64> {
+    fn below(&self, chain: &Chain<impl Real>, part: f64) -> Vector<f64> {
         director_below(
             chain.director(self.index),
             self.toward,
@@ -70,7 +71,7 @@ impl Bend {
         )
     }
 
-    fn pose_with(&self, chain: &Chain, part: f64) -> Pose<f64> {
+    fn pose_with(&self, chain: &Chain<impl Real>, part: f64) -> Pose<f64> {
         let below = self.below(chain, part);
         pose_below(
             &chain.pose(self.index),
@@ -82,7 +83,7 @@ impl Bend {
     /// Adds what the bend changes in the forces of the step to come, `part` of its angle being there.
     pub(super) fn push(
         &mut self,
-        chain: &Chain,
+        chain: &Chain<impl Real>,
         input: &StepInput,
         part: f64,
         loads: &mut Loads,
@@ -116,7 +117,7 @@ impl Bend {
     }
 
     /// After the step: the element's records, and the bend's direction carried on.
-    pub(super) fn follow(&mut self, chain: &mut Chain, dt: f64) {
+    pub(super) fn follow(&mut self, chain: &mut Chain<impl Real>, dt: f64) {
         let [tension, torque, twist] = self.element;
         element!(chain, self.index, tension = tension);
         element!(chain, self.index, torque = torque);
@@ -126,7 +127,7 @@ impl Bend {
     }
 
     /// Elastic energy that the bend adds to that of the chain at the middle of the last step, J.
-    pub(super) fn energy_J(&self, chain: &Chain, dt: f64) -> f64 {
+    pub(super) fn energy_J(&self, chain: &Chain<impl Real>, dt: f64) -> f64 {
         let k = chain.stiffness(self.index);
         let before = |pose| energy(&k, &assembly::half_a_step_before(pose, dt));
         before(self.pose(chain)) - before(chain.pose(self.index))

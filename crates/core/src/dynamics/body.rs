@@ -13,7 +13,7 @@ use super::{
 use crate::{
     GRAVITY_M_PER_S2,
     model::Model,
-    rod::{bent::transported, element::Pose, mesh::Mesh, vector::Vector},
+    rod::{bent::transported, element::Pose, mesh::Mesh, number::Real, vector::Vector},
 };
 
 /// Forces and moments on single nodes beside those of the step, all at the positions before it.
@@ -43,7 +43,7 @@ impl Loads {
     /// Adds a force (N) and a moment (N·m) on a node.
     pub(super) fn add(
         &mut self,
-        chain: &Chain,
+        chain: &Chain<impl Real>,
         index: usize,
         force: Vector<f64>,
         moment: Vector<f64>,
@@ -59,7 +59,7 @@ impl Loads {
         });
     }
 
-    fn apply(&mut self, chain: &mut Chain, dt: f64) {
+    fn apply(&mut self, chain: &mut Chain<impl Real>, dt: f64) {
         for load in &mut self.loads {
             let index = load.index;
             load.weight = chain.weight(index);
@@ -79,7 +79,7 @@ impl Loads {
 
     /// Gives the weights back and turns the directors by the moments across them. What the step booked too much to
     /// friction, J: it took the kicks for spin that the nodes had before.
-    fn finish(&mut self, chain: &mut Chain, dt: f64) -> f64 {
+    fn finish(&mut self, chain: &mut Chain<impl Real>, dt: f64) -> f64 {
         let mut excess = 0.0;
         // The last first: a node may have been taken twice.
         for load in self.loads.drain(..).rev() {
@@ -174,7 +174,7 @@ impl Body {
 
     /// Turns everything to its angle from the high side at the bit, clockwise as one looks down the hole, carried up
     /// the string without twisting.
-    pub fn orient(&mut self, chain: &Chain, anchors: &[Anchor]) {
+    pub fn orient(&mut self, chain: &Chain<impl Real>, anchors: &[Anchor]) {
         if self.is_empty() {
             return;
         }
@@ -204,7 +204,7 @@ impl Body {
     }
 
     /// The pose of an element, as a bend at its upper node shows it if there is one.
-    pub fn pose(&self, chain: &Chain, index: usize) -> Pose<f64> {
+    pub fn pose(&self, chain: &Chain<impl Real>, index: usize) -> Pose<f64> {
         match self.bends.iter().find(|bend| bend.index == index) {
             Some(bend) => bend.pose(chain),
             None => chain.pose(index),
@@ -212,7 +212,12 @@ impl Body {
     }
 
     /// Acts before the step: `bent_part` of each bend is there.
-    pub fn push(&mut self, chain: &mut Chain, input: &StepInput, bent_part: f64) -> BodyStep {
+    pub fn push(
+        &mut self,
+        chain: &mut Chain<impl Real>,
+        input: &StepInput,
+        bent_part: f64,
+    ) -> BodyStep {
         let mut sum = BodyStep::default();
         if self.is_empty() {
             return sum;
@@ -230,7 +235,7 @@ impl Body {
     }
 
     /// Acts after the step and whatever else moves nodes in it.
-    pub fn follow(&mut self, chain: &mut Chain, dt: f64) -> BodyStep {
+    pub fn follow(&mut self, chain: &mut Chain<impl Real>, dt: f64) -> BodyStep {
         let mut sum = BodyStep::default();
         if self.is_empty() {
             return sum;
@@ -246,12 +251,12 @@ impl Body {
     }
 
     /// Elastic energy of the bends at the middle of the last step, J.
-    pub fn bends_J(&self, chain: &Chain, dt: f64) -> f64 {
+    pub fn bends_J(&self, chain: &Chain<impl Real>, dt: f64) -> f64 {
         self.bends.iter().map(|b| b.energy_J(chain, dt)).sum()
     }
 
     /// Energy that eccentric masses add at the middle of the last step, J.
-    pub fn imbalances_J(&self, chain: &Chain) -> f64 {
+    pub fn imbalances_J(&self, chain: &Chain<impl Real>) -> f64 {
         self.imbalances.iter().map(|i| i.energy_J(chain)).sum()
     }
 }

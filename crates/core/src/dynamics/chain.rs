@@ -8,9 +8,10 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::layout::{Layout, place};
 use crate::rod::{
     element::{Pose, Stiffness},
-    lanes::LANES,
+    lanes::DOUBLES,
     number::Real,
     vector::Vector,
 };
@@ -18,41 +19,91 @@ use crate::rod::{
 /// One number for each lane.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[repr(C, align(64))]
-pub struct Row<R>(pub [R; LANES]);
+#[serde(bound = "")]
+pub struct Row<R: Real>(pub R::Lanes);
 
 impl<R: Real> Row<R> {
     /// The same number in every lane.
     pub fn filled(value: f64) -> Self {
-        Self([R::from_f64(value); LANES])
+        Self(R::from_f64(value).in_every_lane())
     }
 
     /// Moves every number one lane up; zero comes in.
     pub fn go_on(&mut self) {
-        self.0.copy_within(..LANES - 1, 1);
+        self.0.as_mut().copy_within(..R::LANES - 1, 1);
         self.0[0] = R::default();
+    }
+
+    /// The part of the row that stands beside a block of doubles: [`Layout`].
+    #[inline(always)]
+    pub fn part(&self, part: usize) -> &[R; DOUBLES] {
+        &self.0.as_ref().as_chunks().0[part]
     }
 }
 
 /// A vector for each lane.
 pub type Rows<R> = [Row<R>; 3];
 
+/// What takes over the numbers of a lane from rows of another kind of number.
+trait CopyLane<Rows> {
+    fn copy_lane(&mut self, lane: usize, from: &Rows, from_lane: usize);
+}
+
+impl<R: Real, S: Real> CopyLane<Row<S>> for Row<R> {
+    fn copy_lane(&mut self, lane: usize, from: &Row<S>, from_lane: usize) {
+        self.0[lane] = R::from_f64(from.0[from_lane].to_f64());
+    }
+}
+
+impl<R: Real, S: Real> CopyLane<Rows<S>> for Rows<R> {
+    fn copy_lane(&mut self, lane: usize, from: &Rows<S>, from_lane: usize) {
+        for (row, from) in self.iter_mut().zip(from) {
+            row.copy_lane(lane, from, from_lane);
+        }
+    }
+}
+
+/// A block of rows.
+macro_rules! block {
+    (
+        $(#[$meta:meta])*
+        pub struct $name:ident<R> {
+            $($(#[$doc:meta])* pub $field:ident: $rows:ty,)*
+        }
+    ) => {
+        $(#[$meta])*
+        #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+        #[repr(C, align(64))]
+        #[serde(bound = "")]
+        pub struct $name<R: Real> {
+            $($(#[$doc])* pub $field: $rows,)*
+        }
+
+        impl<R: Real, S: Real> CopyLane<$name<S>> for $name<R> {
+            fn copy_lane(&mut self, lane: usize, from: &$name<S>, from_lane: usize) {
+                $(self.$field.copy_lane(lane, &from.$field, from_lane);)*
+            }
+        }
+    };
+}
+
 /// Clearance of a node that no wall is near, m.
 pub const NO_WALL_M: f64 = 1e3;
 
-/// A row of nodes: how they move.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-#[repr(C, align(64))]
-pub struct StateBlock<R> {
-    /// Displacement from the anchor, m.
-    pub u: Rows<R>,
-    /// Velocity, m/s, half a step behind the displacement.
-    pub v: Rows<R>,
-    /// Director.
-    pub d: Rows<R>,
-    /// Angular velocity across the director, rad/s.
-    pub w: Rows<R>,
-    /// Spin about the director, rad/s.
-    pub spin: Row<R>,
+block! {
+    /// A row of nodes: how they move.
+    pub struct StateBlock<R> {
+        /// Displacement from the anchor, m.
+        pub u: Rows<R>,
+        /// Velocity, m/s, half a step behind the displacement.
+        pub v: Rows<R>,
+        /// Director.
+        pub d: Rows<R>,
+        /// Angular velocity across the director, rad/s.
+        pub w: Rows<R>,
+        /// Spin about the director, rad/s.
+        pub spin: Row<R>,
+    }
 }
 
 impl<R: Real> StateBlock<R> {
@@ -67,6 +118,15 @@ impl<R: Real> StateBlock<R> {
         }
     }
 
+    fn rows(&self) -> impl Iterator<Item = &Row<R>> {
+        let Self { u, v, d, w, spin } = self;
+        u.iter()
+            .chain(v)
+            .chain(d)
+            .chain(w)
+            .chain(std::iter::once(spin))
+    }
+
     fn rows_mut(&mut self) -> impl Iterator<Item = &mut Row<R>> {
         let Self { u, v, d, w, spin } = self;
         u.iter_mut()
@@ -77,98 +137,98 @@ impl<R: Real> StateBlock<R> {
     }
 }
 
-/// A row of nodes: what they are, then what is summed up between samples.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-#[repr(C, align(64))]
-pub struct NodeBlock<R> {
-    /// Tangent of the hole's axis at the anchor.
-    pub tangent: Rows<R>,
-    /// Curvature vector of the hole's axis at the anchor, 1/m.
-    pub curvature: Rows<R>,
-    /// Buoyed weight, N.
-    pub weight: Rows<R>,
-    /// Inertia along the hole, kg: steel.
-    pub mass_axial: Row<R>,
-    /// Inertia across the hole, kg: steel, mud inside and mud carried along outside.
-    pub mass_lateral: Row<R>,
-    /// Moment of inertia about the director, kg·m².
-    pub polar: Row<R>,
-    /// Inverse of `mass_axial`; zero where the motion is prescribed.
-    pub inv_mass_axial: Row<R>,
-    /// Inverse of `mass_lateral`; zero where the motion is prescribed.
-    pub inv_mass_lateral: Row<R>,
-    /// Inverse of `polar`; zero where the spin is prescribed.
-    pub inv_polar: Row<R>,
-    /// Inverse of the moment of inertia across the director; zero where it may not turn.
-    pub inv_rotary: Row<R>,
-    /// `polar` over the moment of inertia across the director.
-    pub gyroscopic: Row<R>,
-    /// Clearance `R − r` between pipe and hole at the anchor, m.
-    pub clearance: Row<R>,
-    /// What the clearance gains per metre below the anchor.
-    pub clearance_slope: Row<R>,
-    /// Contact radius `r`, m.
-    pub radius: Row<R>,
-    /// Kinetic friction coefficient.
-    pub friction: Row<R>,
-    /// What the friction coefficient gains at rest.
-    pub friction_rise: Row<R>,
-    /// Friction around the hole over friction along it.
-    pub friction_around: Row<R>,
-    /// Contact stiffness, N/m or N/m^1.5.
-    pub stiffness: Row<R>,
-    /// Contact damping of the linear law, N·s/m.
-    pub damping: Row<R>,
-    /// Linear lateral drag, N·s/m.
-    pub drag_linear: Row<R>,
-    /// Quadratic lateral drag, N·s²/m².
-    pub drag_quadratic: Row<R>,
-    /// Viscous drag of the mud along the hole, N·s/m.
-    pub mud_axial: Row<R>,
-    /// Viscous drag of the mud about the axis, N·m·s.
-    pub mud_spin: Row<R>,
-    /// Sum over steps of the contact force, N.
-    pub sum_normal: Row<R>,
-    /// Sum over steps of the axial friction on the wall, N, along the hole.
-    pub sum_axial: Row<R>,
-    /// Sum over steps of the friction torque, N·m.
-    pub sum_torque: Row<R>,
-    /// Work that friction has done, J: force times sliding distance.
-    pub sum_wear: Row<R>,
+block! {
+    /// A row of nodes: what they are, then what is summed up between samples.
+    pub struct NodeBlock<R> {
+        /// Tangent of the hole's axis at the anchor.
+        pub tangent: Rows<R>,
+        /// Curvature vector of the hole's axis at the anchor, 1/m.
+        pub curvature: Rows<R>,
+        /// Buoyed weight, N.
+        pub weight: Rows<R>,
+        /// Inertia along the hole, kg: steel.
+        pub mass_axial: Row<R>,
+        /// Inertia across the hole, kg: steel, mud inside and mud carried along outside.
+        pub mass_lateral: Row<R>,
+        /// Moment of inertia about the director, kg·m².
+        pub polar: Row<R>,
+        /// Inverse of `mass_axial`; zero where the motion is prescribed.
+        pub inv_mass_axial: Row<R>,
+        /// Inverse of `mass_lateral`; zero where the motion is prescribed.
+        pub inv_mass_lateral: Row<R>,
+        /// Inverse of `polar`; zero where the spin is prescribed.
+        pub inv_polar: Row<R>,
+        /// Inverse of the moment of inertia across the director; zero where it may not turn.
+        pub inv_rotary: Row<R>,
+        /// `polar` over the moment of inertia across the director.
+        pub gyroscopic: Row<R>,
+        /// Clearance `R − r` between pipe and hole at the anchor, m.
+        pub clearance: Row<R>,
+        /// What the clearance gains per metre below the anchor.
+        pub clearance_slope: Row<R>,
+        /// Contact radius `r`, m.
+        pub radius: Row<R>,
+        /// Kinetic friction coefficient.
+        pub friction: Row<R>,
+        /// What the friction coefficient gains at rest.
+        pub friction_rise: Row<R>,
+        /// Friction around the hole over friction along it.
+        pub friction_around: Row<R>,
+        /// Contact stiffness, N/m or N/m^1.5.
+        pub stiffness: Row<R>,
+        /// Contact damping of the linear law, N·s/m.
+        pub damping: Row<R>,
+        /// Linear lateral drag, N·s/m.
+        pub drag_linear: Row<R>,
+        /// Quadratic lateral drag, N·s²/m².
+        pub drag_quadratic: Row<R>,
+        /// Viscous drag of the mud along the hole, N·s/m.
+        pub mud_axial: Row<R>,
+        /// Viscous drag of the mud about the axis, N·m·s.
+        pub mud_spin: Row<R>,
+        /// Sum over steps of the contact force, N.
+        pub sum_normal: Row<R>,
+        /// Sum over steps of the axial friction on the wall, N, along the hole.
+        pub sum_axial: Row<R>,
+        /// Sum over steps of the friction torque, N·m.
+        pub sum_torque: Row<R>,
+        /// Work that friction has done, J: force times sliding distance.
+        pub sum_wear: Row<R>,
+    }
 }
 
-/// A row of elements; element `i` lies between nodes `i` and `i + 1`.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-#[repr(C, align(64))]
-pub struct ElementBlock<R> {
-    /// Twist, rad.
-    pub twist: Row<R>,
-    /// Chord between the anchors of the two ends, m.
-    pub chord: Rows<R>,
-    /// Square of that chord less the square of the rest length, m².
-    pub excess: Row<R>,
-    /// Stiffness, in the order of [`Stiffness`].
-    pub length: Row<R>,
-    /// `1/L`.
-    pub inverse_length: Row<R>,
-    /// `EA`.
-    pub axial: Row<R>,
-    /// `A₀ EI/L`.
-    pub bending_near: Row<R>,
-    /// `B₀ EI/L`.
-    pub bending_far: Row<R>,
-    /// `a L`.
-    pub bow_near: Row<R>,
-    /// `b L`.
-    pub bow_far: Row<R>,
-    /// `GJ/L`.
-    pub torsion: Row<R>,
-    /// `EI/L`.
-    pub bending: Row<R>,
-    /// Effective tension at the last step, N.
-    pub tension: Row<R>,
-    /// Torque `M` at the last step, N·m: negative while the top leads the bit.
-    pub torque: Row<R>,
+block! {
+    /// A row of elements; element `i` lies between nodes `i` and `i + 1`.
+    pub struct ElementBlock<R> {
+        /// Twist, rad.
+        pub twist: Row<R>,
+        /// Chord between the anchors of the two ends, m.
+        pub chord: Rows<R>,
+        /// Square of that chord less the square of the rest length, m².
+        pub excess: Row<R>,
+        /// Stiffness, in the order of [`Stiffness`].
+        pub length: Row<R>,
+        /// `1/L`.
+        pub inverse_length: Row<R>,
+        /// `EA`.
+        pub axial: Row<R>,
+        /// `A₀ EI/L`.
+        pub bending_near: Row<R>,
+        /// `B₀ EI/L`.
+        pub bending_far: Row<R>,
+        /// `a L`.
+        pub bow_near: Row<R>,
+        /// `b L`.
+        pub bow_far: Row<R>,
+        /// `GJ/L`.
+        pub torsion: Row<R>,
+        /// `EI/L`.
+        pub bending: Row<R>,
+        /// Effective tension at the last step, N.
+        pub tension: Row<R>,
+        /// Torque `M` at the last step, N·m: negative while the top leads the bit.
+        pub torque: Row<R>,
+    }
 }
 
 impl<R: Real> NodeBlock<R> {
@@ -179,8 +239,8 @@ impl<R: Real> NodeBlock<R> {
         (self.sum_torque, self.sum_wear) = (zero, zero);
     }
 
-    /// Nodes that fill the last block: nothing moves them and they move nothing. Real nodes begin as
-    /// these, with the masses cleared.
+    /// Nodes that fill the last lane: no force moves them, they move nothing and have no energy. Real nodes begin as
+    /// these.
     fn idle() -> Self {
         let row = Row::filled;
         let (zero, one) = (row(0.0), row(1.0));
@@ -188,9 +248,9 @@ impl<R: Real> NodeBlock<R> {
             tangent: [zero, zero, one],
             curvature: [zero; 3],
             weight: [zero; 3],
-            mass_axial: one,
-            mass_lateral: one,
-            polar: one,
+            mass_axial: zero,
+            mass_lateral: zero,
+            polar: zero,
             inv_mass_axial: zero,
             inv_mass_lateral: zero,
             inv_polar: zero,
@@ -241,8 +301,11 @@ impl<R: Real> ElementBlock<R> {
 
 /// The whole chain.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub struct Chain<R = f64> {
+#[serde(bound = "")]
+pub struct Chain<R: Real = f64> {
     nodes: usize,
+    /// Rest length of each element, m: however the chain keeps its numbers, its chords are held against these.
+    lengths_m: Vec<f64>,
     /// How the nodes move, row by row; the last row repeats the first one lane lower, for the elements
     /// where strands end.
     pub states: Vec<StateBlock<R>>,
@@ -250,12 +313,6 @@ pub struct Chain<R = f64> {
     pub node_blocks: Vec<NodeBlock<R>>,
     /// Elements, as many rows as nodes have.
     pub element_blocks: Vec<ElementBlock<R>>,
-}
-
-/// Row and lane of a node, and of the element below it, in a chain of `rows`.
-#[inline]
-pub fn place(rows: usize, index: usize) -> (usize, usize) {
-    (index % rows, index / rows)
 }
 
 /// One number of a node by the name of its field: `node!(chain, index, radius)` reads it,
@@ -315,16 +372,41 @@ macro_rules! vector_access {
     )*};
 }
 
-impl<R: Real> Chain<R> {
+impl Chain {
     /// A chain of `nodes` idle nodes.
     pub fn new(nodes: usize) -> Self {
-        let rows = nodes.div_ceil(LANES);
+        Self::idle(nodes)
+    }
+}
+
+impl<R: Real> Chain<R> {
+    fn idle(nodes: usize) -> Self {
+        let rows = nodes.div_ceil(R::LANES);
         Self {
             nodes,
+            lengths_m: vec![1.0; nodes],
             states: vec![StateBlock::at_rest(); rows + 1],
             node_blocks: vec![NodeBlock::idle(); rows],
             element_blocks: vec![ElementBlock::idle(); rows],
         }
+    }
+
+    /// The same chain in another kind of number.
+    pub fn converted<S: Real>(&self) -> Chain<S> {
+        let mut chain = Chain::<S>::idle(self.nodes);
+        chain.lengths_m.clone_from(&self.lengths_m);
+        for index in 0..self.nodes {
+            let ((row, lane), (from, from_lane)) = (chain.place(index), self.place(index));
+            chain.states[row].copy_lane(lane, &self.states[from], from_lane);
+            chain.node_blocks[row].copy_lane(lane, &self.node_blocks[from], from_lane);
+            chain.element_blocks[row].copy_lane(lane, &self.element_blocks[from], from_lane);
+        }
+        chain
+    }
+
+    /// Where what is kept of its nodes in double precision lies.
+    pub fn layout(&self) -> Layout {
+        Layout::beside::<R>(self.nodes)
     }
 
     /// Row and lane of a node, and of the element below it.
@@ -336,21 +418,44 @@ impl<R: Real> Chain<R> {
     /// Repeats the first row of states below the last, one lane lower. The last lane ends in itself.
     pub fn close(&mut self) {
         let rows = self.node_blocks.len();
-        self.states[rows] = self.ends(rows - 1);
+        let (above, close) = self.states.split_at_mut(rows);
+        let (first, last) = (above[0].rows(), above[rows - 1].rows());
+        for ((row, first), last) in close[0].rows_mut().zip(first).zip(last) {
+            let end = R::LANES - 1;
+            row.0.as_mut()[..end].copy_from_slice(&first.0.as_ref()[1..]);
+            row.0[end] = last.0[end];
+        }
     }
 
-    /// How the lower ends of a row of elements move. The last lane ends in itself.
+    /// How the lower ends of a row of elements move. The last lane ends in itself. After a step the row that closes
+    /// the states is that of the step's beginning.
     pub fn ends(&self, row: usize) -> StateBlock<R> {
         let rows = self.node_blocks.len();
         if row + 1 < rows {
             return self.states[row + 1];
         }
-        let (mut ends, mut last) = (self.states[0], self.states[rows - 1]);
-        for (row, last) in ends.rows_mut().zip(last.rows_mut()) {
-            row.0.copy_within(1.., 0);
-            row.0[LANES - 1] = last.0[LANES - 1];
+        let (mut ends, last) = (self.states[0], &self.states[rows - 1]);
+        for (row, last) in ends.rows_mut().zip(last.rows()) {
+            let end = R::LANES - 1;
+            row.0.as_mut().copy_within(1.., 0);
+            row.0[end] = last.0[end];
         }
         ends
+    }
+
+    /// Whether a node has slid further along the hole than `reach_m` from its anchor.
+    pub fn slid(&self, reach_m: f64) -> bool {
+        let reach = R::from_f64(reach_m);
+        let mut slid = false;
+        // Every number is looked at: a loop that ends early is none that looks at eight at once.
+        for (state, node) in self.states.iter().zip(&self.node_blocks) {
+            for lane in 0..R::LANES {
+                let [x, y, z] = [0, 1, 2].map(|a| state.u[a].0[lane] * node.tangent[a].0[lane]);
+                let along = x + y + z;
+                slid |= along > reach || along < -reach;
+            }
+        }
+        slid
     }
 
     /// Number of nodes.
@@ -376,6 +481,7 @@ impl<R: Real> Chain<R> {
 
     /// Gives an element its stiffness.
     pub fn set_stiffness(&mut self, index: usize, k: &Stiffness<f64>) {
+        self.lengths_m[index] = k.length;
         element!(self, index, length = k.length);
         element!(self, index, inverse_length = k.inverse_length);
         element!(self, index, axial = k.axial);
@@ -440,7 +546,7 @@ impl<R: Real> Chain<R> {
 
     /// Sets the chord between the anchors of an element, and what follows from it.
     pub fn set_anchor_chord(&mut self, index: usize, chord: Vector<f64>) {
-        let length = element!(self, index, length);
+        let length = self.lengths_m[index];
         self.set_chord(index, chord);
         // |a|² − L² = (|a| − L)(|a| + L), exact to the last digits of the chord.
         let a = chord.dot(chord).sqrt();

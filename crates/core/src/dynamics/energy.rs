@@ -11,6 +11,7 @@ use super::{
     viscous::Viscous,
 };
 use crate::rod::element;
+use crate::rod::number::Real;
 
 /// Energies at the middle of the last step, J.
 ///
@@ -25,7 +26,7 @@ pub struct Energies {
 
 impl Energies {
     pub fn of(
-        chain: &Chain,
+        chain: &Chain<impl Real>,
         anchors: &[Anchor],
         body: &Body,
         viscous: Option<&Viscous>,
@@ -47,13 +48,18 @@ impl Energies {
 }
 
 /// Where a node is at the middle of the last step, m.
-pub fn middle_m(chain: &Chain, anchors: &[Anchor], index: usize, dt: f64) -> Vector3<f64> {
+pub fn middle_m(
+    chain: &Chain<impl Real>,
+    anchors: &[Anchor],
+    index: usize,
+    dt: f64,
+) -> Vector3<f64> {
     anchors[index].position_m + Vector3::from(chain.displacement(index))
         - 0.5 * dt * Vector3::from(chain.velocity(index))
 }
 
 /// Kinetic energy at the middle of the last step, J.
-pub fn kinetic_J(chain: &Chain) -> f64 {
+pub fn kinetic_J(chain: &Chain<impl Real>) -> f64 {
     let mut sum = 0.0;
     for i in 0..chain.nodes() {
         let v = chain.velocity(i);
@@ -75,7 +81,7 @@ pub fn kinetic_J(chain: &Chain) -> f64 {
     0.5 * sum
 }
 
-fn elastic_J(chain: &Chain, dt: f64) -> f64 {
+fn elastic_J(chain: &Chain<impl Real>, dt: f64) -> f64 {
     let mut sum = 0.0;
     for i in 0..chain.elements() {
         let pose = half_a_step_before(chain.pose(i), dt);
@@ -84,7 +90,7 @@ fn elastic_J(chain: &Chain, dt: f64) -> f64 {
     sum
 }
 
-fn weight_J(chain: &Chain, anchors: &[Anchor], dt: f64) -> f64 {
+fn weight_J(chain: &Chain<impl Real>, anchors: &[Anchor], dt: f64) -> f64 {
     -(0..anchors.len())
         .map(|i| Vector3::from(chain.weight(i)).dot(&middle_m(chain, anchors, i, dt)))
         .sum::<f64>()

@@ -7,7 +7,7 @@ use super::{
     record::{Look, Strength},
     signal::NodeSignal,
 };
-use crate::rod::vector::Vector;
+use crate::rod::{number::Real, vector::Vector};
 
 /// A group of quantities that a frame holds of every node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -164,8 +164,8 @@ impl Frame {
 }
 
 /// What a frame is read from.
-pub(super) struct Scene<'a> {
-    pub chain: &'a Chain,
+pub(super) struct Scene<'a, R: Real> {
+    pub chain: &'a Chain<R>,
     pub anchors: &'a [Anchor],
     pub high: &'a [Rows<f64>],
     pub body: &'a Body,
@@ -176,15 +176,15 @@ pub(super) struct Scene<'a> {
 }
 
 /// A node of a scene.
-struct View<'a> {
-    scene: &'a Scene<'a>,
+struct View<'a, R: Real> {
+    scene: &'a Scene<'a, R>,
     node: usize,
-    /// The node's row.
+    /// The node's block.
     look: &'a Look,
     lane: usize,
 }
 
-impl Scene<'_> {
+impl<R: Real> Scene<'_, R> {
     pub(super) fn frame(&self) -> Frame {
         let chain = self.chain;
         let last = chain.nodes() - 1;
@@ -192,15 +192,15 @@ impl Scene<'_> {
             time_s: self.time_s,
             ..Frame::default()
         };
-        let looks: Vec<Look> = (0..chain.node_blocks.len())
-            .map(|row| self.look(row))
+        let looks: Vec<Look> = (0..chain.layout().blocks())
+            .map(|block| self.look(block))
             .collect();
         for i in 0..=last {
-            let (row, lane) = chain.place(i);
+            let (block, lane) = chain.layout().place(i);
             let view = View {
                 scene: self,
                 node: i,
-                look: &looks[row],
+                look: &looks[block],
                 lane,
             };
             let anchor = &self.anchors[i];
@@ -248,30 +248,30 @@ impl Scene<'_> {
             NodeSignal::VonMisesStress => node.min(self.chain.nodes() - 2),
             _ => node,
         };
-        let (row, lane) = self.chain.place(node);
+        let (block, lane) = self.chain.layout().place(node);
         let view = View {
             scene: self,
             node,
-            look: &self.look(row),
+            look: &self.look(block),
             lane,
         };
         view.signal(signal)
     }
 
-    fn look(&self, row: usize) -> Look {
+    fn look(&self, block: usize) -> Look {
         let per_step = 1.0 / self.summed_steps as f64;
         Look::at(
             self.chain,
             self.high,
             self.body,
             self.strength,
-            row,
+            block,
             per_step,
         )
     }
 }
 
-impl View<'_> {
+impl<R: Real> View<'_, R> {
     /// Along the hole, to its high side and to the right of it.
     fn directions(&self) -> (Vector<f64>, Vector<f64>, Vector<f64>) {
         let tangent = self.scene.chain.tangent(self.node);

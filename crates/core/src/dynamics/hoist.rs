@@ -7,6 +7,7 @@ use super::{
     settings::{Autodriller, HoistControl, HoistLine},
 };
 use crate::GRAVITY_M_PER_S2;
+use crate::rod::number::Real;
 
 /// The hoist that carries the top of the string.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -114,7 +115,7 @@ impl Hoist {
     /// depth of the top node's anchor, `before_m_per_s` its axial velocity before the step.
     pub fn act(
         &mut self,
-        chain: &mut Chain,
+        chain: &mut Chain<impl Real>,
         top_md_m: f64,
         before_m_per_s: f64,
         weight_on_bit_N: f64,

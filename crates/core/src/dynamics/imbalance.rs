@@ -6,7 +6,7 @@ use super::{
     body::Loads,
     chain::{Chain, node},
 };
-use crate::rod::{bent::carried, vector::Vector};
+use crate::rod::{bent::carried, number::Real, vector::Vector};
 
 /// Passes in which momentum and moment of momentum agree. Each leaves the square of the offset over the radius of
 /// gyration, a twentieth at most, of what was left before.
@@ -48,7 +48,7 @@ fn unit(v: Vector<f64>) -> Vector<f64> {
 }
 
 /// Whole angular velocity of a node, rad/s.
-fn whole_turning(chain: &Chain, index: usize) -> Vector<f64> {
+fn whole_turning(chain: &Chain<impl Real>, index: usize) -> Vector<f64> {
     chain
         .turning(index)
         .plus(chain.director(index), node!(chain, index, spin))
@@ -69,7 +69,7 @@ impl Imbalance {
     }
 
     /// Adds the forces of the step to come.
-    pub(super) fn push(&mut self, chain: &Chain, dt: f64, loads: &mut Loads) {
+    pub(super) fn push(&mut self, chain: &Chain<impl Real>, dt: f64, loads: &mut Loads) {
         let i = self.index;
         let omega = whole_turning(chain, i);
         let q = self.toward;
@@ -85,7 +85,7 @@ impl Imbalance {
     }
 
     /// After the step: what its accelerations add, and the direction carried on.
-    pub(super) fn follow(&mut self, chain: &mut Chain, dt: f64) {
+    pub(super) fn follow(&mut self, chain: &mut Chain<impl Real>, dt: f64) {
         let i = self.index;
         let [director, v_before, _] = self.before;
         let (v_step, spin_step) = (chain.velocity(i), node!(chain, i, spin));
@@ -126,7 +126,7 @@ impl Imbalance {
     }
 
     /// Kinetic and potential energy that the offset adds at the middle of the last step, J.
-    pub(super) fn energy_J(&self, chain: &Chain) -> f64 {
+    pub(super) fn energy_J(&self, chain: &Chain<impl Real>) -> f64 {
         let q = self.halfway();
         let turned = whole_turning(chain, self.index).cross(q);
         self.moment_kg_m * chain.velocity(self.index).dot(turned) - self.weight_moment_N_m * q.2

@@ -12,7 +12,9 @@ mod frame;
 mod hoist;
 mod imbalance;
 mod indicators;
+mod layout;
 mod outcome;
+mod precision;
 mod record;
 mod schedule;
 mod settings;
@@ -36,11 +38,12 @@ pub use outcome::{
     ContactClass, DynamicOutcome, HoleWear, NodeProfile, Numerics, Percentiles, Statistic,
     TimeSeries,
 };
+pub use precision::Simulation;
 pub use schedule::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep};
 pub use settings::{
-    Autodriller, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, RodDamping,
-    SpeedController, Start, TopDriveSettings,
+    Autodriller, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, Precision,
+    RodDamping, SpeedController, Start, TopDriveSettings,
 };
 pub use setup::{Effort, SetupError};
 pub use signal::{NodeSignal, Probe, Probed, Signal};
-pub use simulation::{Checkpoint, Diverged, ResumeError, Simulation};
+pub use simulation::{Checkpoint, Diverged, ResumeError};

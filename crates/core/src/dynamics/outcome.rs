@@ -46,12 +46,12 @@ impl Statistic {
 }
 
 /// A percentile of sorted samples, at least one, interpolated linearly between order statistics.
-pub(super) fn percentile(sorted: &[f64], part: f64) -> f64 {
+pub(super) fn percentile<T: Copy + Into<f64>>(sorted: &[T], part: f64) -> f64 {
     let last = sorted.len() - 1;
     let place = part * last as f64;
     let low = place.floor() as usize;
     let high = (low + 1).min(last);
-    sorted[low] + (place - low as f64) * (sorted[high] - sorted[low])
+    sorted[low].into() + (place - low as f64) * (sorted[high].into() - sorted[low].into())
 }
 
 /// 5th, 50th and 95th percentile at every node, from samples spread evenly over the window.

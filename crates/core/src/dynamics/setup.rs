@@ -16,6 +16,7 @@ use crate::{
     operation::Operation,
     rod::{
         mesh::Mesh,
+        number::Real,
         stability::{self, StepPlan},
     },
     statics::soft::SoftError,
@@ -37,6 +38,9 @@ pub enum SetupError {
         /// What it should be.
         expected: &'static str,
     },
+    /// Single precision, where it does not serve.
+    #[error("single precision does not serve here: {0}")]
+    Precision(&'static str),
     /// A schedule that cannot be followed.
     #[error("line {line} of the schedule: {fault}")]
     Schedule {
@@ -243,21 +247,24 @@ pub(super) fn mesh_and_plan(
 
 /// What the model, the operation and the settings of a run determine: the same at its start and
 /// wherever it is taken up again.
-pub(super) struct Basis {
+pub(super) struct Basis<R: Real> {
     pub(super) mesh: Mesh,
     pub(super) plan: StepPlan,
     pub(super) surroundings: Surroundings,
-    pub(super) stepper: Stepper,
+    pub(super) abilities: Abilities,
+    pub(super) stepper: Stepper<R>,
     pub(super) steps_per_sample: u64,
 }
 
-impl Basis {
+impl<R: Real> Basis<R> {
     pub(super) fn new(
         model: &Model,
         operation: &Operation,
         settings: &DynamicsSettings,
     ) -> Result<Self, SetupError> {
         check(settings)?;
+        let served = settings.precision.serves(operation, settings);
+        served.map_err(SetupError::Precision)?;
         let (mesh, plan) = mesh_and_plan(model, first_bit_md_m(operation, settings), settings);
         let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
         let abilities = Abilities {
@@ -270,6 +277,7 @@ impl Basis {
             mesh,
             plan,
             surroundings,
+            abilities,
             stepper: Stepper::new(abilities),
             steps_per_sample,
         })

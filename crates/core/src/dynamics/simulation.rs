@@ -1,4 +1,4 @@
-//! A run: the string in time, from its start to its outcome.
+//! A run: the string in time, from its start to its outcome, in either kind of number.
 
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
@@ -18,7 +18,7 @@ use super::{
     setup::{self, Basis, SetupError},
     signal::Probed,
     start::{self, Scene},
-    step::{StepInput, Stepper},
+    step::{Abilities, StepInput, Stepper},
     summary,
     top_drive::{StringSeen, TopDrive},
     viscous::Viscous,
@@ -29,6 +29,7 @@ use crate::{
     operation::Operation,
     rod::{
         mesh::{Mesh, MeshNode},
+        number::Real,
         stability::StepPlan,
         torsion,
     },
@@ -75,19 +76,20 @@ pub struct Diverged {
     pub value: f64,
 }
 
-/// A drill string in time.
+/// A drill string in time, in one kind of number.
 #[derive(Debug, Clone)]
-pub struct Simulation {
+pub struct Run<R: Real> {
     model: Model,
     mud: MudColumn,
     operation: Operation,
     settings: DynamicsSettings,
     mesh: Mesh,
     plan: StepPlan,
-    chain: Chain,
+    chain: Chain<R>,
     anchors: Vec<Anchor>,
     surroundings: Surroundings,
-    stepper: Stepper,
+    abilities: Abilities,
+    stepper: Stepper<R>,
     set_points: SetPoints,
     top_drive: TopDrive,
     hoist: Hoist,
@@ -104,7 +106,7 @@ pub struct Simulation {
     since_sample: SinceSample,
     record: Record,
     wear: Wear,
-    /// High side at each node, row by row as in the chain.
+    /// High side at each node, block by block.
     high: Vec<Rows<f64>>,
     ledger: Ledger,
     window_open: bool,
@@ -121,7 +123,7 @@ struct SinceSample {
     depth_of_cut: f64,
 }
 
-impl Simulation {
+impl<R: Real> Run<R> {
     /// Lays the string in its hole, ready to run.
     ///
     /// The bit is placed so that it passes the operation's depth in the middle of the window: a string
@@ -138,6 +140,7 @@ impl Simulation {
             mesh,
             plan,
             surroundings,
+            abilities,
             stepper,
             steps_per_sample,
         } = Basis::new(model, operation, settings)?;
@@ -161,6 +164,8 @@ impl Simulation {
             stribeck_speed: settings.stribeck_speed_m_per_s,
         };
         let (moving, at_rest) = start::motion(&first, velocity, settings);
+        // Whatever the run is made with, the string is laid in double precision.
+        let laying = Stepper::new(abilities);
         let scene = Scene {
             model,
             operation: &moving,
@@ -169,11 +174,11 @@ impl Simulation {
             mesh: &mesh,
             surroundings: &surroundings,
             viscous: viscous.as_ref(),
-            stepper: &stepper,
+            stepper: &laying,
             input: &input,
         };
         let initial = start::lay(&scene, chain, Body::new(model, &mesh), bit_md_m)?;
-        let (mut chain, anchors) = (initial.chain, initial.anchors);
+        let (mut chain, anchors) = (initial.chain.converted(), initial.anchors);
         if let Some(mud) = &mut viscous {
             mud.attach(&mut chain, &anchors, plan.dt_s);
             mud.update(&mut chain, &anchors, &surroundings, plan.dt_s);
@@ -202,16 +207,17 @@ impl Simulation {
         let bottom = bottom + lighter_N / settings.bit.law.stiffness_N_per_m();
         let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
         let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
-        let mut record = Record::new(model, &mesh);
+        let layout = chain.layout();
+        let mut record = Record::new(model, &mesh, layout);
         let probes = settings.probes.iter().map(|probe| Probed {
             node: mesh.nearest_node(operation.bit_depth_m - probe.md_m),
             signal: probe.signal,
             samples: Vec::new(),
         });
         record.series.probes = probes.collect();
-        let mut high = vec![[Row::filled(0.0); 3]; chain.node_blocks.len()];
+        let mut high = vec![[Row::filled(0.0); 3]; layout.blocks()];
         for (index, anchor) in anchors.iter().enumerate() {
-            assembly::note_high_side(&mut high, index, anchor);
+            assembly::note_high_side(&mut high, layout.place(index), anchor);
         }
         Ok(Self {
             model: model.clone(),
@@ -223,6 +229,7 @@ impl Simulation {
             chain,
             anchors,
             surroundings,
+            abilities,
             stepper,
             set_points: SetPoints::new(&first, &settings.schedule),
             top_drive,
@@ -302,6 +309,25 @@ impl Simulation {
             let before = self.chain.velocity(index);
             self.chain.set_velocity(index, before + velocity.into());
             node!(self.chain, index, spin += spin);
+        }
+    }
+
+    /// Goes on with one of the instruction sets; with what it has if there is none of that name.
+    pub fn use_instructions(&mut self, name: &str) {
+        let mut all = Stepper::all(self.abilities).into_iter();
+        if let Some(stepper) = all.find(|stepper| stepper.instructions == name) {
+            self.stepper = stepper;
+        }
+    }
+
+    /// Takes `steps` steps of the inner loop alone, the top held where it is: a measure of speed. The
+    /// simulation is no more than that afterwards.
+    pub fn step_kernel(&mut self, steps: usize) {
+        let spin = node!(self.chain, 0, spin);
+        let input = self.step_input(self.time_s(), spin);
+        node!(self.chain, 0, inv_mass_axial = 0.0);
+        for _ in 0..steps {
+            self.stepper.step(&mut self.chain, &input);
         }
     }
 
@@ -467,12 +493,12 @@ impl Simulation {
         let mut sound = true;
         for state in &self.chain.states {
             for axis in &state.v {
-                for v in axis.0 {
-                    sound &= v.abs() < DIVERGED_M_PER_S;
+                for v in axis.0.as_ref() {
+                    sound &= v.to_f64().abs() < DIVERGED_M_PER_S;
                 }
             }
-            for spin in state.spin.0 {
-                sound &= spin.abs() < DIVERGED_RAD_PER_S;
+            for spin in state.spin.0.as_ref() {
+                sound &= spin.to_f64().abs() < DIVERGED_RAD_PER_S;
             }
         }
         if sound {
@@ -592,7 +618,7 @@ impl Simulation {
         self.scene().frame()
     }
 
-    fn scene(&self) -> frame::Scene<'_> {
+    fn scene(&self) -> frame::Scene<'_, R> {
         frame::Scene {
             chain: &self.chain,
             anchors: &self.anchors,

@@ -29,6 +29,7 @@ use super::{
     chain::{Chain, element, node},
     settings::{SpeedController, TopDriveSettings},
 };
+use crate::rod::number::Real;
 
 /// Lower edge of Z-Torque's band where none is given, as a part of the string's own frequency.
 const BAND_BELOW_STRING: f64 = 0.2;
@@ -135,7 +136,11 @@ pub struct TopDriveStep {
 
 impl TopDrive {
     /// The drive of `settings` on the top of `chain`, which gets its inertia.
-    pub fn new(settings: &TopDriveSettings, string: StringSeen, chain: &mut Chain) -> Self {
+    pub fn new(
+        settings: &TopDriveSettings,
+        string: StringSeen,
+        chain: &mut Chain<impl Real>,
+    ) -> Self {
         let TopDriveSettings::Driven {
             inertia_kg_m2,
             controller,
@@ -166,7 +171,7 @@ impl TopDrive {
 
     /// Spin of the rigid motion that the string is to have at this set point, rad/s: a drive at its
     /// limit does not reach it.
-    pub fn rigid_spin(&self, chain: &Chain, set_rad_per_s: f64) -> f64 {
+    pub fn rigid_spin(&self, chain: &Chain<impl Real>, set_rad_per_s: f64) -> f64 {
         if self.stalled {
             node!(chain, 0, spin)
         } else {
@@ -175,7 +180,7 @@ impl TopDrive {
     }
 
     /// Before the step: a prescribed spin.
-    pub fn prescribe(&self, chain: &mut Chain, set_rad_per_s: f64) {
+    pub fn prescribe(&self, chain: &mut Chain<impl Real>, set_rad_per_s: f64) {
         if self.drive.is_none() {
             node!(chain, 0, spin = set_rad_per_s);
         }
@@ -183,7 +188,12 @@ impl TopDrive {
 
     /// Turns the top after the step, which has left its spin alone: by the torque of the uppermost
     /// element as the step had it, and by the drive's own at the step's end, stable for any gain.
-    pub fn act(&mut self, chain: &mut Chain, set_rad_per_s: f64, dt: f64) -> TopDriveStep {
+    pub fn act(
+        &mut self,
+        chain: &mut Chain<impl Real>,
+        set_rad_per_s: f64,
+        dt: f64,
+    ) -> TopDriveStep {
         let string = -element!(chain, 0, torque);
         let before = node!(chain, 0, spin);
         let Some(drive) = &mut self.drive else {

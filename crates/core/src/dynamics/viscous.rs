@@ -19,6 +19,7 @@ use super::{
     energy::middle_m,
     flow_pressures::FlowPressures,
 };
+use crate::rod::number::Real;
 use crate::{
     model::Model,
     mud::{Annulus, AnnulusDrag, Hydraulics, Motion, Mud, bore, hydraulics::pressure_strain},
@@ -59,6 +60,11 @@ struct Passage {
     drag: AnnulusDrag,
     /// What friction took from the pressure in the annulus at the last sample, Pa.
     annulus_loss_Pa: f64,
+}
+
+/// Speed of a node along the hole, m/s.
+fn axial_m_per_s(chain: &Chain<impl Real>, index: usize) -> f64 {
+    chain.tangent(index).dot(chain.velocity(index))
 }
 
 /// The mud that drags on the whole string.
@@ -140,7 +146,7 @@ impl Viscous {
     }
 
     /// Takes hold of a chain that has been laid.
-    pub fn attach(&mut self, chain: &mut Chain, anchors: &[Anchor], dt: f64) {
+    pub fn attach(&mut self, chain: &mut Chain<impl Real>, anchors: &[Anchor], dt: f64) {
         let nodes = 0..chain.nodes();
         self.weight_N = nodes
             .clone()
@@ -160,16 +166,18 @@ impl Viscous {
     /// Finds the drag of elements anew whose motion has changed or that have slid on.
     pub fn update(
         &mut self,
-        chain: &mut Chain,
+        chain: &mut Chain<impl Real>,
         anchors: &[Anchor],
         surroundings: &Surroundings,
         dt: f64,
     ) {
-        let along = |chain: &Chain, i| chain.tangent(i).dot(chain.velocity(i));
-        let mut above = (along(chain, 0), node!(chain, 0, spin));
+        let mut above = (axial_m_per_s(chain, 0), node!(chain, 0, spin));
         let mut changed_above = false;
         for index in 0..self.passages.len() {
-            let below = (along(chain, index + 1), node!(chain, index + 1, spin));
+            let below = (
+                axial_m_per_s(chain, index + 1),
+                node!(chain, index + 1, spin),
+            );
             let motion = Motion {
                 axial_m_per_s: 0.5 * (above.0 + below.0),
                 spin_rad_per_s: 0.5 * (above.1 + below.1),
@@ -197,7 +205,7 @@ impl Viscous {
     }
 
     /// Gives a node what the elements above and below it have from the mud.
-    fn load(&mut self, chain: &mut Chain, anchors: &[Anchor], index: usize, dt: f64) {
+    fn load(&mut self, chain: &mut Chain<impl Real>, anchors: &[Anchor], index: usize, dt: f64) {
         let (mut pull, mut drag, mut spin_drag) = (0.0, 0.0, 0.0);
         let last = self.passages.len();
         for (above, passage) in self
@@ -237,7 +245,7 @@ impl Viscous {
 
     /// What the pulls would do on the way from the origin to where the string is, J: the negative of the potential
     /// that they add to that of the weights.
-    pub fn pull_potential_J(&self, chain: &Chain, anchors: &[Anchor], dt: f64) -> f64 {
+    pub fn pull_potential_J(&self, chain: &Chain<impl Real>, anchors: &[Anchor], dt: f64) -> f64 {
         let nodes = self.pull_N.iter().enumerate();
         nodes
             .map(|(i, pull)| Vector3::from(*pull).dot(&middle_m(chain, anchors, i, dt)))
@@ -245,7 +253,7 @@ impl Viscous {
     }
 
     /// Work that the pulls have done since some time, J: only its differences mean something.
-    pub fn pull_work_J(&self, chain: &Chain, anchors: &[Anchor], dt: f64) -> f64 {
+    pub fn pull_work_J(&self, chain: &Chain<impl Real>, anchors: &[Anchor], dt: f64) -> f64 {
         self.pull_potential_J(chain, anchors, dt) + self.dropped_J
     }
 
@@ -256,7 +264,7 @@ impl Viscous {
     }
 
     /// Samples forces and pressures.
-    pub fn sample(&mut self, chain: &Chain) {
+    pub fn sample(&mut self, chain: &Chain<impl Real>) {
         let mut now = Hydraulics {
             jet_thrust_N: self.mud.jet_thrust_N(self.flow_m3_per_s, self.bit_loss_Pa),
             bit_loss_Pa: self.bit_loss_Pa,

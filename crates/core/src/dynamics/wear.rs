@@ -4,6 +4,7 @@ use super::{
     carry::LONGEST_REACH_M,
     chain::{Chain, node},
 };
+use crate::rod::number::Real;
 
 /// Length of hole that one number of the profile stands for, m.
 pub const HOLE_STEP_M: f64 = 5.0;
@@ -46,7 +47,7 @@ impl Wear {
 
     /// Takes up what the chain has summed since its last sample, before that is cleared. `md_m` gives the
     /// measured depth of a node.
-    pub fn sample(&mut self, chain: &Chain, md_m: impl Fn(usize) -> f64) {
+    pub fn sample(&mut self, chain: &Chain<impl Real>, md_m: impl Fn(usize) -> f64) {
         for (index, work) in self.string_J.iter_mut().enumerate() {
             *work += node!(chain, index, sum_wear);
         }

@@ -1,4 +1,7 @@
-//! How many numbers stand side by side.
+//! How many numbers stand side by side: two 512-bit registers of them.
 
-/// Elements and nodes are handled by rows of so many: one 512-bit register of `f32`, two of `f64`.
-pub const LANES: usize = 16;
+/// So many doubles.
+pub const DOUBLES: usize = 16;
+
+/// So many singles.
+pub const SINGLES: usize = 2 * DOUBLES;

@@ -1,14 +1,30 @@
 //! What the mechanics is written over.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::{
+    fmt::Debug,
+    ops::{Add, Div, IndexMut, Mul, Neg, Sub},
+};
 
+use serde::{Serialize, de::DeserializeOwned};
+
+use super::lanes::{DOUBLES, SINGLES};
 #[cfg(target_arch = "x86_64")]
 use super::wide::x86;
 
 /// What a number is kept as.
-pub trait Real:
-    Number<Real = Self> + Default + PartialOrd + std::fmt::Debug + Send + Sync + 'static
-{
+pub trait Real: Number<Real = Self> + Default + PartialOrd + Debug + Send + Sync + 'static {
+    /// How many of them are in a row of nodes or elements.
+    const LANES: usize;
+    /// So many of them.
+    type Lanes: IndexMut<usize, Output = Self>
+        + AsRef<[Self]>
+        + AsMut<[Self]>
+        + Copy
+        + Debug
+        + Send
+        + Sync
+        + Serialize
+        + DeserializeOwned;
     /// The same with fused multiply-add.
     type Fused: Number<Real = Self>;
     /// A register of AVX-512.
@@ -20,6 +36,8 @@ pub trait Real:
     /// A register of any x86-64.
     #[cfg(target_arch = "x86_64")]
     type Xmm: Number<Real = Self>;
+    /// The same in every lane.
+    fn in_every_lane(self) -> Self::Lanes;
     /// The nearest to a double.
     fn from_f64(value: f64) -> Self;
     /// Its value.
@@ -27,6 +45,8 @@ pub trait Real:
 }
 
 impl Real for f64 {
+    const LANES: usize = DOUBLES;
+    type Lanes = [Self; DOUBLES];
     type Fused = Fused<f64>;
     #[cfg(target_arch = "x86_64")]
     type Zmm = x86::Zmm64;
@@ -34,6 +54,10 @@ impl Real for f64 {
     type Ymm = x86::Ymm64;
     #[cfg(target_arch = "x86_64")]
     type Xmm = x86::Xmm64;
+    #[inline(always)]
+    fn in_every_lane(self) -> Self::Lanes {
+        [self; Self::LANES]
+    }
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
         value
@@ -45,6 +69,8 @@ impl Real for f64 {
 }
 
 impl Real for f32 {
+    const LANES: usize = SINGLES;
+    type Lanes = [Self; SINGLES];
     type Fused = Fused<f32>;
     #[cfg(target_arch = "x86_64")]
     type Zmm = x86::Zmm32;
@@ -52,6 +78,10 @@ impl Real for f32 {
     type Ymm = x86::Ymm32;
     #[cfg(target_arch = "x86_64")]
     type Xmm = x86::Xmm32;
+    #[inline(always)]
+    fn in_every_lane(self) -> Self::Lanes {
+        [self; Self::LANES]
+    }
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
         value as f32

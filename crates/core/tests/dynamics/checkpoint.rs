@@ -1,19 +1,24 @@
 //! A run that is laid aside and taken up again ends with the same bits.
 
 use wholestring::{
-    dynamics::{Checkpoint, DynamicOutcome, FrictionLaw, ResumeError, Simulation, Start},
+    dynamics::{
+        Checkpoint, DynamicOutcome, FrictionLaw, Precision, ResumeError, Simulation, Start,
+    },
     operation::OperationKind,
 };
 
 use crate::wells::{Case, each, go, moderate, np13};
 
 /// Drilling with the autodriller, tripping with the independent law from a centred start, sliding with
-/// the motor: what changes in a run changes in one of them.
-fn cases() -> [Case; 3] {
+/// the motor, drilling in single precision: what changes in a run changes in one of them.
+fn cases() -> [Case; 4] {
     let mut trip = moderate(OperationKind::TripIn, 0.3);
     trip.settings.friction_law = FrictionLaw::Independent;
     trip.settings.start = Start::Centred;
-    let mut cases = [np13(0.3), trip, moderate(OperationKind::Slide, 0.3)];
+    let mut single = np13(0.3);
+    single.settings.precision = Precision::Single;
+    let slide = moderate(OperationKind::Slide, 0.3);
+    let mut cases = [np13(0.3), trip, slide, single];
     for case in &mut cases {
         case.settings.settle_s = 1.5;
         case.settings.duration_s = 1.5;
@@ -65,4 +70,13 @@ fn a_checkpoint_of_another_string_is_refused() {
         error.unwrap_err(),
         ResumeError::AnotherString { found, expected }
     );
+}
+
+#[test]
+fn a_checkpoint_of_another_precision_is_refused() {
+    let mut case = moderate(OperationKind::Drill, 0.3);
+    let checkpoint = case.start().checkpoint();
+    case.settings.precision = Precision::Single;
+    let error = Simulation::resume(&case.model, &case.operation, &case.settings, checkpoint);
+    assert_eq!(error.unwrap_err(), ResumeError::AnotherPrecision);
 }

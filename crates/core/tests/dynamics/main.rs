@@ -23,6 +23,7 @@ mod mud;
 mod np13;
 mod numerics;
 mod operations;
+mod precision;
 mod probes;
 mod rough;
 mod schedule;

@@ -15,6 +15,7 @@ pub use self::{
 };
 use self::{rate::RateCut, regenerative::RegenerativeCut};
 use super::chain::{Chain, node};
+use crate::rod::number::Real;
 use crate::{operation::Operation, rod::vector::Vector};
 
 /// The bit: held to the hole's axis, and on bottom pressed against the rock that it cuts.
@@ -98,7 +99,7 @@ impl Bit {
     /// depth of the node's anchor; velocity and spin before the step are given for the work done.
     pub fn act(
         &mut self,
-        chain: &mut Chain,
+        chain: &mut Chain<impl Real>,
         md_m: f64,
         velocity_before: Vector<f64>,
         spin_before: f64,

@@ -4,6 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Record;
+use crate::rod::number::Real;
 use crate::{
     dynamics::{
         assembly::Anchor,
@@ -43,7 +44,11 @@ impl Sides {
 
 /// Measured depth of the shallowest zero of effective tension, m: between the middles of elements. The
 /// largest magnitude of the tension is `largest_N`.
-pub fn neutral_point_m(chain: &Chain, anchors: &[Anchor], largest_N: f64) -> Option<f64> {
+pub fn neutral_point_m(
+    chain: &Chain<impl Real>,
+    anchors: &[Anchor],
+    largest_N: f64,
+) -> Option<f64> {
     let md_m = |i: usize| {
         let along = |i: usize| chain.displacement(i).dot(chain.tangent(i));
         0.5 * (anchors[i].md_m + along(i) + anchors[i + 1].md_m + along(i + 1))

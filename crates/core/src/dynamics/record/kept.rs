@@ -4,10 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::look::Look;
-use crate::{
-    dynamics::{chain::place, outcome::percentile},
-    rod::lanes::LANES,
-};
+use crate::{dynamics::outcome::percentile, rod::lanes::DOUBLES};
 
 /// What is kept of every node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -59,8 +56,8 @@ impl KeptRow<'_> {
     pub fn put(&mut self, block: usize, look: &Look) {
         let values = [&look.tension, &look.torque, &look.normal, &look.bending];
         for (row, values) in self.0.iter_mut().zip(values) {
-            let lanes = &mut row[block * LANES..(block + 1) * LANES];
-            for lane in 0..LANES {
+            let lanes = &mut row[block * DOUBLES..(block + 1) * DOUBLES];
+            for lane in 0..DOUBLES {
                 lanes[lane] = values[lane] as f32;
             }
         }
@@ -70,7 +67,7 @@ impl KeptRow<'_> {
 impl Kept {
     /// None yet of a chain of so many blocks.
     pub fn new(blocks: usize) -> Self {
-        let width = blocks * LANES;
+        let width = blocks * DOUBLES;
         let most_rows = (MOST_NUMBERS / width).clamp(ROWS[0], ROWS[1]) / 2 * 2;
         Self {
             width,
@@ -140,17 +137,16 @@ impl Kept {
         self.random >> 33
     }
 
-    /// 5th, 50th and 95th percentile of a quantity at a node; zeros where nothing was kept.
-    pub fn percentiles(&self, quantity: Quantity, index: usize) -> [f64; 3] {
+    /// 5th, 50th and 95th percentile of a quantity at a node's place; zeros where nothing was kept.
+    pub fn percentiles(&self, quantity: Quantity, (block, lane): (usize, usize)) -> [f64; 3] {
         let values = &self.values[quantity as usize];
-        let (row, lane) = place(self.width / LANES, index);
-        let mut sorted: Vec<f64> = (0..self.rows)
-            .map(|kept| f64::from(values[kept * self.width + row * LANES + lane]))
+        let mut sorted: Vec<f32> = (0..self.rows)
+            .map(|kept| values[kept * self.width + block * DOUBLES + lane])
             .collect();
         if sorted.is_empty() {
             return [0.0; 3];
         }
-        sorted.sort_unstable_by(f64::total_cmp);
+        sorted.sort_unstable_by(f32::total_cmp);
         [0.05, 0.5, 0.95].map(|part| percentile(&sorted, part))
     }
 }

@@ -1,21 +1,22 @@
-//! What eight nodes, and the elements below them, show at a moment: the one place that reads the chain
+//! What a block of nodes, and the elements below them, show at a moment: the one place that reads the chain
 //! for the record.
 
 use super::strength::{Metal, Strength};
 use crate::{
     dynamics::{
         body::Body,
-        chain::{Chain, ElementBlock, Rows, StateBlock},
+        chain::{Chain, Rows},
+        layout::Layout,
     },
-    rod::{lanes::LANES, vector::Vector},
+    rod::{lanes::DOUBLES, number::Real, vector::Vector},
 };
 
 /// One number for each lane.
-pub type Lane = [f64; LANES];
+pub type Lane = [f64; DOUBLES];
 
-const NONE: Lane = [0.0; LANES];
+const NONE: Lane = [0.0; DOUBLES];
 
-/// A row of nodes as they are; contact quantities are averages over the steps since the last sample.
+/// A block of nodes as they are; contact quantities are averages over the steps since the last sample.
 #[derive(Debug, Clone, Copy)]
 pub struct Look {
     /// Effective tension of the element below, N.
@@ -46,11 +47,19 @@ pub struct Look {
     pub speed_square: Lane,
 }
 
-/// A row of elements: how their ends stand, what is in them, and the bodies at their upper ends.
-struct Stretch<'a> {
-    upper: &'a StateBlock<f64>,
-    lower: &'a StateBlock<f64>,
-    elements: &'a ElementBlock<f64>,
+/// A block of elements: how their ends stand, what is in them, and the metal at their upper ends.
+struct Stretch<'a, R> {
+    u1: [&'a [R; DOUBLES]; 3],
+    u2: [&'a [R; DOUBLES]; 3],
+    d2: [&'a [R; DOUBLES]; 3],
+    chord: [&'a [R; DOUBLES]; 3],
+    inverse_length: &'a [R; DOUBLES],
+    tension: &'a [R; DOUBLES],
+    torque: &'a [R; DOUBLES],
+    bending_near: &'a [R; DOUBLES],
+    bending_far: &'a [R; DOUBLES],
+    bow_near: &'a [R; DOUBLES],
+    bow_far: &'a [R; DOUBLES],
     metal: &'a Metal,
 }
 
@@ -71,54 +80,53 @@ impl Look {
         speed_square: NONE,
     };
 
-    /// Looks at a row. `high` holds the high sides, row by row, `per_step` the inverse of the number of
+    /// Looks at a block. `high` holds the high sides, block by block, `per_step` the inverse of the number of
     /// steps since the last sample.
     #[inline(always)]
-    pub fn at(
-        chain: &Chain,
+    pub fn at<R: Real>(
+        chain: &Chain<R>,
         high: &[Rows<f64>],
         body: &Body,
         strength: &Strength,
-        row: usize,
+        block: usize,
         per_step: f64,
     ) -> Self {
         let mut look = Self::EMPTY;
-        look.across_the_hole(chain, high, row, per_step);
-        let stretch = Stretch {
-            upper: &chain.states[row],
-            lower: &chain.ends(row),
-            elements: &chain.element_blocks[row],
-            metal: strength.block(row),
-        };
-        for lane in 0..LANES {
-            look.bear(&stretch, lane, of(&stretch.upper.d, lane));
-        }
-        // The element below a bend stands on another face of the body: what is bent without stress bears none.
-        for bend in &body.bends {
-            let (row_of_bend, lane) = chain.place(bend.index);
-            if row_of_bend == row {
-                look.bear(&stretch, lane, bend.pose(chain).d1);
-            }
-        }
+        look.across_the_hole(chain, high, block, per_step);
+        look.along_the_string(chain, body, strength, block);
         look
     }
 
     /// How the nodes lie and move in the hole, and what the wall does to them.
     #[inline(always)]
-    fn across_the_hole(&mut self, chain: &Chain, high: &[Rows<f64>], row: usize, per_step: f64) {
-        let nodes = &chain.node_blocks[row];
-        let state = &chain.states[row];
-        for lane in 0..LANES {
-            let (u, v) = (of(&state.u, lane), of(&state.v, lane));
-            let h = of(&high[row], lane);
-            let tangent = of(&nodes.tangent, lane);
-            let curvature = of(&nodes.curvature, lane);
+    fn across_the_hole<R: Real>(
+        &mut self,
+        chain: &Chain<R>,
+        high: &[Rows<f64>],
+        block: usize,
+        per_step: f64,
+    ) {
+        let (row, part) = Layout::row_of::<R>(block);
+        let (nodes, state) = (&chain.node_blocks[row], &chain.states[row]);
+        let high = parts(&high[block], 0);
+        let (u, v) = (parts(&state.u, part), parts(&state.v, part));
+        let tangents = parts(&nodes.tangent, part);
+        let curvatures = parts(&nodes.curvature, part);
+        let stiffness = nodes.stiffness.part(part);
+        let clearances = nodes.clearance.part(part);
+        let slopes = nodes.clearance_slope.part(part);
+        let sum_normal = nodes.sum_normal.part(part);
+        let sum_axial = nodes.sum_axial.part(part);
+        let sum_torque = nodes.sum_torque.part(part);
+        for lane in 0..DOUBLES {
+            let (u, v, h) = (of(u, lane), of(v, lane), of(high, lane));
+            let (tangent, curvature) = (of(tangents, lane), of(curvatures, lane));
             let z = u.dot(tangent);
             let across = u.minus(tangent, z).minus(curvature, 0.5 * z * z);
             let offset = across.dot(across).sqrt();
             let lateral = v.minus(tangent, v.dot(tangent));
-            let touchable = nodes.stiffness.0[lane] > 0.0;
-            let clearance = nodes.clearance.0[lane] + nodes.clearance_slope.0[lane] * z;
+            let touchable = stiffness[lane].to_f64() > 0.0;
+            let clearance = clearances[lane].to_f64() + slopes[lane].to_f64() * z;
             let penetration = offset - clearance;
             let per_offset = 1.0 / offset.max(f64::MIN_POSITIVE);
             self.offset[lane] = offset;
@@ -127,45 +135,85 @@ impl Look {
             self.right[lane] = across.dot(tangent.cross(h)) * per_offset;
             self.circling[lane] = tangent.dot(across.cross(lateral));
             self.speed_square[lane] = lateral.dot(lateral);
-            self.normal[lane] = nodes.sum_normal.0[lane] * per_step;
-            self.axial[lane] = nodes.sum_axial.0[lane] * per_step;
-            self.rub[lane] = nodes.sum_torque.0[lane] * per_step;
+            self.normal[lane] = sum_normal[lane].to_f64() * per_step;
+            self.axial[lane] = sum_axial[lane].to_f64() * per_step;
+            self.rub[lane] = sum_torque[lane].to_f64() * per_step;
+        }
+    }
+
+    /// What the string carries at the nodes.
+    #[inline(always)]
+    fn along_the_string<R: Real>(
+        &mut self,
+        chain: &Chain<R>,
+        body: &Body,
+        strength: &Strength,
+        block: usize,
+    ) {
+        let (row, part) = Layout::row_of::<R>(block);
+        let (elements, state) = (&chain.element_blocks[row], &chain.states[row]);
+        let ends = chain.ends(row);
+        let stretch = Stretch {
+            u1: parts(&state.u, part),
+            u2: parts(&ends.u, part),
+            d2: parts(&ends.d, part),
+            chord: parts(&elements.chord, part),
+            inverse_length: elements.inverse_length.part(part),
+            tension: elements.tension.part(part),
+            torque: elements.torque.part(part),
+            bending_near: elements.bending_near.part(part),
+            bending_far: elements.bending_far.part(part),
+            bow_near: elements.bow_near.part(part),
+            bow_far: elements.bow_far.part(part),
+            metal: strength.block(block),
+        };
+        let d1 = parts(&state.d, part);
+        for lane in 0..DOUBLES {
+            self.bear(&stretch, lane, of(d1, lane));
+        }
+        // The element below a bend stands on another face of the body: what is bent without stress bears none.
+        for bend in &body.bends {
+            let (block_of_bend, lane) = chain.layout().place(bend.index);
+            if block_of_bend == block {
+                self.bear(&stretch, lane, bend.pose(chain).d1);
+            }
         }
     }
 
     /// What the string carries at a node whose element below sees the director `d1` there. The bending moment is
     /// the elastic one that this element has at its upper end; the bit, below which there is none, carries none.
     #[inline(always)]
-    fn bear(&mut self, stretch: &Stretch<'_>, lane: usize, d1: Vector<f64>) {
-        let Stretch {
-            upper,
-            lower,
-            elements,
-            metal,
-        } = stretch;
-        let (u1, u2) = (of(&upper.u, lane), of(&lower.u, lane));
-        let d2 = of(&lower.d, lane);
-        let chord = of(&elements.chord, lane) + (u2 - u1);
+    fn bear<R: Real>(&mut self, stretch: &Stretch<'_, R>, lane: usize, d1: Vector<f64>) {
+        let number = |of: &[R; DOUBLES]| of[lane].to_f64();
+        let (u1, u2) = (of(stretch.u1, lane), of(stretch.u2, lane));
+        let d2 = of(stretch.d2, lane);
+        let chord = of(stretch.chord, lane) + (u2 - u1);
         // Newton's step from the rest length to the inverse of the chord's: a stretch of 1e-3 leaves
         // 1.5e-6, and no root is drawn.
-        let rest = elements.inverse_length.0[lane];
+        let rest = number(stretch.inverse_length);
         let t = chord.scaled(rest * (1.5 - 0.5 * chord.dot(chord) * rest * rest));
-        let tension = elements.tension.0[lane];
-        let torque = elements.torque.0[lane];
+        let (tension, torque) = (number(stretch.tension), number(stretch.torque));
         // The gradient of the element's energy on its upper director: `rod::element`.
-        let near = elements.bending_near.0[lane] + elements.bow_near.0[lane] * tension;
-        let far = elements.bending_far.0[lane] - elements.bow_far.0[lane] * tension;
+        let near = number(stretch.bending_near) + number(stretch.bow_near) * tension;
+        let far = number(stretch.bending_far) - number(stretch.bow_far) * tension;
         let pull = near * t.dot(d1) + far * t.dot(d2);
         let moment = d2.scaled(far).minus(t, pull).cross(d1);
         let bending = moment.dot(moment).sqrt();
         self.tension[lane] = tension;
         self.torque[lane] = torque;
         self.bending[lane] = bending;
-        self.stress[lane] = metal.stress_Pa(lane, tension, bending, torque);
+        self.stress[lane] = stretch.metal.stress_Pa(lane, tension, bending, torque);
     }
 }
 
+/// The part of rows that stands beside a block.
 #[inline(always)]
-fn of(rows: &Rows<f64>, lane: usize) -> Vector<f64> {
-    Vector(rows[0].0[lane], rows[1].0[lane], rows[2].0[lane])
+fn parts<R: Real>(rows: &Rows<R>, part: usize) -> [&[R; DOUBLES]; 3] {
+    rows.each_ref().map(|row| row.part(part))
+}
+
+#[inline(always)]
+fn of<R: Real>(rows: [&[R; DOUBLES]; 3], lane: usize) -> Vector<f64> {
+    let [x, y, z] = rows.map(|row| row[lane].to_f64());
+    Vector(x, y, z)
 }

@@ -12,10 +12,14 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     body::Body,
-    chain::{Chain, Rows, place},
+    chain::{Chain, Rows},
+    layout::Layout,
     outcome::TimeSeries,
 };
-use crate::{model::Model, rod::lanes::LANES, rod::mesh::Mesh};
+use crate::{
+    model::Model,
+    rod::{mesh::Mesh, number::Real},
+};
 use depths::Sides;
 use kept::Kept;
 use look::Lane;
@@ -50,6 +54,7 @@ pub struct Circling {
 /// The streaming record.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Record {
+    layout: Layout,
     strength: Strength,
     sums: Vec<SumBlock>,
     kept: Kept,
@@ -64,13 +69,13 @@ pub struct Record {
 }
 
 impl Record {
-    /// An empty record of a string.
-    pub fn new(model: &Model, mesh: &Mesh) -> Self {
-        let blocks = mesh.nodes.len().div_ceil(LANES);
+    /// An empty record of a string, beside a chain of that layout.
+    pub fn new(model: &Model, mesh: &Mesh, layout: Layout) -> Self {
         Self {
-            strength: Strength::new(model, mesh),
-            sums: vec![SumBlock::EMPTY; blocks],
-            kept: Kept::new(blocks),
+            layout,
+            strength: Strength::new(model, mesh, layout),
+            sums: vec![SumBlock::EMPTY; layout.blocks()],
+            kept: Kept::new(layout.blocks()),
             sides: Sides::new(mesh.nodes.len()),
             samples: 0,
             series: TimeSeries::default(),
@@ -89,9 +94,15 @@ impl Record {
     }
 
     /// Takes a sample of every node: contact quantities as averages over the `steps` since the last
-    /// one, which the chain has summed. `high` holds each node's high side, row by row
-    /// as in the chain; `body` has the bends.
-    pub fn sample(&mut self, chain: &Chain, high: &[Rows<f64>], body: &Body, steps: u64) -> Totals {
+    /// one, which the chain has summed. `high` holds each node's high side, block by block; `body` has the
+    /// bends.
+    pub fn sample(
+        &mut self,
+        chain: &Chain<impl Real>,
+        high: &[Rows<f64>],
+        body: &Body,
+        steps: u64,
+    ) -> Totals {
         let mut totals = TotalBlock::EMPTY;
         Pass {
             sums: &mut self.sums,
@@ -122,14 +133,14 @@ impl Record {
         &self.strength
     }
 
-    /// Row and lane of a node, as in the chain.
-    fn place(&self, index: usize) -> (usize, usize) {
-        place(self.sums.len(), index)
+    /// Where what is kept of each node lies.
+    pub fn layout(&self) -> Layout {
+        self.layout
     }
 
     fn sum_of(&self, index: usize, pick: impl Fn(&SumBlock) -> &Lane) -> f64 {
-        let (row, lane) = self.place(index);
-        pick(&self.sums[row])[lane]
+        let (block, lane) = self.layout.place(index);
+        pick(&self.sums[block])[lane]
     }
 
     fn mean_of(&self, index: usize, pick: impl Fn(&SumBlock) -> &Lane) -> f64 {
@@ -142,8 +153,8 @@ impl Record {
         about: f64,
         pick: impl Fn(&SumBlock) -> &[Lane; 2],
     ) -> Spread {
-        let (row, lane) = self.place(index);
-        let [first, second] = pick(&self.sums[row]);
+        let (block, lane) = self.layout.place(index);
+        let [first, second] = pick(&self.sums[block]);
         let n = self.samples.max(1) as f64;
         let (m1, m2) = (first[lane] / n, second[lane] / n);
         Spread {
@@ -232,6 +243,6 @@ impl Record {
     }
     /// 5th, 50th and 95th percentile of a quantity at a node, or of its element below.
     pub fn percentiles(&self, quantity: Quantity, index: usize) -> [f64; 3] {
-        self.kept.percentiles(quantity, index)
+        self.kept.percentiles(quantity, self.layout.place(index))
     }
 }

@@ -4,20 +4,21 @@ use serde::{Deserialize, Serialize};
 
 use super::look::Lane;
 use crate::{
-    dynamics::chain::place,
+    dynamics::layout::Layout,
     model::Model,
-    rod::{lanes::LANES, mesh::Mesh},
+    rod::{lanes::DOUBLES, mesh::Mesh},
 };
 
 /// Of each node, the weakest body within half an element on either side: the one with the smallest
 /// section modulus `I/(D/2)`.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Strength {
+    layout: Layout,
     blocks: Vec<Metal>,
     yield_Pa: Vec<Option<f64>>,
 }
 
-/// The metal at a row of nodes.
+/// The metal at a block of nodes.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct Metal {
     /// Inverse of the metal's area, 1/m².
@@ -61,16 +62,16 @@ impl Metal {
 
 impl Strength {
     /// The bodies of a string.
-    pub fn new(model: &Model, mesh: &Mesh) -> Self {
+    pub fn new(model: &Model, mesh: &Mesh, layout: Layout) -> Self {
         let mut blocks = vec![
             Metal {
-                per_area: [0.0; LANES],
-                per_modulus: [0.0; LANES],
-                bore_part: [0.0; LANES],
-                bore_per_area: [0.0; LANES],
-                burst_square: [0.0; LANES],
+                per_area: [0.0; DOUBLES],
+                per_modulus: [0.0; DOUBLES],
+                bore_part: [0.0; DOUBLES],
+                bore_per_area: [0.0; DOUBLES],
+                burst_square: [0.0; DOUBLES],
             };
-            mesh.nodes.len().div_ceil(LANES)
+            layout.blocks()
         ];
         let components = model.string.components();
         let mut yield_Pa = Vec::with_capacity(mesh.nodes.len());
@@ -87,8 +88,8 @@ impl Strength {
             let weakest = (first..=last)
                 .min_by(|a, b| modulus(*a).total_cmp(&modulus(*b)))
                 .unwrap_or(first);
-            let (row, lane) = place(blocks.len(), index);
-            let metal = &mut blocks[row];
+            let (block, lane) = layout.place(index);
+            let metal = &mut blocks[block];
             let component = &components[weakest];
             metal.per_area[lane] = 1.0 / component.area_m2();
             metal.per_modulus[lane] = 1.0 / modulus(weakest);
@@ -96,19 +97,22 @@ impl Strength {
             metal.bore_per_area[lane] = component.inner_area_m2() / component.area_m2();
             yield_Pa.push(component.yield_strength_Pa);
         }
-        Self { blocks, yield_Pa }
+        Self {
+            layout,
+            blocks,
+            yield_Pa,
+        }
     }
 
     /// Presses the bodies by what the pressure inside has over that outside at each node, Pa.
     pub fn press(&mut self, difference_Pa: impl Fn(usize) -> f64) {
-        let rows = self.blocks.len();
         for index in 0..self.yield_Pa.len() {
-            let (row, lane) = place(rows, index);
-            self.blocks[row].burst_square[lane] = difference_Pa(index).powi(2);
+            let (block, lane) = self.layout.place(index);
+            self.blocks[block].burst_square[lane] = difference_Pa(index).powi(2);
         }
     }
 
-    /// A row of nodes.
+    /// A block of nodes.
     #[inline(always)]
     pub fn block(&self, block: usize) -> &Metal {
         &self.blocks[block]
@@ -116,8 +120,8 @@ impl Strength {
 
     /// Inverse of the section modulus at a node, 1/m³.
     pub fn per_modulus_m3(&self, index: usize) -> f64 {
-        let (row, lane) = place(self.blocks.len(), index);
-        self.blocks[row].per_modulus[lane]
+        let (block, lane) = self.layout.place(index);
+        self.blocks[block].per_modulus[lane]
     }
 
     /// Minimum yield strength at a node, Pa, where it is known.

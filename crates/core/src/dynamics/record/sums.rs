@@ -1,4 +1,4 @@
-//! Sums over the window, eight nodes at a time.
+//! Sums over the window, a block of nodes at a time.
 
 use serde::{Deserialize, Serialize};
 
@@ -12,10 +12,10 @@ use crate::{
         body::Body,
         chain::{Chain, Rows},
     },
-    rod::lanes::LANES,
+    rod::{lanes::DOUBLES, number::Real},
 };
 
-/// Sums over the window for eight nodes, and for the eight elements below them.
+/// Sums over the window for a block of nodes, and for the elements below them.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct SumBlock {
     /// Tension and torque of the first sample: squares are summed about them, so that a small spread
@@ -42,7 +42,7 @@ pub struct SumBlock {
     pub stress_max: Lane,
 }
 
-const NONE: Lane = [0.0; LANES];
+const NONE: Lane = [0.0; DOUBLES];
 
 impl SumBlock {
     pub const EMPTY: Self = Self {
@@ -72,7 +72,7 @@ impl SumBlock {
         if first {
             self.about = [look.tension, look.torque];
         }
-        for lane in 0..LANES {
+        for lane in 0..DOUBLES {
             let tension = look.tension[lane] - self.about[0][lane];
             let torque = look.torque[lane] - self.about[1][lane];
             let normal = look.normal[lane];
@@ -143,7 +143,7 @@ impl TotalBlock {
 
     #[inline(always)]
     fn add(&mut self, look: &Look) {
-        for lane in 0..LANES {
+        for lane in 0..DOUBLES {
             self.normal[lane] += look.normal[lane];
             self.axial[lane] += look.axial[lane];
             self.torque[lane] += look.rub[lane];
@@ -165,9 +165,9 @@ impl TotalBlock {
 }
 
 /// A sample of the whole string on its way into the sums.
-pub struct Pass<'a> {
+pub struct Pass<'a, R: Real> {
     pub sums: &'a mut [SumBlock],
-    pub chain: &'a Chain,
+    pub chain: &'a Chain<R>,
     pub high: &'a [Rows<f64>],
     pub body: &'a Body,
     pub strength: &'a Strength,
@@ -180,7 +180,7 @@ pub struct Pass<'a> {
     pub totals: &'a mut TotalBlock,
 }
 
-impl Pass<'_> {
+impl<R: Real> Pass<'_, R> {
     /// Adds the sample, with the widest instructions that the processor has: the arithmetic is the same,
     /// operation by operation, and so are its bits.
     pub fn add(self) {
@@ -220,12 +220,12 @@ impl Pass<'_> {
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f,avx512dq,avx2")]
-fn avx512(pass: Pass<'_>) {
+fn avx512<R: Real>(pass: Pass<'_, R>) {
     pass.add_all()
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-fn avx2(pass: Pass<'_>) {
+fn avx2<R: Real>(pass: Pass<'_, R>) {
     pass.add_all()
 }

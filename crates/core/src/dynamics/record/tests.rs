@@ -6,7 +6,7 @@ use super::*;
 use crate::{
     dynamics::{
         assembly,
-        chain::{Row, element, node, place},
+        chain::{Row, element, node},
         record::kept::Kept,
     },
     mud::Mud,
@@ -83,7 +83,7 @@ fn string() -> (Model, Mesh, Chain, Vec<Rows<f64>>) {
         chain.set_anchor_chord(index, Vector(0.0, 0.0, element.length_m));
     }
     let north = [1.0, 0.0, 0.0].map(Row::filled);
-    let high = vec![north; mesh.nodes.len().div_ceil(LANES)];
+    let high = vec![north; chain.layout().blocks()];
     (model, mesh, chain, high)
 }
 
@@ -104,7 +104,7 @@ fn whirl_goes_round_at_its_rate() {
         let expected = row["expected"]["backward_whirl_rad_s"].as_f64().unwrap();
         let backward = -spin * pipe / (hole - pipe);
         assert!((backward / expected - 1.0).abs() < 1e-12);
-        let mut record = Record::new(&model, &mesh);
+        let mut record = Record::new(&model, &mesh, chain.layout());
         for sample in 0..37 {
             let time = f64::from(sample) * 0.01;
             // Nodes 1, 2 and 3; while they go round, the string slides along the hole.
@@ -163,7 +163,7 @@ fn moment_and_stress_of_a_circle() {
         element!(chain, index, tension = TENSION_N);
         element!(chain, index, torque = TORQUE_N_M);
     }
-    let mut record = Record::new(&model, &mesh);
+    let mut record = Record::new(&model, &mesh, chain.layout());
     record.sample(&chain, &high, &Body::default(), 1);
     let middle = |from_bit_m: f64| {
         let off = |i: &usize| (mesh.nodes[*i].from_bit_m - from_bit_m).abs();
@@ -208,8 +208,8 @@ fn moment_and_stress_of_a_circle() {
 /// outer one while the pressures are alike, the inner one when it is about to burst.
 #[test]
 fn pressures_stress_the_tube_as_lame_has_it() {
-    let (model, mesh, ..) = string();
-    let mut strength = Strength::new(&model, &mesh);
+    let (model, mesh, chain, _) = string();
+    let mut strength = Strength::new(&model, &mesh, chain.layout());
     let (index, od, id) = (5, 0.127_f64, 0.1086_f64);
     let (outer, inner) = (PI / 4.0 * od * od, PI / 4.0 * id * id);
     let (area, second_moment) = (outer - inner, PI / 64.0 * (od.powi(4) - id.powi(4)));
@@ -230,9 +230,9 @@ fn pressures_stress_the_tube_as_lame_has_it() {
         let (out, within) = (surface(0.5 * od), surface(0.5 * id));
         worst_inside += u8::from(within > out);
         strength.press(|_| p_i - p_o);
-        let (row, lane) = place(mesh.nodes.len().div_ceil(LANES), index);
+        let (block, lane) = chain.layout().place(index);
         let found = strength
-            .block(row)
+            .block(block)
             .stress_Pa(lane, tension, bending, torque);
         let error = found / out.max(within) - 1.0;
         assert!(error.abs() < 1e-12, "{p_o} {p_i}: {found}, {error:e} off");
@@ -244,7 +244,7 @@ fn pressures_stress_the_tube_as_lame_has_it() {
 #[test]
 fn contact_is_averaged_and_signed() {
     let (model, mesh, mut chain, high) = string();
-    let mut record = Record::new(&model, &mesh);
+    let mut record = Record::new(&model, &mesh, chain.layout());
     for (index, side) in [(1, 1.0), (2, -1.0)] {
         chain.set_displacement(index, Vector(side * 0.02, 0.01, 0.0));
     }
@@ -289,9 +289,9 @@ fn filled(samples: u32, value: impl Fn(u32) -> f64) -> Kept {
 #[test]
 fn percentiles_of_few_samples_are_exact() {
     let kept = filled(4001, |sample| f64::from((sample * 1234) % 4001));
-    let found = kept.percentiles(Quantity::Bending, 5);
+    let found = kept.percentiles(Quantity::Bending, (0, 5));
     assert_eq!(found, [200.0, 2000.0, 3800.0]);
-    assert_eq!(Kept::new(1).percentiles(Quantity::Torque, 0), [0.0; 3]);
+    assert_eq!(Kept::new(1).percentiles(Quantity::Torque, (0, 0)), [0.0; 3]);
 }
 
 /// Whatever the length of a run, 2048 to 4096 samples of each node of a short string are kept. A percentile
@@ -302,7 +302,7 @@ fn percentiles_of_few_samples_are_exact() {
 fn percentiles_of_many_samples_do_not_beat_with_a_period() {
     const SAMPLES: u32 = 100_000;
     let sine = |sample: u32| (TAU * f64::from(sample) / 64.0 + 0.3).sin();
-    let found = filled(SAMPLES, sine).percentiles(Quantity::Tension, 0);
+    let found = filled(SAMPLES, sine).percentiles(Quantity::Tension, (0, 0));
     for (value, part, error) in [
         (found[0], 0.05, 0.005),
         (found[1], 0.5, 0.011),

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Ledger, Record, Simulation, SinceSample};
+use super::{Ledger, Record, Run, SinceSample};
 use crate::{
     dynamics::{
         assembly::Anchor,
@@ -10,6 +10,7 @@ use crate::{
         body::Body,
         chain::{Chain, Rows},
         hoist::Hoist,
+        layout::Layout,
         schedule::SetPoints,
         settings::DynamicsSettings,
         setup::{Basis, SetupError},
@@ -19,15 +20,17 @@ use crate::{
     },
     model::Model,
     operation::Operation,
+    rod::number::Real,
 };
 
 /// Everything of a run that changes while it goes on, as plain data; what the model, the operation and
 /// the settings determine is found anew.
 ///
-/// [`Simulation::resume`] goes on from it and ends, on a processor with the same instructions, with
+/// [`Simulation::resume`](crate::dynamics::Simulation::resume) goes on from it and ends, on a processor with the same instructions, with
 /// the same bits as the run that was never laid aside.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Checkpoint {
+    /// In double precision, which holds single precision to the bit.
     chain: Chain,
     anchors: Vec<Anchor>,
     set_points: SetPoints,
@@ -64,6 +67,9 @@ pub enum ResumeError {
         /// Nodes that the model and the settings ask for.
         expected: usize,
     },
+    /// The checkpoint is that of a run in another precision.
+    #[error("the checkpoint is that of a run in another precision")]
+    AnotherPrecision,
 }
 
 impl Checkpoint {
@@ -78,8 +84,8 @@ impl Checkpoint {
     }
 }
 
-impl Simulation {
-    /// The run as it stands, to be laid aside: between two calls of [`Simulation::advance`], at any time.
+impl<R: Real> Run<R> {
+    /// The run as it stands, to be laid aside: between two calls of [`Self::advance`], at any time.
     pub fn checkpoint(&self) -> Checkpoint {
         // Every field is named: a new one is either found anew or kept.
         let Self {
@@ -90,6 +96,7 @@ impl Simulation {
             mesh: _,
             plan: _,
             surroundings: _,
+            abilities: _,
             steps_per_sample: _,
             stepper,
             chain,
@@ -112,7 +119,7 @@ impl Simulation {
             window_open,
         } = self;
         Checkpoint {
-            chain: chain.clone(),
+            chain: chain.converted(),
             anchors: anchors.clone(),
             set_points: set_points.clone(),
             top_drive: top_drive.clone(),
@@ -135,7 +142,7 @@ impl Simulation {
         }
     }
 
-    /// Takes up a run where [`Simulation::checkpoint`] left it. Model, operation and settings are those
+    /// Takes up a run where [`Self::checkpoint`] left it. Model, operation and settings are those
     /// that it began with: others would go on, but with an answer to neither case.
     ///
     /// # Errors
@@ -146,10 +153,13 @@ impl Simulation {
         settings: &DynamicsSettings,
         checkpoint: Checkpoint,
     ) -> Result<Self, ResumeError> {
-        let basis = Basis::new(model, operation, settings)?;
+        let basis = Basis::<R>::new(model, operation, settings)?;
         let (found, expected) = (checkpoint.chain.nodes(), basis.mesh.nodes.len());
         if found != expected {
             return Err(ResumeError::AnotherString { found, expected });
+        }
+        if checkpoint.record.layout() != Layout::beside::<R>(found) {
+            return Err(ResumeError::AnotherPrecision);
         }
         Ok(Self {
             model: model.clone(),
@@ -159,9 +169,10 @@ impl Simulation {
             mesh: basis.mesh,
             plan: basis.plan,
             surroundings: basis.surroundings,
+            abilities: basis.abilities,
             stepper: basis.stepper,
             steps_per_sample: basis.steps_per_sample,
-            chain: checkpoint.chain,
+            chain: checkpoint.chain.converted(),
             anchors: checkpoint.anchors,
             set_points: checkpoint.set_points,
             top_drive: checkpoint.top_drive,

@@ -97,7 +97,7 @@ fn every_instruction_set_moves_the_string_alike() {
                 damping_ratio: 0.05,
             };
         }
-        let laid = Simulation::new(&model, &operation, &settings).unwrap();
+        let laid = Run::<f64>::new(&model, &operation, &settings).unwrap();
         let vector = friction_law == FrictionLaw::Vector;
         let outcomes: Vec<_> = Stepper::all(Abilities {
             hertz,
@@ -106,7 +106,7 @@ fn every_instruction_set_moves_the_string_alike() {
         })
         .into_iter()
         .map(|stepper| {
-            let mut simulation = Simulation {
+            let mut simulation = Run {
                 stepper,
                 ..laid.clone()
             };
@@ -148,7 +148,7 @@ fn wear_is_the_loss_to_friction() {
             friction_law,
             ..Default::default()
         };
-        let mut run = Simulation::new(&model(0.3), &operation, &settings).unwrap();
+        let mut run = Run::<f64>::new(&model(0.3), &operation, &settings).unwrap();
         let input = run.step_input(0.0, operation.rotary_speed_rad_per_s);
         let mut lost = 0.0;
         run.chain.clear_sums();

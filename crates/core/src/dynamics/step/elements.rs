@@ -14,7 +14,7 @@ use crate::{
 
 /// What a row of elements does to its ends, in the words of [`crate::rod::element::Reaction`].
 #[derive(Clone, Copy)]
-pub(super) struct Pull<R> {
+pub(super) struct Pull<R: Real> {
     pub(super) force: Rows<R>,
     pub(super) bend1: Rows<R>,
     pub(super) bend2: Rows<R>,
@@ -52,7 +52,7 @@ impl<R: Real> Pull<R> {
 
 /// Chords of a row of elements.
 #[derive(Clone, Copy)]
-pub(super) struct Chords<R> {
+pub(super) struct Chords<R: Real> {
     direction: Rows<R>,
     inverse_length: Row<R>,
     longer: Row<R>,

@@ -2,20 +2,23 @@
 
 use crate::{
     dynamics::chain::{Row, Rows},
-    rod::{lanes::LANES, number::Number, vector::Vector},
+    rod::{
+        number::{Number, Real},
+        vector::Vector,
+    },
 };
 
 /// Where the numbers of a row begin.
 #[inline(always)]
 pub(super) fn lanes<N: Number>() -> impl Iterator<Item = usize> {
-    (0..LANES).step_by(N::WIDTH)
+    (0..N::Real::LANES).step_by(N::WIDTH)
 }
 
 #[inline(always)]
 pub(super) fn at<N: Number>(row: &Row<N::Real>, lane: usize) -> N {
-    assert!(lane + N::WIDTH <= LANES);
-    // SAFETY: the row holds `LANES` numbers.
-    unsafe { N::load(row.0.as_ptr().add(lane)) }
+    assert!(lane + N::WIDTH <= N::Real::LANES);
+    // SAFETY: the row holds so many numbers.
+    unsafe { N::load(row.0.as_ref().as_ptr().add(lane)) }
 }
 
 #[inline(always)]
@@ -25,9 +28,9 @@ pub(super) fn at3<N: Number>(rows: &Rows<N::Real>, lane: usize) -> Vector<N> {
 
 #[inline(always)]
 pub(super) fn put<N: Number>(row: &mut Row<N::Real>, lane: usize, value: N) {
-    assert!(lane + N::WIDTH <= LANES);
-    // SAFETY: the row holds `LANES` numbers.
-    unsafe { value.store(row.0.as_mut_ptr().add(lane)) }
+    assert!(lane + N::WIDTH <= N::Real::LANES);
+    // SAFETY: the row holds so many numbers.
+    unsafe { value.store(row.0.as_mut().as_mut_ptr().add(lane)) }
 }
 
 #[inline(always)]

@@ -168,7 +168,7 @@ impl<R: Real> Stepper<R> {
 
 /// Energy lost by each lane: friction's in J, the contact's over half the step, twice the mud's in J, the damping's
 /// power in W.
-struct Losses<R> {
+struct Losses<R: Real> {
     friction: Row<R>,
     contact: Row<R>,
     mud: Row<R>,
@@ -251,7 +251,7 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
             turn::<N>(n, state, above, below, input, lane);
         }
     }
-    let sum = |row: Row<N::Real>| row.0.iter().map(|x| x.to_f64()).sum::<f64>();
+    let sum = |row: Row<N::Real>| row.0.as_ref().iter().map(|x| x.to_f64()).sum::<f64>();
     StepLosses {
         friction: sum(losses.friction),
         contact: sum(losses.contact) * 0.5 * input.dt,
@@ -262,7 +262,7 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
 
 /// The states of the two ends of a row of elements.
 #[inline(always)]
-fn ends<R>(states: &mut [StateBlock<R>], row: usize) -> &mut [StateBlock<R>; 2] {
+fn ends<R: Real>(states: &mut [StateBlock<R>], row: usize) -> &mut [StateBlock<R>; 2] {
     states[row..]
         .first_chunk_mut()
         .expect("the states close with a row more")

@@ -18,7 +18,7 @@ use crate::{
 /// has its say, and what the wall says. Made and used in short loops over the row, so that the processor
 /// works on several lanes while it waits for a root or a division.
 #[derive(Clone, Copy)]
-pub(super) struct Flight<R> {
+pub(super) struct Flight<R: Real> {
     /// What one newton gives across the hole and along it, m/s, and one newton metre about the director, rad/s.
     pub(super) give: Row<R>,
     give_axial: Row<R>,

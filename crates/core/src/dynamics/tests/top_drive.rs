@@ -195,7 +195,6 @@ fn boundless_gains_are_a_constant_speed() {
 fn held(stiffness: f64) -> Chain {
     let mut chain = Chain::new(2);
     element!(chain, 0, torsion = stiffness);
-    node!(chain, 0, polar = 0.0);
     chain
 }
 

@@ -43,7 +43,7 @@ fn bent_model() -> Model {
     model
 }
 
-fn start(kind: OperationKind, rpm: f64) -> Simulation {
+fn start(kind: OperationKind, rpm: f64) -> Run<f64> {
     let operation = Operation {
         kind,
         bit_depth_m: DEPTH_M,
@@ -60,11 +60,11 @@ fn start(kind: OperationKind, rpm: f64) -> Simulation {
         duration_s: 10.0,
         ..DynamicsSettings::default()
     };
-    Simulation::new(&bent_model(), &operation, &settings).unwrap()
+    Run::new(&bent_model(), &operation, &settings).unwrap()
 }
 
 /// Where the bend points: its part towards the high side and that to the right of it.
-fn toolface_rad(simulation: &Simulation) -> f64 {
+fn toolface_rad(simulation: &Run<f64>) -> f64 {
     let bend = &simulation.body.bends[0];
     let high = Vector::from(simulation.anchors[bend.index].high_side);
     let right = simulation.chain.tangent(bend.index).cross(high);
@@ -89,7 +89,7 @@ fn bends_and_eccentric_masses_find_their_nodes() {
 }
 
 /// Lays the string straight in space, along the hole at the bend, and all below the bend along `below`.
-fn lay_along(simulation: &mut Simulation, below: impl Fn(Vector<f64>, Vector<f64>) -> Vector<f64>) {
+fn lay_along(simulation: &mut Run<f64>, below: impl Fn(Vector<f64>, Vector<f64>) -> Vector<f64>) {
     let bend = simulation.body.bends[0].index;
     let axis = simulation.chain.tangent(bend);
     let toward = simulation.body.bends[0].toward;

@@ -1,0 +1,74 @@
+//! Where the numbers of a node lie.
+
+use serde::{Deserialize, Serialize};
+
+use crate::rod::{lanes::DOUBLES, number::Real};
+
+/// Row and lane of a node, and of the element below it, in a chain of `rows`.
+#[inline]
+pub fn place(rows: usize, index: usize) -> (usize, usize) {
+    (index % rows, index / rows)
+}
+
+/// Where what is kept of the nodes in double precision lies, whatever the chain itself is kept in: each row of the chain
+/// has, part by part, its blocks of doubles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Layout {
+    rows: usize,
+    parts: usize,
+}
+
+impl Layout {
+    /// Beside a chain of so many nodes in numbers of kind `R`.
+    pub fn beside<R: Real>(nodes: usize) -> Self {
+        Self {
+            rows: nodes.div_ceil(R::LANES),
+            parts: R::LANES / DOUBLES,
+        }
+    }
+
+    /// Row of the chain that a block stands beside, and which part of it.
+    #[inline(always)]
+    pub fn row_of<R: Real>(block: usize) -> (usize, usize) {
+        let parts = R::LANES / DOUBLES;
+        (block / parts, block % parts)
+    }
+
+    /// Number of blocks.
+    pub fn blocks(&self) -> usize {
+        self.rows * self.parts
+    }
+
+    /// Block and lane of a node, and of the element below it.
+    #[inline]
+    pub fn place(&self, index: usize) -> (usize, usize) {
+        let (row, lane) = place(self.rows, index);
+        (row * self.parts + lane / DOUBLES, lane % DOUBLES)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::chain::Chain;
+
+    /// A block's lanes are those of its part of the chain's row, and no node is without.
+    fn assert_blocks_stand_beside_rows<R: Real>() {
+        for nodes in [1, 15, 16, 17, 31, 32, 33, 100] {
+            let chain = Chain::new(nodes).converted::<R>();
+            let layout = chain.layout();
+            for index in 0..nodes {
+                let (block, lane) = layout.place(index);
+                assert!(block < layout.blocks());
+                let (row, part) = Layout::row_of::<R>(block);
+                assert_eq!(chain.place(index), (row, part * DOUBLES + lane));
+            }
+        }
+    }
+
+    #[test]
+    fn blocks_stand_beside_the_rows_of_either_kind_of_number() {
+        assert_blocks_stand_beside_rows::<f64>();
+        assert_blocks_stand_beside_rows::<f32>();
+    }
+}
