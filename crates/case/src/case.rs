@@ -245,6 +245,9 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     let mud = case.mud.get().and_then(|mud| mud.build(reader));
     let steel = case.steel.get().and_then(|steel| steel.build(reader));
     let rig = case.rig.get().and_then(|rig| rig.build(reader));
+    if let (Some(rig), Some(hoist)) = (case.rig.get(), case.hoist.get()) {
+        hoist.check_block(rig, reader);
+    }
 
     let well = case.well.at();
     let stations = well.and_then(|at| at.value.stations(at.place, files, reader));
@@ -316,7 +319,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         table.check_precision(operations, settings, reader)?;
     }
     let records = match (&dynamics, case.records.get()) {
-        (Some(dynamics), Some(records)) => records.build(dynamics, reader),
+        (Some(dynamics), Some(records)) => records.build(dynamics, bit_depth_m, reader),
         _ => None,
     };
 
@@ -352,7 +355,8 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         rig: rig?,
     };
     let (models, operations) = (models?, operations?);
-    let (dynamics, records) = (dynamics?, records?);
+    let (mut dynamics, records) = (dynamics?, records?);
+    dynamics.probes.clone_from(&records.probes);
     effort::check_effort(&models, &model, &operations, &dynamics, &case, reader)?;
     let name = match case.name.optional()? {
         Some(given) => given.value.clone(),

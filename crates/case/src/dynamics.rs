@@ -226,6 +226,8 @@ impl DynamicsTable {
             hoist_line: hoist.line()?,
             bit: bit?,
             sample_interval_s: *self.sample_interval.get()?,
+            // What is recorded of nodes stands in [records].
+            probes: Vec::new(),
             seed: *self.seed.get()?,
             precision: *self.precision.get()?,
         })

@@ -1,7 +1,7 @@
 //! `[records]`: what a dynamic run keeps beside its tables.
 
 use serde_json::{Value as Json, json};
-use wholestring::dynamics::{Channel, DynamicsSettings, Signal};
+use wholestring::dynamics::{Channel, DynamicsSettings, NodeSignal, Probe, Signal};
 use wholestring_units::Dimension;
 
 use crate::{
@@ -41,6 +41,27 @@ const SIGNALS: &[(&str, Signal)] = &[
     (Signal::Twist.name(), Signal::Twist),
     (Signal::Stretch.name(), Signal::Stretch),
 ];
+
+/// Signals of nodes by their names.
+const NODE_SIGNALS: &[(&str, NodeSignal)] = &[
+    (NodeSignal::Tension.name(), NodeSignal::Tension),
+    (NodeSignal::Torque.name(), NodeSignal::Torque),
+    (NodeSignal::BendingMoment.name(), NodeSignal::BendingMoment),
+    (
+        NodeSignal::VonMisesStress.name(),
+        NodeSignal::VonMisesStress,
+    ),
+    (NodeSignal::ContactForce.name(), NodeSignal::ContactForce),
+    (NodeSignal::OffsetHigh.name(), NodeSignal::OffsetHigh),
+    (NodeSignal::OffsetRight.name(), NodeSignal::OffsetRight),
+    (NodeSignal::VelocityHigh.name(), NodeSignal::VelocityHigh),
+    (NodeSignal::VelocityRight.name(), NodeSignal::VelocityRight),
+    (NodeSignal::AxialVelocity.name(), NodeSignal::AxialVelocity),
+    (NodeSignal::RotarySpeed.name(), NodeSignal::RotarySpeed),
+];
+
+/// Depths whose signals are kept: they stay in memory until the run ends.
+const MOST_DEPTHS: usize = 10;
 
 /// Segments that a window is cut into, half overlapping, where the case gives no length.
 const SEGMENTS: f64 = 4.0;
@@ -86,6 +107,23 @@ table! {
             noun: "signals",
             most: SIGNALS.len(),
         });
+        /// Quantities of single nodes whose spectra go there too, at each depth of `node_spectra_at`: "tension",
+        /// "torque", "bending_moment", "von_mises_stress", "contact_force", "offset_high" and "offset_right" (from the
+        /// hole's axis), "velocity_high", "velocity_right", "axial_velocity", "rotary_speed"; none where it is not given.
+        node_spectra: Vec<At<NodeSignal>> = optional(List {
+            item: Choice { noun: "a signal of a node", words: NODE_SIGNALS },
+            or_one: true,
+            noun: "signals of nodes",
+            most: NODE_SIGNALS.len(),
+        });
+        /// Measured depths of them with the bit at `bit_depth`. The node that is nearest then is taken, and stays the
+        /// same as the string moves.
+        node_spectra_at: Vec<At<f64>> = optional(List {
+            item: Quantity::si(Dimension::Length, Range::from_to(0.0, 20_000.0), "4290 m"),
+            or_one: true,
+            noun: "depths",
+            most: MOST_DEPTHS,
+        });
         /// Length of the segments whose periodograms a spectrum is the mean of; they overlap by half.
         /// Default: a quarter of the window. A longer one separates closer frequencies (they are one
         /// over it apart), a shorter one gives a smoother spectrum.
@@ -106,6 +144,8 @@ pub struct Records {
     pub channels: Vec<Channel>,
     /// Scalars of which spectra are kept.
     pub spectra: Vec<Signal>,
+    /// Places of the string of which spectra are kept.
+    pub probes: Vec<Probe>,
     /// Length of the segments of a spectrum, s.
     pub spectrum_segment_s: f64,
 }
@@ -114,6 +154,7 @@ impl RecordsTable {
     pub(crate) fn build(
         &self,
         dynamics: &DynamicsSettings,
+        bit_depth_m: Option<f64>,
         reader: &mut Reader,
     ) -> Option<Records> {
         let frames = self.frames.optional()?;
@@ -122,6 +163,8 @@ impl RecordsTable {
         let segment = self.spectrum_segment.optional()?;
         once_each(channels, Channel::name, reader)?;
         once_each(spectra, Signal::name, reader)?;
+        let probes = self.probes(bit_depth_m, reader)?;
+        let none = spectra.is_empty() && probes.is_empty();
         if let (None, Some(given)) = (frames, self.channels.given()) {
             reader.report(
                 Diagnostic::warning("`channels` has no effect here")
@@ -129,7 +172,7 @@ impl RecordsTable {
                     .help("no frames are kept: add frames = \"10 Hz\" to [records]"),
             );
         }
-        if let (true, Some(given)) = (spectra.is_empty(), segment) {
+        if let (true, Some(given)) = (none, segment) {
             reader.report(
                 Diagnostic::warning("`spectrum_segment` has no effect here")
                     .at(given.place, "length of the segments of a spectrum")
@@ -156,7 +199,7 @@ impl RecordsTable {
         }
         let window_s = dynamics.duration_s;
         let segment_s = segment.map_or(window_s / SEGMENTS, |at| at.value);
-        if let Some(given) = segment.filter(|_| !spectra.is_empty())
+        if let Some(given) = segment.filter(|_| !none)
             && !(FEWEST_SAMPLES * sample_s..=window_s).contains(&given.value)
         {
             reader.report(
@@ -178,8 +221,66 @@ impl RecordsTable {
             frame_interval_s: frames.map(|at| 1.0 / at.value),
             channels: channels.iter().map(|at| at.value).collect(),
             spectra: spectra.iter().map(|at| at.value).collect(),
+            probes,
             spectrum_segment_s: segment_s,
         })
+    }
+
+    /// Every signal at every depth.
+    fn probes(&self, bit_depth_m: Option<f64>, reader: &mut Reader) -> Option<Vec<Probe>> {
+        let (signals, depths) = (
+            self.node_spectra.optional()?,
+            self.node_spectra_at.optional()?,
+        );
+        let (signals, depths) = match (signals, depths) {
+            (None, None) => return Some(Vec::new()),
+            (Some(signals), Some(depths)) => (&signals.value, &depths.value),
+            (Some(signals), None) => {
+                reader.report(
+                    Diagnostic::error("`node_spectra` needs `node_spectra_at`")
+                        .at(signals.place, "at which depths?")
+                        .help("add node_spectra_at = \"4290 m\" to [records]"),
+                );
+                return None;
+            }
+            (None, Some(depths)) => {
+                reader.report(
+                    Diagnostic::warning("`node_spectra_at` has no effect here")
+                        .at(depths.place, "depths of signals of nodes")
+                        .help("no signal is named: add node_spectra = \"bending_moment\" to [records]"),
+                );
+                return Some(Vec::new());
+            }
+        };
+        once_each(signals, NodeSignal::name, reader)?;
+        for (i, depth) in depths.iter().enumerate() {
+            let twice = depths[..i].iter().find(|first| first.value == depth.value);
+            let too_deep = bit_depth_m.filter(|bit_m| depth.value > *bit_m);
+            let diagnostic = match (twice, too_deep) {
+                (Some(first), _) => {
+                    Diagnostic::error(format!("{} m is listed twice", number_text(depth.value)))
+                        .at(depth.place, "again here")
+                        .at(first.place, "first here")
+                }
+                (None, Some(bit_m)) => {
+                    Diagnostic::error("a depth of `node_spectra_at` is below the bit").at(
+                        depth.place,
+                        format!("expected at most {} m", number_text(bit_m)),
+                    )
+                }
+                (None, None) => continue,
+            };
+            reader.report(diagnostic);
+            return None;
+        }
+        let at_depth = |depth: &At<f64>| {
+            let md_m = depth.value;
+            signals.iter().map(move |at| Probe {
+                md_m,
+                signal: at.value,
+            })
+        };
+        Some(depths.iter().flat_map(at_depth).collect())
     }
 }
 
@@ -190,6 +291,10 @@ impl Records {
             "frame_interval_s": self.frame_interval_s,
             "channels": self.channels.iter().map(|channel| channel.name()).collect::<Vec<_>>(),
             "spectra": self.spectra.iter().map(|signal| signal.name()).collect::<Vec<_>>(),
+            "node_spectra": self.probes.iter().map(|probe| json!({
+                "md_m": probe.md_m,
+                "signal": probe.signal.name(),
+            })).collect::<Vec<_>>(),
             "spectrum_segment_s": self.spectrum_segment_s,
         })
     }

@@ -1,6 +1,7 @@
 //! `[rig]` and `[hoist]`.
 
 use wholestring::{
+    GRAVITY_M_PER_S2,
     dynamics::{Autodriller, DynamicsSettings, HoistControl, HoistLine, Schedule},
     rig::Rig,
 };
@@ -15,10 +16,14 @@ use crate::{
     table::{Field, default, optional, table},
 };
 
+/// Part of the block's weight by which its mass may be off: what rounding leaves.
+const SAME_BLOCK: f64 = 0.05;
+
 table! {
     /// Limits of the rig. They change no result; a run warns of an operation that exceeds them.
     RigTable in "[rig]" {
-        /// Weight of travelling block and top drive. Never part of the reported hook load.
+        /// Weight of travelling block and top drive. Never part of the reported hook load. How they move with the top
+        /// of the string is `mass` of `[hoist]`.
         block_weight: f64 = optional(force("20 tf"));
         /// Largest load that the hoist carries, block included.
         hoist_capacity: f64 = optional(force("450 tf"));
@@ -135,7 +140,8 @@ table! {
             DynamicsSettings::default().hoist_line.damping_N_s_per_m,
         );
         /// Mass of travelling block and top drive, which move with the top of the string. Raising it slows the
-        /// top's axial swings; the reported hook load never holds its weight.
+        /// top's axial swings; the reported hook load never holds its weight. Where `block_weight` of `[rig]` is
+        /// another one's by more than 5 %, a warning says so.
         mass: f64 = default(
             Quantity::si(Dimension::Mass, Range::from_to(0.0, 1e6), "25 t"),
             DynamicsSettings::default().hoist_line.block_mass_kg,
@@ -144,6 +150,28 @@ table! {
 }
 
 impl HoistTable {
+    /// One block, weighed twice: its weight for the rig's limits, its mass for its motion.
+    pub(crate) fn check_block(&self, rig: &RigTable, reader: &mut Reader) {
+        let (Some(weight), Some(mass)) = (rig.block_weight.given(), self.mass.given()) else {
+            return;
+        };
+        let weight_kg = weight.value / GRAVITY_M_PER_S2;
+        if (mass.value - weight_kg).abs() > SAME_BLOCK * weight_kg {
+            reader.report(
+                Diagnostic::warning("the block's mass is not that of its weight")
+                    .at(
+                        mass.place,
+                        format!("{} kg move", number_text(mass.value.round())),
+                    )
+                    .at(
+                        weight.place,
+                        format!("{} kg hang", number_text(weight_kg.round())),
+                    )
+                    .help("both are of travelling block and top drive: the mass acts in the dynamic model, the weight on the limits of the rig"),
+            );
+        }
+    }
+
     pub(crate) fn line(&self) -> Option<HoistLine> {
         Some(HoistLine {
             stiffness_N_per_m: *self.stiffness.get()?,

@@ -34,10 +34,30 @@ fn frames_and_spectra() {
             "spectrum_segment_of_few_samples",
             "spectra = \"twist\"\nspectrum_segment = \"0.1 s\"",
         ),
+        (
+            "node_spectra_without_depth",
+            "node_spectra = \"bending_moment\"",
+        ),
+        (
+            "node_signal_misspelt",
+            "node_spectra = \"bending_momment\"\nnode_spectra_at = \"4290 m\"",
+        ),
+        (
+            "node_spectra_below_the_bit",
+            "node_spectra = \"tension\"\nnode_spectra_at = [\"100 m\", \"9 km\"]",
+        ),
+        (
+            "node_spectra_twice_at_a_depth",
+            "node_spectra = \"tension\"\nnode_spectra_at = [\"100 m\", 100]",
+        ),
     ] {
         refused(name, read(&records(keys)));
     }
     for (name, keys) in [
+        (
+            "node_spectra_at_without_signal",
+            "node_spectra_at = \"4290 m\"",
+        ),
         ("channels_without_frames", "channels = \"force\""),
         (
             "spectrum_segment_without_spectra",

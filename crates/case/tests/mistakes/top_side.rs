@@ -35,6 +35,13 @@ fn top_drive_and_hoist() {
         )),
     );
     refused("hoist_mass_negative", read(&hoist("mass = \"-20 t\"")));
+    let block = |mass: &str| {
+        let hoist = format!("[hoist]\nmass = \"{mass}\"\n[rig]\nblock_weight = \"20 tf\"\n#");
+        changed("[rig] ", &hoist)
+    };
+    warned("warn_two_blocks", read(&block("35 t")));
+    let same = read(&block("20.5 t")).expect("a sound case");
+    assert!(same.warnings.is_empty(), "{}", same.warnings);
     warned(
         "warn_top_drive_constant",
         read(&drive("inertia = \"2900 kg.m2\"")),

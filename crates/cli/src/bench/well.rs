@@ -102,7 +102,7 @@ impl Well {
         let folder = ResultsFolder::create(self.folder())?;
         let begin_s = simulation.time_s();
         let clock = Clock::begin();
-        match Frames::begin(case, &folder)? {
+        match Frames::begin(case, &folder, None)? {
             None => simulation
                 .advance(TIMED_S)
                 .map_err(|error| failed(&error))?,
@@ -115,7 +115,7 @@ impl Well {
                         .map_err(|error| failed(&error))?;
                     frames.take(&case.operations[0], &simulation)?;
                 }
-                frames.finish()?;
+                frames.write()?;
             }
         }
         Ok(clock.elapsed_s() / (simulation.time_s() - begin_s))

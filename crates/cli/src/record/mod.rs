@@ -168,7 +168,7 @@ impl Record {
         folder.write_table("time", &self.time, csv)?;
         folder.write_table("wear", &self.wear, csv)?;
         folder.write_table("contact", &self.contact, csv)?;
-        if self.records.spectra.is_empty() {
+        if self.records.spectra.is_empty() && self.records.probes.is_empty() {
             folder.remove("spectra.parquet")?;
             folder.remove("spectra.csv")?;
         } else {

@@ -120,7 +120,7 @@ impl Record {
             ],
         );
         self.add_series(operation, series);
-        self.add_spectra(operation, series);
+        self.add_spectra(operation, outcome);
     }
 
     fn add_profile(&mut self, operation: &Operation, nodes: &NodeProfile) {
@@ -172,6 +172,8 @@ impl Record {
                     &nodes.contact_force_percentiles_N.p95,
                 ),
                 ("true_tension_N", &nodes.true_tension_N),
+                ("outside_pressure_Pa", &nodes.outside_pressure_Pa),
+                ("inside_pressure_Pa", &nodes.inside_pressure_Pa),
                 ("bending_moment_N_m", &nodes.bending_moment_N_m),
                 ("bending_moment_max_N_m", &nodes.bending_moment_max_N_m),
                 (
@@ -235,13 +237,16 @@ impl Record {
                     &numbers(&series.block_velocity_set_m_per_s),
                 ),
                 ("weight_on_bit_set_N", &numbers(&series.weight_on_bit_set_N)),
+                ("flow_rate_m3_per_s", &series.flow_rate_m3_per_s),
+                ("pump_pressure_Pa", &numbers(&series.pump_pressure_Pa)),
             ],
         );
     }
 
     /// Adds the spectra that the case asks for; a window that was interrupted before a segment of it was full is
     /// one segment.
-    fn add_spectra(&mut self, operation: &Operation, series: &TimeSeries) {
+    fn add_spectra(&mut self, operation: &Operation, outcome: &DynamicOutcome) {
+        let series = &outcome.series;
         let from = series.time_s.partition_point(|time| *time < self.settle_s);
         let [first, .., last] = series.time_s[from..] else {
             return;
@@ -249,17 +254,25 @@ impl Record {
         let interval_s = (last - first) / (series.time_s.len() - from - 1) as f64;
         // Rounding to whole steps may leave the window a sample short.
         let segment = (self.records.spectrum_segment_s / interval_s).round() as usize;
-        for signal in &self.records.spectra {
-            let samples = &signal.of(series)[from..];
+        let scalars = self.records.spectra.iter();
+        let scalars = scalars.map(|s| (s.name(), s.unit(), None, s.of(series)));
+        let probed = series.probes.iter();
+        let probed = probed.map(|p| {
+            let md_m = outcome.nodes.md_m[p.node];
+            (p.signal.name(), p.signal.unit(), Some(md_m), &p.samples[..])
+        });
+        for (name, unit, md_m, samples) in scalars.chain(probed) {
+            let samples = &samples[from..];
             let segment = segment.min(samples.len());
             if let Some(spectrum) = Spectrum::welch(samples, interval_s, segment) {
                 self.spectra.append(
                     &[
                         ("operation", &[operation.kind.name()]),
-                        ("signal", &[signal.name()]),
-                        ("unit", &[signal.unit()]),
+                        ("signal", &[name]),
+                        ("unit", &[unit]),
                     ],
                     &[
+                        ("md_m", &numbers(&vec![md_m; spectrum.density.len()])),
                         ("frequency_Hz", &spectrum.frequency_Hz),
                         ("density", &spectrum.density),
                     ],

@@ -434,6 +434,10 @@ fn frames_and_spectra() {
         "--set",
         "records.spectra=hook_load",
         "--set",
+        "records.node_spectra=[\"rotary_speed\", \"tension\"]",
+        "--set",
+        "records.node_spectra_at=[\"0 m\", \"150 m\"]",
+        "--set",
         "records.spectrum_segment=1 s",
         "--set",
         "model=dynamic",
@@ -479,9 +483,16 @@ fn frames_and_spectra() {
     let spectra = Table::read_parquet(&desk.path("out/spectra.parquet")).unwrap();
     let frequencies = numbers(&spectra, "frequency_Hz");
     assert!((frequencies[1] - 1.0).abs() < 0.03, "{}", frequencies[1]);
-    let half = spectra.rows() / 2;
+    // Of either operation a scalar and two signals of two nodes.
+    let rows = spectra.rows() / 10;
     let density = numbers(&spectra, "density");
-    let variance: f64 = density[..half].iter().sum::<f64>() * frequencies[1];
+    let variance: f64 = density[..rows].iter().sum::<f64>() * frequencies[1];
+    let md_m = numbers(&spectra, "md_m");
+    assert_eq!(md_m.len(), 8 * rows, "a scalar has no depth");
+    for (spectrum, depth_m) in [0.0, 0.0, 150.0, 150.0].into_iter().enumerate() {
+        let found = md_m[spectrum * rows];
+        assert!((found - depth_m).abs() < 2.5, "{found} for {depth_m} m");
+    }
     let summary = desk.summary("out");
     let std = summary.operations[0].statistics.as_ref().unwrap()["hook_load_N"].std;
     assert!(

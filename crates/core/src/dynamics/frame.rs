@@ -2,10 +2,12 @@
 
 use super::{
     assembly::Anchor,
+    body::Body,
     chain::{Chain, Rows, element, node},
     record::{Look, Strength},
+    signal::NodeSignal,
 };
-use crate::rod::number::Real;
+use crate::rod::{number::Real, vector::Vector};
 
 /// A group of quantities that a frame holds of every node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -166,10 +168,20 @@ pub(super) struct Scene<'a, R: Real> {
     pub chain: &'a Chain<R>,
     pub anchors: &'a [Anchor],
     pub high: &'a [Rows<f64>],
+    pub body: &'a Body,
     pub strength: &'a Strength,
     pub time_s: f64,
     /// Steps that the chain's sums hold.
     pub summed_steps: u64,
+}
+
+/// A node of a scene.
+struct View<'a, R: Real> {
+    scene: &'a Scene<'a, R>,
+    node: usize,
+    /// The node's block.
+    look: &'a Look,
+    lane: usize,
 }
 
 impl<R: Real> Scene<'_, R> {
@@ -183,46 +195,43 @@ impl<R: Real> Scene<'_, R> {
         let looks: Vec<Look> = (0..chain.layout().blocks())
             .map(|block| self.look(block))
             .collect();
-        let mut above = None;
         for i in 0..=last {
             let (block, lane) = chain.layout().place(i);
-            let look = &looks[block];
+            let view = View {
+                scene: self,
+                node: i,
+                look: &looks[block],
+                lane,
+            };
             let anchor = &self.anchors[i];
-            let tangent = chain.tangent(i);
-            let high = anchor.high_side.into();
-            let right = tangent.cross(high);
+            let (tangent, high, right) = view.directions();
             let moved = chain.displacement(i);
-            let velocity = chain.velocity(i);
             let along = moved.dot(tangent);
             // The hole's own direction where the node is, not at its anchor.
             let tilt = chain.director(i).minus(chain.curvature(i), along);
             frame.md_m.push(anchor.md_m + along);
-            frame.offset_high_m.push(look.offset[lane] * look.up[lane]);
-            frame
-                .offset_right_m
-                .push(look.offset[lane] * look.right[lane]);
             frame.north_m.push(anchor.position_m.x + moved.0);
             frame.east_m.push(anchor.position_m.y + moved.1);
             frame.tvd_m.push(anchor.position_m.z + moved.2);
-            frame.velocity_high_m_per_s.push(velocity.dot(high));
-            frame.velocity_right_m_per_s.push(velocity.dot(right));
-            frame.axial_velocity_m_per_s.push(velocity.dot(tangent));
-            frame.rotary_speed_rad_per_s.push(node!(chain, i, spin));
             frame.tilt_high_rad.push(tilt.dot(high));
             frame.tilt_right_rad.push(tilt.dot(right));
-            let side = if look.up[lane] < 0.0 { -1.0 } else { 1.0 };
-            frame.contact_force_N.push(side * look.normal[lane]);
-            frame.axial_friction_N.push(-look.axial[lane]);
-            frame.friction_torque_N_m.push(look.rub[lane]);
-            frame.bending_moment_N_m.push(look.bending[lane]);
-            frame.von_mises_stress_Pa.push(look.stress[lane]);
-            // At the ends there is but one element.
-            let below = (i < last).then(|| (look.tension[lane], -look.torque[lane]));
-            let (upper, lower) = (above.or(below), below.or(above));
-            let ((t1, m1), (t2, m2)) = upper.zip(lower).unwrap_or_default();
-            frame.tension_N.push(0.5 * (t1 + t2));
-            frame.torque_N_m.push(0.5 * (m1 + m2));
-            above = below;
+            frame.axial_friction_N.push(-view.look.axial[lane]);
+            frame.friction_torque_N_m.push(view.look.rub[lane]);
+            for (signal, values) in [
+                (NodeSignal::OffsetHigh, &mut frame.offset_high_m),
+                (NodeSignal::OffsetRight, &mut frame.offset_right_m),
+                (NodeSignal::VelocityHigh, &mut frame.velocity_high_m_per_s),
+                (NodeSignal::VelocityRight, &mut frame.velocity_right_m_per_s),
+                (NodeSignal::AxialVelocity, &mut frame.axial_velocity_m_per_s),
+                (NodeSignal::RotarySpeed, &mut frame.rotary_speed_rad_per_s),
+                (NodeSignal::ContactForce, &mut frame.contact_force_N),
+                (NodeSignal::Tension, &mut frame.tension_N),
+                (NodeSignal::Torque, &mut frame.torque_N_m),
+                (NodeSignal::BendingMoment, &mut frame.bending_moment_N_m),
+                (NodeSignal::VonMisesStress, &mut frame.von_mises_stress_Pa),
+            ] {
+                values.push(view.signal(signal));
+            }
         }
         frame.von_mises_stress_Pa[last] = frame.von_mises_stress_Pa[last - 1];
         frame.twist_rad = vec![0.0; last + 1];
@@ -232,8 +241,74 @@ impl<R: Real> Scene<'_, R> {
         frame
     }
 
+    /// A signal of a node.
+    pub(super) fn signal(&self, node: usize, signal: NodeSignal) -> f64 {
+        // Below the bit there is no element: it bears what the node above it does.
+        let node = match signal {
+            NodeSignal::VonMisesStress => node.min(self.chain.nodes() - 2),
+            _ => node,
+        };
+        let (block, lane) = self.chain.layout().place(node);
+        let view = View {
+            scene: self,
+            node,
+            look: &self.look(block),
+            lane,
+        };
+        view.signal(signal)
+    }
+
     fn look(&self, block: usize) -> Look {
         let per_step = 1.0 / self.summed_steps as f64;
-        Look::at(self.chain, self.high, self.strength, block, per_step)
+        Look::at(
+            self.chain,
+            self.high,
+            self.body,
+            self.strength,
+            block,
+            per_step,
+        )
+    }
+}
+
+impl<R: Real> View<'_, R> {
+    /// Along the hole, to its high side and to the right of it.
+    fn directions(&self) -> (Vector<f64>, Vector<f64>, Vector<f64>) {
+        let tangent = self.scene.chain.tangent(self.node);
+        let high = self.scene.anchors[self.node].high_side.into();
+        (tangent, high, tangent.cross(high))
+    }
+
+    fn signal(&self, signal: NodeSignal) -> f64 {
+        let Self {
+            scene,
+            node,
+            look,
+            lane,
+        } = *self;
+        let chain = scene.chain;
+        let (tangent, high, right) = self.directions();
+        let velocity = chain.velocity(node);
+        match signal {
+            NodeSignal::Tension => self.at_ends(|i| element!(chain, i, tension)),
+            NodeSignal::Torque => self.at_ends(|i| -element!(chain, i, torque)),
+            NodeSignal::BendingMoment => look.bending[lane],
+            NodeSignal::VonMisesStress => look.stress[lane],
+            NodeSignal::ContactForce if look.up[lane] < 0.0 => -look.normal[lane],
+            NodeSignal::ContactForce => look.normal[lane],
+            NodeSignal::OffsetHigh => look.offset[lane] * look.up[lane],
+            NodeSignal::OffsetRight => look.offset[lane] * look.right[lane],
+            NodeSignal::VelocityHigh => velocity.dot(high),
+            NodeSignal::VelocityRight => velocity.dot(right),
+            NodeSignal::AxialVelocity => velocity.dot(tangent),
+            NodeSignal::RotarySpeed => node!(chain, node, spin),
+        }
+    }
+
+    /// The mean of the two elements at the node; at the ends there is but one.
+    fn at_ends(&self, of: impl Fn(usize) -> f64) -> f64 {
+        let above = self.node.saturating_sub(1);
+        let below = self.node.min(self.scene.chain.elements() - 1);
+        0.5 * (of(above) + of(below))
     }
 }

@@ -7,6 +7,7 @@ mod body;
 mod carry;
 mod chain;
 mod energy;
+mod flow_pressures;
 mod frame;
 mod hoist;
 mod imbalance;
@@ -44,5 +45,5 @@ pub use settings::{
     RodDamping, SpeedController, Start, TopDriveSettings,
 };
 pub use setup::{Effort, SetupError};
-pub use signal::Signal;
+pub use signal::{NodeSignal, Probe, Probed, Signal};
 pub use simulation::{Checkpoint, Diverged, ResumeError};

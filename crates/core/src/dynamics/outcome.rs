@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{energy::EnergyBalance, indicators::Indicators};
+use super::{energy::EnergyBalance, indicators::Indicators, signal::Probed};
 use crate::{mud::Hydraulics, outcome::Scalars};
 
 /// Distribution of one quantity over the window.
@@ -172,8 +172,12 @@ pub struct NodeProfile {
     pub torque_percentiles_N_m: Percentiles,
     /// Percentiles of the contact force of the node itself, N.
     pub contact_force_percentiles_N: Percentiles,
-    /// Mean force in the metal, N: effective tension less what the mud's pressure presses it with,
-    /// `T − p A`.
+    /// Mean pressure of the mud outside, Pa: its weight and what its flow adds.
+    pub outside_pressure_Pa: Vec<f64>,
+    /// Mean pressure of the mud inside, Pa.
+    pub inside_pressure_Pa: Vec<f64>,
+    /// Mean force in the metal, N: effective tension, what the mud's pressures pull and press the metal with, and the
+    /// momentum of its stream in the bore, `T + p_i A_i − p_o A_o + ρ Q²/A_i`.
     pub true_tension_N: Vec<f64>,
     /// Mean bending moment, N·m, whatever its direction.
     pub bending_moment_N_m: Vec<f64>,
@@ -267,6 +271,10 @@ pub struct TimeSeries {
     pub block_velocity_set_m_per_s: Vec<Option<f64>>,
     /// Weight on bit that the autodriller is set to, N; none where it is not in control.
     pub weight_on_bit_set_N: Vec<Option<f64>>,
+    /// What the pumps deliver, m³/s.
+    pub flow_rate_m3_per_s: Vec<f64>,
+    /// Pressure that they deliver at, Pa; none without a rheology.
+    pub pump_pressure_Pa: Vec<Option<f64>>,
     /// Line of the schedule that began last, counted from one; zero before the first.
     pub schedule_line: Vec<usize>,
     /// Measured depth of the shallowest zero of effective tension, m, if there is one.
@@ -274,6 +282,8 @@ pub struct TimeSeries {
     /// Deepest change of the side force from high to low side over the second before, m: one value a
     /// second, none between.
     pub cutoff_depth_m: Vec<Option<f64>>,
+    /// What single nodes showed, as the settings ask for it.
+    pub probes: Vec<Probed>,
 }
 
 impl DynamicOutcome {

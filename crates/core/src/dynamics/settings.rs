@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{bit::BitSettings, schedule::Schedule};
+use super::{bit::BitSettings, schedule::Schedule, signal::Probe};
 use crate::wall::friction::STRIBECK_SPEED_M_PER_S;
 
 /// How the string lies at time zero.
@@ -212,6 +212,8 @@ pub struct DynamicsSettings {
     /// Time between samples of the statistics and rows of the time table, s. Contact forces are
     /// averaged over it.
     pub sample_interval_s: f64,
+    /// Places whose signals are recorded against time.
+    pub probes: Vec<Probe>,
     /// Seed of the microscopic lateral disturbance that breaks the symmetry of the start, and of the bit's
     /// excitation.
     pub seed: u64,
@@ -223,7 +225,7 @@ impl Default for DynamicsSettings {
     /// Elements of 3.2 m; 60 s after 20 s of settling, sampled every 10 ms; a prepared start; vector
     /// friction that loses half of its rise at rest by 0.1 m/s; Hertz contact with 0.5 s/m; damping of 0.1 1/s by
     /// mass and 10 µs by stiffness; the hoist control that the operation asks for on a line of 1e7 N/m and
-    /// 1e5 N·s/m that carries no block; a constant rotary speed; no schedule; rock of 1e8 N/m and 1e7 N/m across;
+    /// 1e5 N·s/m that carries no block; a constant rotary speed; no schedule, no probes; rock of 1e8 N/m and 1e7 N/m across;
     /// seed 1; double precision.
     fn default() -> Self {
         Self {
@@ -251,6 +253,7 @@ impl Default for DynamicsSettings {
             schedule: Schedule::default(),
             bit: BitSettings::default(),
             sample_interval_s: 0.01,
+            probes: Vec::new(),
             seed: 1,
             precision: Precision::Double,
         }

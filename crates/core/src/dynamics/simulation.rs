@@ -142,6 +142,7 @@ impl<R: Real> Run<R> {
     /// Changes what the pumps deliver from now on, m³/s; the pressure drop of the bit follows. Without a rheology
     /// the mud does nothing to the string, however it flows.
     pub fn set_flow_rate(&mut self, flow_m3_per_s: f64) {
+        self.state.flow_m3_per_s = flow_m3_per_s;
         if let Some(mud) = &mut self.state.viscous {
             mud.set_flow(flow_m3_per_s, self.operation.bit_loss_Pa(flow_m3_per_s));
         }
@@ -311,15 +312,19 @@ impl<R: Real> Run<R> {
 
     /// The whole string as it is now, at the end of a sample: after [`advance`](Self::advance).
     pub fn frame(&self) -> Frame {
+        self.scene().frame()
+    }
+
+    fn scene(&self) -> frame::Scene<'_, R> {
         frame::Scene {
             chain: &self.chain,
             anchors: &self.state.anchors,
             high: &self.state.high,
+            body: &self.state.body,
             strength: self.state.record.strength(),
             time_s: self.time_s(),
             summed_steps: self.steps_per_sample,
         }
-        .frame()
     }
 
     /// Time between two samples, s: the setting, rounded to whole steps.
@@ -342,6 +347,7 @@ impl<R: Real> Run<R> {
             energy: self.energy_balance().filter(|_| !diverged),
             diverged,
             hydraulics: self.state.viscous.as_ref().map(Viscous::mean),
+            pressures: self.state.viscous.as_ref().map(Viscous::mean_pressures),
             instructions: self.stepper.instructions,
         })
     }

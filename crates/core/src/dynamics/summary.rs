@@ -4,6 +4,7 @@ use super::{
     assembly::Anchor,
     carry,
     energy::EnergyBalance,
+    flow_pressures::FlowPressures,
     indicators::{Indicators, Motion},
     outcome::{DynamicOutcome, HoleWear, NodeProfile, Numerics, Statistic, TimeSeries},
     record::{Quantity, Record, Spread},
@@ -30,6 +31,7 @@ pub struct Sources<'a> {
     pub energy: Option<(EnergyBalance, f64)>,
     pub diverged: bool,
     pub hydraulics: Option<Hydraulics>,
+    pub pressures: Option<FlowPressures>,
     pub instructions: &'static str,
 }
 
@@ -220,9 +222,21 @@ fn load(s: &Sources<'_>, p: &mut NodeProfile) {
     let last = s.mesh.nodes.len() - 1;
     for (i, node) in s.mesh.nodes.iter().enumerate() {
         let (_, component) = s.model.string.component_at(node.from_bit_m);
-        let pressure_Pa = mud.pressure_Pa(s.model.well.path.at(p.md_m[i]).position_m.z);
-        p.true_tension_N
-            .push(p.tension_N[i] - pressure_Pa * component.area_m2());
+        let at_rest_Pa = mud.pressure_Pa(s.model.well.path.at(p.md_m[i]).position_m.z);
+        let (mut outside_Pa, mut inside_Pa, mut stream_N) = (at_rest_Pa, at_rest_Pa, 0.0);
+        let bore_m2 = component.inner_area_m2();
+        if let Some(flow) = &s.pressures {
+            outside_Pa += flow.outside_Pa[i];
+            inside_Pa += flow.inside_Pa[i];
+            if bore_m2 > 0.0 {
+                stream_N = flow.stream_N_m2 / bore_m2;
+            }
+        }
+        // `p_o A_o − p_i A_i`: nothing is left of digits that cancel where the pressures are the same.
+        let pressed_N = outside_Pa * component.area_m2() + (outside_Pa - inside_Pa) * bore_m2;
+        p.outside_pressure_Pa.push(outside_Pa);
+        p.inside_pressure_Pa.push(inside_Pa);
+        p.true_tension_N.push(p.tension_N[i] - pressed_N + stream_N);
         p.side_force_per_joint_N.push(
             component
                 .joints

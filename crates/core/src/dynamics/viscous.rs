@@ -17,6 +17,7 @@ use super::{
     assembly::{Anchor, Surroundings},
     chain::{Chain, node},
     energy::middle_m,
+    flow_pressures::FlowPressures,
 };
 use crate::rod::number::Real;
 use crate::{
@@ -57,6 +58,8 @@ struct Passage {
     /// The motion that the drag was found for.
     motion: Motion,
     drag: AnnulusDrag,
+    /// What friction took from the pressure in the annulus at the last sample, Pa.
+    annulus_loss_Pa: f64,
 }
 
 /// Speed of a node along the hole, m/s.
@@ -77,7 +80,10 @@ pub struct Viscous {
     pull_N: Vec<[f64; 3]>,
     /// What the pulls' potential lost when they changed, J.
     dropped_J: f64,
+    /// What the flow adds to the pressures at each node, at the last sample.
+    pressures: FlowPressures,
     sum: Hydraulics,
+    sum_pressures: FlowPressures,
     samples: u32,
 }
 
@@ -113,6 +119,7 @@ impl Viscous {
                 bore_gradient_Pa_per_m: 0.0,
                 motion,
                 drag: AnnulusDrag::default(),
+                annulus_loss_Pa: 0.0,
             };
             passage.find(&model.mud, motion, hole_m);
             passage
@@ -125,7 +132,9 @@ impl Viscous {
             weight_N: Vec::new(),
             pull_N: Vec::new(),
             dropped_J: 0.0,
+            pressures: FlowPressures::none(mesh.nodes.len()),
             sum: Hydraulics::default(),
+            sum_pressures: FlowPressures::none(mesh.nodes.len()),
             samples: 0,
         })
     }
@@ -251,6 +260,7 @@ impl Viscous {
     /// Forgets what was sampled: a window begins.
     pub fn open_window(&mut self) {
         (self.sum, self.samples) = (Hydraulics::default(), 0);
+        self.sum_pressures.clear();
     }
 
     /// Samples forces and pressures.
@@ -261,16 +271,25 @@ impl Viscous {
             ..Hydraulics::default()
         };
         let along = |i| chain.tangent(i).dot(chain.velocity(i));
-        for (i, passage) in self.passages.iter().enumerate() {
+        for (i, passage) in self.passages.iter_mut().enumerate() {
             let velocity = 0.5 * (along(i) + along(i + 1));
+            passage.annulus_loss_Pa = passage.length_m * passage.gradient_Pa_per_m(velocity);
             let spin = 0.5 * (node!(chain, i, spin) + node!(chain, i + 1, spin));
             now.mud_drag_N += passage.length_m * passage.drag.axial_N_per_m(velocity);
             now.mud_torque_N_m -= passage.length_m * passage.drag.torque_N(spin);
-            now.annulus_loss_Pa += passage.length_m * passage.drag.gradient_Pa_per_m;
+            now.annulus_loss_Pa += passage.annulus_loss_Pa;
             now.bore_loss_Pa += passage.length_m * passage.bore_gradient_Pa_per_m;
         }
         now.pump_pressure_Pa = now.bore_loss_Pa + now.bit_loss_Pa + now.annulus_loss_Pa;
         self.sum = self.sum + now;
+        let losses = |p: &Passage| (p.annulus_loss_Pa, p.length_m * p.bore_gradient_Pa_per_m);
+        let stream_N_m2 = self.mud.density_kg_per_m3 * self.flow_m3_per_s * self.flow_m3_per_s;
+        self.pressures.find(
+            self.bit_loss_Pa,
+            stream_N_m2,
+            self.passages.iter().map(losses),
+        );
+        self.sum_pressures.add(&self.pressures);
         self.samples += 1;
     }
 
@@ -279,32 +298,45 @@ impl Viscous {
         self.sum * (1.0 / f64::from(self.samples.max(1)))
     }
 
-    /// What the pressures that the flow adds lengthen the string by, m.
+    /// What the flow added to the pressures at the last sample.
+    pub fn pressures(&self) -> &FlowPressures {
+        &self.pressures
+    }
+
+    /// Means of what it added.
+    pub fn mean_pressures(&self) -> FlowPressures {
+        self.sum_pressures
+            .scaled(1.0 / f64::from(self.samples.max(1)))
+    }
+
+    /// What the pressures that the flow added at the last sample lengthen the string by, m.
     pub fn stretch_m(&self) -> f64 {
-        let annulus_Pa: f64 = self.passages.iter().map(Passage::annulus_loss_Pa).sum();
-        let (mut outer_Pa, mut inner_Pa) = (annulus_Pa, annulus_Pa + self.bit_loss_Pa);
-        let mut sum = 0.0;
-        for passage in self.passages.iter().rev() {
-            let fall = passage.annulus_loss_Pa();
-            let rise = passage.length_m * passage.bore_gradient_Pa_per_m;
-            let strain = pressure_strain(
-                passage.pressure_strain_per_Pa,
-                (
-                    outer_Pa - 0.5 * fall,
-                    FRAC_PI_4 * passage.od_m * passage.od_m,
-                ),
-                (inner_Pa + 0.5 * rise, passage.bore_m2),
-            );
-            sum += passage.length_m * strain;
-            (outer_Pa, inner_Pa) = (outer_Pa - fall, inner_Pa + rise);
-        }
-        sum
+        let FlowPressures {
+            outside_Pa,
+            inside_Pa,
+            ..
+        } = &self.pressures;
+        let middle = |of: &[f64], i: usize| 0.5 * (of[i] + of[i + 1]);
+        let strains = self.passages.iter().enumerate().map(|(i, passage)| {
+            passage.length_m
+                * pressure_strain(
+                    passage.pressure_strain_per_Pa,
+                    (
+                        middle(outside_Pa, i),
+                        FRAC_PI_4 * passage.od_m * passage.od_m,
+                    ),
+                    (middle(inside_Pa, i), passage.bore_m2),
+                )
+        });
+        strains.sum()
     }
 }
 
 impl Passage {
-    fn annulus_loss_Pa(&self) -> f64 {
-        self.length_m * self.drag.gradient_Pa_per_m
+    /// Gradient of the annulus's pressure by friction at a velocity near that of the motion that the drag was found for.
+    fn gradient_Pa_per_m(&self, axial_m_per_s: f64) -> f64 {
+        let since = axial_m_per_s - self.motion.axial_m_per_s;
+        self.drag.gradient_Pa_per_m + self.drag.surge_Pa_s_per_m2 * since
     }
 
     fn is_stale(&self, motion: &Motion, md_m: f64) -> bool {

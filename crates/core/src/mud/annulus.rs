@@ -71,6 +71,8 @@ pub struct AnnulusDrag {
     pub spin_drag_N_s: f64,
     /// What friction adds to the pressure per metre of depth, Pa/m.
     pub gradient_Pa_per_m: f64,
+    /// What that gains per velocity of the pipe towards the bit, Pa·s/m²: surge.
+    pub surge_Pa_s_per_m2: f64,
 }
 
 impl AnnulusDrag {
@@ -119,6 +121,7 @@ impl Annulus {
             drag_Pa_s: along * laminar.drag_Pa_s,
             spin_drag_N_s: around * laminar.spin_drag_N_s,
             gradient_Pa_per_m: along * laminar.gradient_Pa_per_m,
+            surge_Pa_s_per_m2: along * laminar.surge_Pa_s_per_m2,
         }
     }
 
@@ -136,6 +139,7 @@ impl Annulus {
             drag_Pa_s,
             spin_drag_N_s: 4.0 * PI * viscosity_Pa_s * a2 * r2 / gap,
             gradient_Pa_per_m: -4.0 * (viscosity_Pa_s * motion.axial_m_per_s + b * log) / gap,
+            surge_Pa_s_per_m2: -4.0 * (viscosity_Pa_s - drag_Pa_s * log / (2.0 * PI)) / gap,
         }
     }
 
@@ -242,6 +246,7 @@ impl Annulus {
                     inverse.m33
                 },
             gradient_Pa_per_m: x.x / hole,
+            surge_Pa_s_per_m2: -inverse.m12 / (hole * hole),
         }
     }
 

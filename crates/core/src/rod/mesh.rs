@@ -108,6 +108,20 @@ impl Mesh {
         Self { nodes, elements }
     }
 
+    /// The node nearest to a place.
+    pub fn nearest_node(&self, from_bit_m: f64) -> usize {
+        // The distances go down along the nodes.
+        let below = self.nodes.partition_point(|n| n.from_bit_m >= from_bit_m);
+        let above = below.saturating_sub(1);
+        let below = below.min(self.nodes.len() - 1);
+        let off = |i: usize| (self.nodes[i].from_bit_m - from_bit_m).abs();
+        if off(below) < off(above) {
+            below
+        } else {
+            above
+        }
+    }
+
     /// The node nearest to a place between the ends, the ends left out.
     ///
     /// # Panics

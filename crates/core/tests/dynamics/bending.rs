@@ -13,7 +13,7 @@ const BUILD_DEG: f64 = 40.0;
 
 /// A weightless pipe under tension in an arc lies against its inside at every node and bends more there than
 /// the hole: by `x/tanh x`, `x = (l/2)√(T/EI)`, with `l` from one support to the next (A. Lubinski, *Maximum
-/// Permissible Dog-Legs in Rotary Boreholes*, J. Petroleum Technology, February 1961, his (8), for tool joints).
+/// Permissible Dog-Legs in Rotary Boreholes*, J. Petroleum Technology, February 1961, for tool joints).
 ///
 /// Here `x` is 0.64 and the factor 1.132. An element has it to the second order, `1 + x²/3`: 0.32 % more, the
 /// tolerance is 0.4 %. Left out are 30 m at the ends of the arc, where the curvature jumps: `e^(−30 m √(T/EI))` is 6e-6.

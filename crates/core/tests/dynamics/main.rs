@@ -24,6 +24,7 @@ mod np13;
 mod numerics;
 mod operations;
 mod precision;
+mod probes;
 mod rough;
 mod schedule;
 mod steadiness;

@@ -83,6 +83,7 @@ mod tests {
                     "J/m" => "_J_per_m",
                     "W/m" => "_W_per_m",
                     "m/s" => "_m_per_s",
+                    "m³/s" => "_m3_per_s",
                     "rad/s" => "_rad_per_s",
                     "Pa" => "_Pa",
                     "Hz" => "_Hz",

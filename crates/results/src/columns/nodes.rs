@@ -109,7 +109,17 @@ pub const NODES: &[ColumnSpec] = &[
     ColumnSpec::number(
         "true_tension_N",
         "N",
-        "Force in the metal, `T − p A`: effective tension less the pressure of the mud at rest on the section",
+        "Force in the metal, `T + p_i A_i − p_o A_o + ρ Q²/A_i`: effective tension and what the mud's pressures and its stream add",
+    ),
+    ColumnSpec::number(
+        "outside_pressure_Pa",
+        "Pa",
+        "Pressure of the mud in the annulus: of its weight and its flow",
+    ),
+    ColumnSpec::number(
+        "inside_pressure_Pa",
+        "Pa",
+        "Pressure of the mud in the bore",
     ),
     ColumnSpec::number(
         "bending_moment_N_m",

@@ -2,12 +2,17 @@
 
 use crate::ColumnSpec;
 
-/// Columns of `spectra.parquet`: power spectral densities of scalars over the window, a row per frequency.
+/// Columns of `spectra.parquet`: power spectral densities over the window, a row per frequency.
 pub const SPECTRA: &[ColumnSpec] = &[
     ColumnSpec::text("operation", "`trip_out`, `drill`, ..."),
     ColumnSpec::text(
         "signal",
-        "Column of `time.parquet` without its unit: `surface_torque`, ...",
+        "Column of `time.parquet` or, of a node, of `frames.parquet` without its unit: `surface_torque`, ...",
+    ),
+    ColumnSpec::number(
+        "md_m",
+        "m",
+        "Measured depth of the node; `null` for a scalar",
     ),
     ColumnSpec::text("unit", "Unit of the signal"),
     ColumnSpec::number("frequency_Hz", "Hz", "Frequency"),

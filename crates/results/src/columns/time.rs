@@ -86,6 +86,12 @@ pub const TIME: &[ColumnSpec] = &[
         "N",
         "What the autodriller is set to hold; `null` where it is not in control",
     ),
+    ColumnSpec::number("flow_rate_m3_per_s", "m³/s", "What the pumps deliver"),
+    ColumnSpec::number(
+        "pump_pressure_Pa",
+        "Pa",
+        "Pressure that the pumps deliver at; `null` without a rheology",
+    ),
     ColumnSpec::text(
         "note",
         "Note of the line of the schedule that began last; empty without one",

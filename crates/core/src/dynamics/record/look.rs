@@ -1,9 +1,10 @@
 //! What a block of nodes, and the elements below them, show at a moment: the one place that reads the chain
 //! for the record.
 
-use super::strength::Strength;
+use super::strength::{Metal, Strength};
 use crate::{
     dynamics::{
+        body::Body,
         chain::{Chain, Rows},
         layout::Layout,
     },
@@ -46,6 +47,22 @@ pub struct Look {
     pub speed_square: Lane,
 }
 
+/// A block of elements: how their ends stand, what is in them, and the metal at their upper ends.
+struct Stretch<'a, R> {
+    u1: [&'a [R; DOUBLES]; 3],
+    u2: [&'a [R; DOUBLES]; 3],
+    d2: [&'a [R; DOUBLES]; 3],
+    chord: [&'a [R; DOUBLES]; 3],
+    inverse_length: &'a [R; DOUBLES],
+    tension: &'a [R; DOUBLES],
+    torque: &'a [R; DOUBLES],
+    bending_near: &'a [R; DOUBLES],
+    bending_far: &'a [R; DOUBLES],
+    bow_near: &'a [R; DOUBLES],
+    bow_far: &'a [R; DOUBLES],
+    metal: &'a Metal,
+}
+
 impl Look {
     const EMPTY: Self = Self {
         tension: NONE,
@@ -69,13 +86,14 @@ impl Look {
     pub fn at<R: Real>(
         chain: &Chain<R>,
         high: &[Rows<f64>],
+        body: &Body,
         strength: &Strength,
         block: usize,
         per_step: f64,
     ) -> Self {
         let mut look = Self::EMPTY;
         look.across_the_hole(chain, high, block, per_step);
-        look.along_the_string(chain, strength, block);
+        look.along_the_string(chain, body, strength, block);
         look
     }
 
@@ -123,46 +141,68 @@ impl Look {
         }
     }
 
-    /// What the string carries at the nodes. The bending moment is the elastic one that the element
-    /// below has at its upper end; the bit, below which there is none, carries none.
+    /// What the string carries at the nodes.
     #[inline(always)]
-    fn along_the_string<R: Real>(&mut self, chain: &Chain<R>, strength: &Strength, block: usize) {
+    fn along_the_string<R: Real>(
+        &mut self,
+        chain: &Chain<R>,
+        body: &Body,
+        strength: &Strength,
+        block: usize,
+    ) {
         let (row, part) = Layout::row_of::<R>(block);
         let (elements, state) = (&chain.element_blocks[row], &chain.states[row]);
         let ends = chain.ends(row);
-        let body = strength.block(block);
-        let (u1, u2) = (parts(&state.u, part), parts(&ends.u, part));
-        let (d1, d2) = (parts(&state.d, part), parts(&ends.d, part));
-        let chords = parts(&elements.chord, part);
-        let inverse_lengths = elements.inverse_length.part(part);
-        let (tensions, torques) = (elements.tension.part(part), elements.torque.part(part));
-        let bending_near = elements.bending_near.part(part);
-        let bending_far = elements.bending_far.part(part);
-        let (bow_near, bow_far) = (elements.bow_near.part(part), elements.bow_far.part(part));
+        let stretch = Stretch {
+            u1: parts(&state.u, part),
+            u2: parts(&ends.u, part),
+            d2: parts(&ends.d, part),
+            chord: parts(&elements.chord, part),
+            inverse_length: elements.inverse_length.part(part),
+            tension: elements.tension.part(part),
+            torque: elements.torque.part(part),
+            bending_near: elements.bending_near.part(part),
+            bending_far: elements.bending_far.part(part),
+            bow_near: elements.bow_near.part(part),
+            bow_far: elements.bow_far.part(part),
+            metal: strength.block(block),
+        };
+        let d1 = parts(&state.d, part);
         for lane in 0..DOUBLES {
-            let (u1, u2) = (of(u1, lane), of(u2, lane));
-            let (d1, d2) = (of(d1, lane), of(d2, lane));
-            let chord = of(chords, lane) + (u2 - u1);
-            // Newton's step from the rest length to the inverse of the chord's: a stretch of 1e-3 leaves
-            // 1.5e-6, and no root is drawn.
-            let rest = inverse_lengths[lane].to_f64();
-            let t = chord.scaled(rest * (1.5 - 0.5 * chord.dot(chord) * rest * rest));
-            let (tension, torque) = (tensions[lane].to_f64(), torques[lane].to_f64());
-            // The gradient of the element's energy on its upper director: `rod::element`.
-            let near = bending_near[lane].to_f64() + bow_near[lane].to_f64() * tension;
-            let far = bending_far[lane].to_f64() - bow_far[lane].to_f64() * tension;
-            let pull = near * t.dot(d1) + far * t.dot(d2);
-            let moment = d2.scaled(far).minus(t, pull).cross(d1);
-            let bending = moment.dot(moment).sqrt();
-            let normal_stress =
-                tension.abs() * body.per_area[lane] + bending * body.per_modulus[lane];
-            let shear_stress = 0.5 * torque * body.per_modulus[lane];
-            self.tension[lane] = tension;
-            self.torque[lane] = torque;
-            self.bending[lane] = bending;
-            self.stress[lane] =
-                (normal_stress * normal_stress + 3.0 * shear_stress * shear_stress).sqrt();
+            self.bear(&stretch, lane, of(d1, lane));
         }
+        // The element below a bend stands on another face of the body: what is bent without stress bears none.
+        for bend in &body.bends {
+            let (block_of_bend, lane) = chain.layout().place(bend.index);
+            if block_of_bend == block {
+                self.bear(&stretch, lane, bend.pose(chain).d1);
+            }
+        }
+    }
+
+    /// What the string carries at a node whose element below sees the director `d1` there. The bending moment is
+    /// the elastic one that this element has at its upper end; the bit, below which there is none, carries none.
+    #[inline(always)]
+    fn bear<R: Real>(&mut self, stretch: &Stretch<'_, R>, lane: usize, d1: Vector<f64>) {
+        let number = |of: &[R; DOUBLES]| of[lane].to_f64();
+        let (u1, u2) = (of(stretch.u1, lane), of(stretch.u2, lane));
+        let d2 = of(stretch.d2, lane);
+        let chord = of(stretch.chord, lane) + (u2 - u1);
+        // Newton's step from the rest length to the inverse of the chord's: a stretch of 1e-3 leaves
+        // 1.5e-6, and no root is drawn.
+        let rest = number(stretch.inverse_length);
+        let t = chord.scaled(rest * (1.5 - 0.5 * chord.dot(chord) * rest * rest));
+        let (tension, torque) = (number(stretch.tension), number(stretch.torque));
+        // The gradient of the element's energy on its upper director: `rod::element`.
+        let near = number(stretch.bending_near) + number(stretch.bow_near) * tension;
+        let far = number(stretch.bending_far) - number(stretch.bow_far) * tension;
+        let pull = near * t.dot(d1) + far * t.dot(d2);
+        let moment = d2.scaled(far).minus(t, pull).cross(d1);
+        let bending = moment.dot(moment).sqrt();
+        self.tension[lane] = tension;
+        self.torque[lane] = torque;
+        self.bending[lane] = bending;
+        self.stress[lane] = stretch.metal.stress_Pa(lane, tension, bending, torque);
     }
 }
 

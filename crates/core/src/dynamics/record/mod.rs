@@ -12,6 +12,7 @@ mod tests;
 use serde::{Deserialize, Serialize};
 
 use super::{
+    body::Body,
     chain::{Chain, Rows},
     layout::Layout,
     outcome::TimeSeries,
@@ -98,13 +99,21 @@ impl Record {
     }
 
     /// Takes a sample of every node: contact quantities as averages over the `steps` since the last
-    /// one, which the chain has summed. `high` holds each node's high side, block by block.
-    pub fn sample(&mut self, chain: &Chain<impl Real>, high: &[Rows<f64>], steps: u64) -> Totals {
+    /// one, which the chain has summed. `high` holds each node's high side, block by block; `body` has the
+    /// bends.
+    pub fn sample(
+        &mut self,
+        chain: &Chain<impl Real>,
+        high: &[Rows<f64>],
+        body: &Body,
+        steps: u64,
+    ) -> Totals {
         let mut totals = TotalBlock::EMPTY;
         Pass {
             sums: &mut self.sums,
             chain,
             high,
+            body,
             strength: &self.strength,
             per_step: 1.0 / steps as f64,
             first: self.samples == 0,
@@ -116,6 +125,12 @@ impl Record {
         self.samples += 1;
         self.max_penetration_m = self.max_penetration_m.max(totals.penetration_m);
         totals
+    }
+
+    /// Presses the bodies, from the next sample on, by what the pressure inside has over that outside at each
+    /// node, Pa.
+    pub fn press(&mut self, difference_Pa: impl Fn(usize) -> f64) {
+        self.strength.press(difference_Pa);
     }
 
     /// The bodies that carry the string's stresses.

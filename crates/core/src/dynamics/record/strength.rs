@@ -14,26 +14,62 @@ use crate::{
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Strength {
     layout: Layout,
-    blocks: Vec<Body>,
+    blocks: Vec<Metal>,
     yield_Pa: Vec<Option<f64>>,
 }
 
-/// Bodies at a block of nodes.
+/// The metal at a block of nodes.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-pub struct Body {
+pub struct Metal {
     /// Inverse of the metal's area, 1/m².
     pub per_area: Lane,
     /// Inverse of the section modulus, 1/m³.
     pub per_modulus: Lane,
+    /// Inner over outer diameter.
+    pub bore_part: Lane,
+    /// Area of the bore over that of the metal.
+    pub bore_per_area: Lane,
+    /// Square of what the pressure inside has over that outside, Pa².
+    pub burst_square: Lane,
+}
+
+impl Metal {
+    /// Von Mises stress, Pa, on the outside of the bend, at the outer or the inner surface, whichever bears more, of a
+    /// body that carries an effective tension `T`, N, a bending moment `M` and a torque `M_t`, N·m.
+    ///
+    /// Lamé's stresses of a thick tube with the pressures `p_o` and `p_i` leave, whatever their mean,
+    ///
+    /// ```text
+    /// σ² = (|T|/A + σ_b)² + 3τ² + 3 (A_o/A (p_i − p_o))²        inside,  A_i for A_o outside,
+    /// ```
+    ///
+    /// with `σ_b = M D/2I` and `τ = M_t D/4I` outside, the part `d/D` of both inside: the axial stress
+    /// `(T + p_i A_i − p_o A_o)/A` is `T/A` more than the mean of radial and hoop stress.
+    #[inline(always)]
+    pub fn stress_Pa(&self, lane: usize, tension_N: f64, bending_N_m: f64, torque_N_m: f64) -> f64 {
+        let pulled = tension_N.abs() * self.per_area[lane];
+        let bent = bending_N_m * self.per_modulus[lane];
+        let sheared = 0.5 * torque_N_m * self.per_modulus[lane];
+        let square = |part: f64, area: f64| {
+            let (normal, shear) = (pulled + part * bent, part * sheared);
+            normal * normal + 3.0 * (shear * shear + area * area * self.burst_square[lane])
+        };
+        let bore = self.bore_per_area[lane];
+        let (outer, inner) = (square(1.0, bore), square(self.bore_part[lane], 1.0 + bore));
+        if inner > outer { inner } else { outer }.sqrt()
+    }
 }
 
 impl Strength {
     /// The bodies of a string.
     pub fn new(model: &Model, mesh: &Mesh, layout: Layout) -> Self {
         let mut blocks = vec![
-            Body {
+            Metal {
                 per_area: [0.0; DOUBLES],
                 per_modulus: [0.0; DOUBLES],
+                bore_part: [0.0; DOUBLES],
+                bore_per_area: [0.0; DOUBLES],
+                burst_square: [0.0; DOUBLES],
             };
             layout.blocks()
         ];
@@ -53,10 +89,13 @@ impl Strength {
                 .min_by(|a, b| modulus(*a).total_cmp(&modulus(*b)))
                 .unwrap_or(first);
             let (block, lane) = layout.place(index);
-            let body = &mut blocks[block];
-            body.per_area[lane] = 1.0 / components[weakest].area_m2();
-            body.per_modulus[lane] = 1.0 / modulus(weakest);
-            yield_Pa.push(components[weakest].yield_strength_Pa);
+            let metal = &mut blocks[block];
+            let component = &components[weakest];
+            metal.per_area[lane] = 1.0 / component.area_m2();
+            metal.per_modulus[lane] = 1.0 / modulus(weakest);
+            metal.bore_part[lane] = component.id_m / component.od_m;
+            metal.bore_per_area[lane] = component.inner_area_m2() / component.area_m2();
+            yield_Pa.push(component.yield_strength_Pa);
         }
         Self {
             layout,
@@ -65,9 +104,17 @@ impl Strength {
         }
     }
 
+    /// Presses the bodies by what the pressure inside has over that outside at each node, Pa.
+    pub fn press(&mut self, difference_Pa: impl Fn(usize) -> f64) {
+        for index in 0..self.yield_Pa.len() {
+            let (block, lane) = self.layout.place(index);
+            self.blocks[block].burst_square[lane] = difference_Pa(index).powi(2);
+        }
+    }
+
     /// A block of nodes.
     #[inline(always)]
-    pub fn block(&self, block: usize) -> &Body {
+    pub fn block(&self, block: usize) -> &Metal {
         &self.blocks[block]
     }
 

@@ -8,7 +8,10 @@ use super::{
     strength::Strength,
 };
 use crate::{
-    dynamics::chain::{Chain, Rows},
+    dynamics::{
+        body::Body,
+        chain::{Chain, Rows},
+    },
     rod::{lanes::DOUBLES, number::Real},
 };
 
@@ -166,6 +169,7 @@ pub struct Pass<'a, R: Real> {
     pub sums: &'a mut [SumBlock],
     pub chain: &'a Chain<R>,
     pub high: &'a [Rows<f64>],
+    pub body: &'a Body,
     pub strength: &'a Strength,
     pub per_step: f64,
     /// Whether it is the first sample of the window.
@@ -197,7 +201,14 @@ impl<R: Real> Pass<'_, R> {
     #[inline(always)]
     fn add_all(mut self) {
         for (block, sums) in self.sums.iter_mut().enumerate() {
-            let look = Look::at(self.chain, self.high, self.strength, block, self.per_step);
+            let look = Look::at(
+                self.chain,
+                self.high,
+                self.body,
+                self.strength,
+                block,
+                self.per_step,
+            );
             self.totals.add(&look);
             sums.add(&look, self.first);
             if let Some(kept) = &mut self.kept {

@@ -125,7 +125,7 @@ fn whirl_goes_round_at_its_rate() {
                 chain.set_displacement(index + 1, *place);
                 chain.set_velocity(index + 1, *velocity);
             }
-            record.sample(&chain, &high, 1);
+            record.sample(&chain, &high, &Body::default(), 1);
         }
         let [rolls, turns, swings] = [1, 2, 3].map(|i| record.circling(i));
         for (found, rate) in [(rolls, backward), (turns, spin)] {
@@ -164,7 +164,7 @@ fn moment_and_stress_of_a_circle() {
         element!(chain, index, torque = TORQUE_N_M);
     }
     let mut record = Record::new(&model, &mesh, chain.layout());
-    record.sample(&chain, &high, 1);
+    record.sample(&chain, &high, &Body::default(), 1);
     let middle = |from_bit_m: f64| {
         let off = |i: &usize| (mesh.nodes[*i].from_bit_m - from_bit_m).abs();
         (0..mesh.nodes.len())
@@ -203,6 +203,43 @@ fn moment_and_stress_of_a_circle() {
     assert_eq!(strength.yield_Pa(joint), Some(724e6));
 }
 
+/// A tube under tension, bending, torque and different pressures inside and outside has von Mises' stress of all six
+/// components, with Lamé's radial and hoop stresses and the real axial force, at the surface that bears more: the
+/// outer one while the pressures are alike, the inner one when it is about to burst.
+#[test]
+fn pressures_stress_the_tube_as_lame_has_it() {
+    let (model, mesh, chain, _) = string();
+    let mut strength = Strength::new(&model, &mesh, chain.layout());
+    let (index, od, id) = (5, 0.127_f64, 0.1086_f64);
+    let (outer, inner) = (PI / 4.0 * od * od, PI / 4.0 * id * id);
+    let (area, second_moment) = (outer - inner, PI / 64.0 * (od.powi(4) - id.powi(4)));
+    let (tension, bending, torque) = (8e5, 1e4, 2e4);
+    let mut worst_inside = 0;
+    for (p_o, p_i) in [(40e6, 40e6), (40e6, 47e6), (20e6, 110e6), (60e6, 10e6)] {
+        let surface = |radius: f64| {
+            let lame = (p_i * inner - p_o * outer) / area;
+            let differs = (p_i - p_o) * inner * outer / (PI * radius * radius * area);
+            let axial =
+                (tension + p_i * inner - p_o * outer) / area + bending * radius / second_moment;
+            let (hoop, radial) = (lame + differs, lame - differs);
+            let shear = torque * radius / (2.0 * second_moment);
+            (0.5 * ((axial - hoop).powi(2) + (hoop - radial).powi(2) + (radial - axial).powi(2))
+                + 3.0 * shear * shear)
+                .sqrt()
+        };
+        let (out, within) = (surface(0.5 * od), surface(0.5 * id));
+        worst_inside += u8::from(within > out);
+        strength.press(|_| p_i - p_o);
+        let (block, lane) = chain.layout().place(index);
+        let found = strength
+            .block(block)
+            .stress_Pa(lane, tension, bending, torque);
+        let error = found / out.max(within) - 1.0;
+        assert!(error.abs() < 1e-12, "{p_o} {p_i}: {found}, {error:e} off");
+    }
+    assert!((1..4).contains(&worst_inside), "both surfaces are tried");
+}
+
 /// Contact quantities are averages over the steps since the last sample, signed by the side.
 #[test]
 fn contact_is_averaged_and_signed() {
@@ -216,7 +253,7 @@ fn contact_is_averaged_and_signed() {
             node!(chain, index, sum_normal = normal);
             node!(chain, index, sum_torque = 0.1 * normal);
         }
-        let totals = record.sample(&chain, &high, 20);
+        let totals = record.sample(&chain, &high, &Body::default(), 20);
         assert!(
             (totals.normal_N - 2.0 * normal / 20.0).abs() < 1e-12,
             "{sample}"

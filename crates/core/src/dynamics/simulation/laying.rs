@@ -13,6 +13,7 @@ use crate::{
         schedule::SetPoints,
         settings::DynamicsSettings,
         setup::{self, Basis, SetupError},
+        signal::Probed,
         start::{self, Scene},
         step::{StepInput, Stepper},
         top_drive::{StringSeen, TopDrive},
@@ -101,7 +102,13 @@ impl<R: Real> Run<R> {
         let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
         let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
         let layout = chain.layout();
-        let record = Record::new(model, mesh, layout);
+        let mut record = Record::new(model, mesh, layout);
+        let probes = settings.probes.iter().map(|probe| Probed {
+            node: mesh.nearest_node(operation.bit_depth_m - probe.md_m),
+            signal: probe.signal,
+            samples: Vec::new(),
+        });
+        record.series.probes = probes.collect();
         let mut high = vec![[Row::filled(0.0); 3]; layout.blocks()];
         for (index, anchor) in anchors.iter().enumerate() {
             assembly::note_high_side(&mut high, layout.place(index), anchor);
@@ -114,6 +121,7 @@ impl<R: Real> Run<R> {
             body: initial.body,
             bit: Bit::new(settings.bit, operation, bottom, settings.seed),
             viscous,
+            flow_m3_per_s: first.flow_now_m3_per_s(),
             rigid_velocity_m_per_s: velocity,
             fading_s: settings
                 .schedule

@@ -39,10 +39,12 @@ impl<R: Real> Run<R> {
         let (anchors, record) = (&state.anchors, &mut state.record);
         if let Some(mud) = &mut state.viscous {
             mud.sample(chain);
+            let pressures = mud.pressures();
+            record.press(|node| pressures.difference_Pa(node));
         }
         state.wear.sample(chain, |i| anchors[i].md_m);
         let sums = std::mem::take(&mut state.since_sample);
-        let totals = record.sample(chain, &state.high, sums.steps);
+        let totals = record.sample(chain, &state.high, &state.body, sums.steps);
         record.map_contact(anchors, time, run_samples);
         let n = sums.steps as f64;
         let last = chain.nodes() - 1;
@@ -59,6 +61,7 @@ impl<R: Real> Run<R> {
         };
         let bit_depth_m = anchors[last].md_m + chain.displacement(last).dot(chain.tangent(last));
         let rotation = state.set_points.rotary_speed_rad_per_s(time);
+        let pump_pressure_Pa = state.viscous.as_ref().map(|mud| mud.pressures().pump_Pa());
         let series = &mut record.series;
         series.time_s.push(time);
         series.bit_depth_m.push(bit_depth_m);
@@ -80,9 +83,22 @@ impl<R: Real> Run<R> {
         series.rotary_speed_set_rad_per_s.push(rotation);
         series.block_velocity_set_m_per_s.push(block);
         series.weight_on_bit_set_N.push(weight);
+        series.flow_rate_m3_per_s.push(state.flow_m3_per_s);
+        series.pump_pressure_Pa.push(pump_pressure_Pa);
         series.schedule_line.push(state.set_points.line());
         series.neutral_point_m.push(neutral_point_m);
         series.cutoff_depth_m.push(cutoff_depth_m);
+        self.probe();
+    }
+
+    /// Notes the signals of single nodes.
+    fn probe(&mut self) {
+        let scene = self.scene();
+        let probes = self.state.record.series.probes.iter();
+        let values: Vec<f64> = probes.map(|p| scene.signal(p.node, p.signal)).collect();
+        for (probe, value) in self.state.record.series.probes.iter_mut().zip(values) {
+            probe.samples.push(value);
+        }
     }
 
     /// From now on statistics and the ledger of energy count.

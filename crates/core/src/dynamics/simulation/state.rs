@@ -19,6 +19,8 @@ pub(super) struct State {
     pub(super) body: Body,
     pub(super) bit: Bit,
     pub(super) viscous: Option<Viscous>,
+    /// What the pumps deliver, m³/s.
+    pub(super) flow_m3_per_s: f64,
     pub(super) rigid_velocity_m_per_s: f64,
     /// Time over which the extra damping of the start fades, s.
     pub(super) fading_s: f64,

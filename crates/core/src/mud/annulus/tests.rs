@@ -212,24 +212,30 @@ fn helical_flow_meets_its_three_conditions() {
     }
 }
 
-/// The slope with the velocity along the hole is the difference quotient of the force, and the mud always
+/// The slopes with the velocity along the hole are the difference quotients of force and pressure, and the mud always
 /// takes energy.
 #[test]
 fn the_slope_is_the_forces_own() {
-    for rheology in [BINGHAM, POWER_LAW] {
+    let newtonian = Rheology::Newtonian {
+        viscosity_Pa_s: 0.03,
+    };
+    for rheology in [newtonian, BINGHAM, POWER_LAW] {
         let mud = weightless(rheology);
         for motion in [moving(0.3, 7.0, 0.033), moving(-0.5, 2.0, 0.01)] {
             let drag = GAP.drag(&mud, &motion);
-            let force = |v: f64| {
+            let at = |v: f64| {
                 let motion = Motion {
                     axial_m_per_s: v,
                     ..motion
                 };
-                GAP.drag(&mud, &motion).axial_N_per_m(v)
+                let drag = GAP.drag(&mud, &motion);
+                (drag.axial_N_per_m(v), drag.gradient_Pa_per_m)
             };
             let v = motion.axial_m_per_s;
-            let slope = (force(v + 1e-4) - force(v - 1e-4)) / 2e-4;
-            close("slope", -slope, drag.drag_Pa_s, 1e-2);
+            let (above, below) = (at(v + 1e-4), at(v - 1e-4));
+            close("slope", (below.0 - above.0) / 2e-4, drag.drag_Pa_s, 1e-2);
+            let surge = (above.1 - below.1) / 2e-4;
+            close("surge", surge, drag.surge_Pa_s_per_m2, 1e-2);
             assert!(drag.spin_drag_N_s > 0.0 && drag.drag_Pa_s > 0.0);
         }
     }
