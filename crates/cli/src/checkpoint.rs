@@ -20,16 +20,16 @@ use crate::{
 
 /// An operation that the dynamics were solving.
 #[derive(Serialize, Deserialize)]
-pub(crate) struct UnderWay {
+pub(crate) struct UnderWay<'a> {
     /// Name of the operation.
     operation: String,
     /// What it had taken until then, s.
     pub(crate) wall_time_s: f64,
-    pub(crate) simulation: Checkpoint,
+    pub(crate) simulation: Checkpoint<'a>,
 }
 
-impl UnderWay {
-    pub(crate) fn new(operation: &Operation, took: Duration, simulation: Checkpoint) -> Self {
+impl<'a> UnderWay<'a> {
+    pub(crate) fn new(operation: &Operation, took: Duration, simulation: Checkpoint<'a>) -> Self {
         Self {
             operation: operation.kind.name().to_owned(),
             wall_time_s: took.as_secs_f64(),
@@ -44,14 +44,14 @@ impl UnderWay {
 
 /// A run that was laid aside.
 #[derive(Serialize, Deserialize)]
-pub(crate) struct Laid {
+pub(crate) struct Laid<'a> {
     /// The case's settings, as JSON.
     settings: String,
     pub(crate) solved: Solved,
-    pub(crate) under_way: Option<UnderWay>,
+    pub(crate) under_way: Option<UnderWay<'a>>,
 }
 
-impl Laid {
+impl Laid<'_> {
     /// The checkpoint in the folder, if there is one.
     ///
     /// # Errors
@@ -96,7 +96,7 @@ impl<'a> Keeper<'a> {
     pub(crate) fn write(
         &mut self,
         record: &Record,
-        under_way: Option<UnderWay>,
+        under_way: Option<UnderWay<'_>>,
     ) -> Result<(), ResultsError> {
         let written = self.folder.write_checkpoint(&Laid {
             settings: record.summary.settings.to_string(),

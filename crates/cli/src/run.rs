@@ -87,7 +87,7 @@ fn existing(path: &Path) -> Result<ResultsFolder, Failure> {
 }
 
 /// The run that was laid aside in the folder, or why there is none.
-fn laid_aside(folder: &ResultsFolder, case: &Case) -> Result<Laid, Failure> {
+fn laid_aside(folder: &ResultsFolder, case: &Case) -> Result<Laid<'static>, Failure> {
     let place = folder.path().display();
     match Laid::read(folder, case) {
         Ok(Some(laid)) => return Ok(laid),

@@ -1,8 +1,7 @@
 //! `checkpoint.bin`: what an unfinished run needs to go on.
 //!
-//! Twelve bytes of a mark and the version of this layout; the version of the program that wrote it;
-//! length and checksum of the content; the content in [postcard](https://postcard.jamesmunns.com)'s
-//! format. Numbers keep every bit. Only the version of the program that wrote a checkpoint reads it: what
+//! Twelve bytes of a mark and the version of this layout; the version of the program that wrote it; the content in
+//! [postcard](https://postcard.jamesmunns.com)'s format; its length and its checksum. Numbers keep every bit. Only the version of the program that wrote a checkpoint reads it: what
 //! changes in a run is what the engine is made of.
 
 use std::{
@@ -25,7 +24,7 @@ pub(crate) const NAME: &str = "checkpoint.bin";
 const MARK: &[u8; 8] = b"wholestr";
 
 /// Version of the layout around the content.
-const LAYOUT: u32 = 1;
+const LAYOUT: u32 = 2;
 
 /// Version of the program; all of its crates share it.
 const PROGRAM: &str = env!("CARGO_PKG_VERSION");
@@ -35,21 +34,22 @@ impl ResultsFolder {
         self.path().join(NAME)
     }
 
-    /// Writes `checkpoint.bin`, whole or not at all: whatever happens meanwhile, the last one is there.
+    /// Writes `checkpoint.bin`, whole or not at all: whatever happens meanwhile, the last one is there. The content
+    /// goes to the disk as it is read: it is never held twice.
     pub fn write_checkpoint(&self, content: &impl Serialize) -> Result<(), ResultsError> {
-        let path = self.checkpoint_path();
-        let content = postcard::to_allocvec(content).map_err(|error| ResultsError::Write {
-            path: path.clone(),
-            source: io::Error::other(error),
-        })?;
-        write_whole(&path, |writer| {
+        write_whole(&self.checkpoint_path(), |writer| {
             writer.write_all(MARK)?;
             writer.write_all(&LAYOUT.to_le_bytes())?;
             writer.write_all(&[PROGRAM.len() as u8])?;
             writer.write_all(PROGRAM.as_bytes())?;
-            writer.write_all(&(content.len() as u64).to_le_bytes())?;
-            writer.write_all(&checksum(&content).to_le_bytes())?;
-            writer.write_all(&content)
+            let mut summed = Summed::new(&mut *writer);
+            // The disk's own error, where there is one, tells more than that it could not be written.
+            if let Err(error) = postcard::to_io(content, &mut summed) {
+                return Err(summed.failed.unwrap_or_else(|| io::Error::other(error)));
+            }
+            let (length, checksum) = summed.end();
+            writer.write_all(&length.to_le_bytes())?;
+            writer.write_all(&checksum.to_le_bytes())
         })
     }
 
@@ -106,29 +106,92 @@ fn unwrap<T: DeserializeOwned>(bytes: &[u8], path: &Path) -> Result<T, ResultsEr
             "wholestring {program} wrote it, this is {PROGRAM}"
         )));
     }
-    let length = take(&mut rest).map(u64::from_le_bytes);
-    let expected = take(&mut rest).map(u64::from_le_bytes);
-    if length != Some(rest.len() as u64) || expected != Some(checksum(rest)) {
+    let end = rest.len().checked_sub(16).ok_or_else(damaged)?;
+    let (content, mut end) = rest.split_at(end);
+    let mut summed = Summed::new(io::sink());
+    summed.write_all(content).map_err(|_| damaged())?;
+    let (length, checksum) = summed.end();
+    if take(&mut end) != Some(length.to_le_bytes())
+        || take(&mut end) != Some(checksum.to_le_bytes())
+    {
         return Err(damaged());
     }
-    postcard::from_bytes(rest).map_err(|_| damaged())
+    postcard::from_bytes(content).map_err(|_| damaged())
 }
 
 fn take<const N: usize>(rest: &mut &[u8]) -> Option<[u8; N]> {
     rest.split_off(..N)?.try_into().ok()
 }
 
-/// FNV-1a over words of eight bytes: it is there to find damage, not forgery.
-fn checksum(bytes: &[u8]) -> u64 {
-    const BASIS: u64 = 0xcbf2_9ce4_8422_2325;
-    const PRIME: u64 = 0x0000_0100_0000_01b3;
-    bytes.chunks(8).fold(BASIS, |sum, chunk| {
-        let mut word = [0; 8];
-        word[..chunk.len()].copy_from_slice(chunk);
-        (sum ^ u64::from_le_bytes(word))
-            .wrapping_mul(PRIME)
-            .rotate_left(29)
-    })
+/// A writer that counts and sums up what goes through it: FNV-1a over words of eight bytes. It is there to find
+/// damage, not forgery.
+struct Summed<W> {
+    writer: W,
+    length: u64,
+    sum: u64,
+    /// The last bytes, which fill no word yet.
+    word: [u8; 8],
+    /// Why the writer did not take more.
+    failed: Option<io::Error>,
+}
+
+impl<W: Write> Summed<W> {
+    fn new(writer: W) -> Self {
+        Self {
+            writer,
+            length: 0,
+            sum: 0xcbf2_9ce4_8422_2325,
+            word: [0; 8],
+            failed: None,
+        }
+    }
+
+    fn add(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            let place = (self.length % 8) as usize;
+            self.word[place] = *byte;
+            self.length += 1;
+            if place == 7 {
+                self.close_word();
+            }
+        }
+    }
+
+    fn close_word(&mut self) {
+        let word = u64::from_le_bytes(std::mem::take(&mut self.word));
+        self.sum = (self.sum ^ word)
+            .wrapping_mul(0x0000_0100_0000_01b3)
+            .rotate_left(29);
+    }
+
+    /// Length and checksum of all that was written.
+    fn end(mut self) -> (u64, u64) {
+        if !self.length.is_multiple_of(8) {
+            self.close_word();
+        }
+        (self.length, self.sum)
+    }
+}
+
+impl<W: Write> Write for Summed<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self.writer.write(bytes) {
+            Ok(taken) => {
+                self.add(&bytes[..taken]);
+                Ok(taken)
+            }
+            Err(error) => {
+                // Whoever asks gets the kind; the error itself is kept for the one who tells it.
+                let kind = error.kind();
+                self.failed = Some(error);
+                Err(kind.into())
+            }
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.writer.flush()
+    }
 }
 
 #[cfg(test)]

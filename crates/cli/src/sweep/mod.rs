@@ -192,7 +192,7 @@ impl Sweep<'_> {
         point: &Point,
         case: &Case,
         folder: &ResultsFolder,
-    ) -> Option<(Record, Option<UnderWay>)> {
+    ) -> Option<(Record, Option<UnderWay<'static>>)> {
         let begun = Laid::read(folder, case).and_then(|laid| {
             let Some(laid) = laid else { return Ok(None) };
             let record = Record::resume(case, case.units, folder, laid.solved)?;

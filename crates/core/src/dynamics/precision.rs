@@ -100,7 +100,7 @@ impl Simulation {
     }
 
     /// The run as it stands, to be laid aside: between two calls of [`Simulation::advance`], at any time.
-    pub fn checkpoint(&self) -> Checkpoint {
+    pub fn checkpoint(&self) -> Checkpoint<'_> {
         either!(&self.0, run => run.checkpoint())
     }
 
@@ -113,7 +113,7 @@ impl Simulation {
         model: &Model,
         operation: &Operation,
         settings: &DynamicsSettings,
-        checkpoint: Checkpoint,
+        checkpoint: Checkpoint<'_>,
     ) -> Result<Self, ResumeError> {
         Ok(Self(match settings.precision {
             Precision::Double => Either::Double(Box::new(Run::resume(

@@ -61,7 +61,7 @@ fn a_run_taken_up_again_ends_with_the_same_bits() {
 #[test]
 fn a_checkpoint_of_another_string_is_refused() {
     let mut case = moderate(OperationKind::TripIn, 0.3);
-    let checkpoint = case.start().checkpoint();
+    let checkpoint = case.start().checkpoint().into_owned();
     let found = case.start().mesh().nodes.len();
     case.settings.element_length_m *= 2.0;
     let expected = case.start().mesh().nodes.len();
@@ -75,7 +75,7 @@ fn a_checkpoint_of_another_string_is_refused() {
 #[test]
 fn a_checkpoint_of_another_precision_is_refused() {
     let mut case = moderate(OperationKind::Drill, 0.3);
-    let checkpoint = case.start().checkpoint();
+    let checkpoint = case.start().checkpoint().into_owned();
     case.settings.precision = Precision::Single;
     let error = Simulation::resume(&case.model, &case.operation, &case.settings, checkpoint);
     assert_eq!(error.unwrap_err(), ResumeError::AnotherPrecision);

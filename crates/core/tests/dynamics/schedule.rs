@@ -94,7 +94,7 @@ fn a_plan_is_taken_up_where_it_was_left() {
     let case = start_up();
     let mut whole = case.start();
     go(&mut whole, 3.0);
-    let checkpoint = whole.checkpoint();
+    let checkpoint = whole.checkpoint().into_owned();
     go(&mut whole, 2.0);
     let resumed = Simulation::resume(&case.model, &case.operation, &case.settings, checkpoint);
     let mut resumed = resumed.expect("the same run");

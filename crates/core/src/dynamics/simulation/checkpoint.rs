@@ -1,5 +1,7 @@
 //! A run laid aside and taken up again, to the bit.
 
+use std::borrow::Cow;
+
 use serde::{Deserialize, Serialize};
 
 use super::{Run, state::State};
@@ -19,12 +21,13 @@ use crate::{
 /// the settings determine is found anew.
 ///
 /// [`Simulation::resume`](crate::dynamics::Simulation::resume) goes on from it and ends, on a processor with the same instructions, with
-/// the same bits as the run that was never laid aside.
+/// the same bits as the run that was never laid aside. One that has just been taken borrows from the run; one that has
+/// been read back is its own.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub struct Checkpoint {
+pub struct Checkpoint<'a> {
     /// In double precision, which holds single precision to the bit.
     chain: Chain,
-    state: State,
+    state: Cow<'a, State>,
     time_s: f64,
     instructions: String,
 }
@@ -48,10 +51,20 @@ pub enum ResumeError {
     AnotherPrecision,
 }
 
-impl Checkpoint {
+impl Checkpoint<'_> {
     /// Time since the start of the run, s.
     pub fn time_s(&self) -> f64 {
         self.time_s
+    }
+
+    /// The same, of its own: the run may go on.
+    pub fn into_owned(self) -> Checkpoint<'static> {
+        Checkpoint {
+            chain: self.chain,
+            state: Cow::Owned(self.state.into_owned()),
+            time_s: self.time_s,
+            instructions: self.instructions,
+        }
     }
 
     /// Instruction set that the run was computed with; another one rounds products otherwise.
@@ -62,10 +75,10 @@ impl Checkpoint {
 
 impl<R: Real> Run<R> {
     /// The run as it stands, to be laid aside: between two calls of [`Self::advance`], at any time.
-    pub fn checkpoint(&self) -> Checkpoint {
+    pub fn checkpoint(&self) -> Checkpoint<'_> {
         Checkpoint {
             chain: self.chain.converted(),
-            state: self.state.clone(),
+            state: Cow::Borrowed(&self.state),
             time_s: self.time_s(),
             instructions: self.instructions().to_owned(),
         }
@@ -80,7 +93,7 @@ impl<R: Real> Run<R> {
         model: &Model,
         operation: &Operation,
         settings: &DynamicsSettings,
-        checkpoint: Checkpoint,
+        checkpoint: Checkpoint<'_>,
     ) -> Result<Self, ResumeError> {
         let basis = Basis::<R>::new(model, operation, settings)?;
         let (found, expected) = (checkpoint.chain.nodes(), basis.mesh.nodes.len());
@@ -91,7 +104,7 @@ impl<R: Real> Run<R> {
             return Err(ResumeError::AnotherPrecision);
         }
         let chain = checkpoint.chain.converted();
-        let state = checkpoint.state;
+        let state = checkpoint.state.into_owned();
         Ok(Self::of(model, operation, settings, basis, chain, state))
     }
 }
