@@ -8,7 +8,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::layout::{Layout, place};
+use super::layout::{Layout, Strands};
 use crate::rod::{
     element::{Pose, Stiffness},
     lanes::DOUBLES,
@@ -304,6 +304,7 @@ impl<R: Real> ElementBlock<R> {
 #[serde(bound = "")]
 pub struct Chain<R: Real = f64> {
     nodes: usize,
+    strands: Strands,
     /// Rest length of each element, m: however the chain keeps its numbers, its chords are held against these.
     lengths_m: Vec<f64>,
     /// How the nodes move, row by row; the last row repeats the first one lane lower, for the elements
@@ -381,9 +382,11 @@ impl Chain {
 
 impl<R: Real> Chain<R> {
     fn idle(nodes: usize) -> Self {
-        let rows = nodes.div_ceil(R::LANES);
+        let strands = Strands::new(nodes, R::LANES);
+        let rows = strands.rows();
         Self {
             nodes,
+            strands,
             lengths_m: vec![1.0; nodes],
             states: vec![StateBlock::at_rest(); rows + 1],
             node_blocks: vec![NodeBlock::idle(); rows],
@@ -412,7 +415,7 @@ impl<R: Real> Chain<R> {
     /// Row and lane of a node, and of the element below it.
     #[inline]
     pub fn place(&self, index: usize) -> (usize, usize) {
-        place(self.node_blocks.len(), index)
+        self.strands.place(index)
     }
 
     /// Repeats the first row of states below the last, one lane lower. The last lane ends in itself.

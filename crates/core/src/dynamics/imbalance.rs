@@ -93,12 +93,15 @@ impl Imbalance {
         let q = self.toward;
         let half = unit(q + carried(q, director, d, spin_step * dt));
         let tangent = chain.tangent(i);
+        let lateral = node!(chain, i, inv_mass_lateral);
+        let axial = node!(chain, i, inv_mass_axial);
+        let (polar, rotary) = (node!(chain, i, inv_polar), node!(chain, i, inv_rotary));
         let moved = |impulse: Vector<f64>| {
             let along = impulse.dot(tangent);
             impulse
                 .minus(tangent, along)
-                .scaled(node!(chain, i, inv_mass_lateral))
-                .plus(tangent, along * node!(chain, i, inv_mass_axial))
+                .scaled(lateral)
+                .plus(tangent, along * axial)
         };
         let (mut dv, mut dw, mut ds) = (Vector::zero(), Vector::zero(), 0.0);
         for _ in 0..PASSES {
@@ -106,8 +109,8 @@ impl Imbalance {
             dv = moved((omega.cross(half) - self.led).scaled(-self.moment_kg_m));
             let moment = q.cross(v_step + dv - v_before).scaled(-self.moment_kg_m);
             let about = moment.dot(d);
-            ds = about * node!(chain, i, inv_polar);
-            dw = moment.minus(d, about).scaled(node!(chain, i, inv_rotary));
+            ds = about * polar;
+            dw = moment.minus(d, about).scaled(rotary);
         }
         let d_moved = unit(d.plus(dw.cross(d), dt));
         let w = w_step + dw;

@@ -4,17 +4,63 @@ use serde::{Deserialize, Serialize};
 
 use crate::rod::{lanes::DOUBLES, number::Real};
 
-/// Row and lane of a node, and of the element below it, in a chain of `rows`.
-#[inline]
-pub fn place(rows: usize, index: usize) -> (usize, usize) {
-    (index % rows, index / rows)
+/// How long the strands are that a chain is cut into.
+///
+/// Every number of a node is asked for by its place, and divisions would take most of the time: the inverse of the
+/// length, rounded up, is multiplied with instead.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(from = "usize", into = "usize")]
+pub struct Strands {
+    rows: usize,
+    inverse: u64,
+}
+
+impl Strands {
+    /// Binary places of the inverse.
+    const PLACES: u32 = 40;
+    /// Length up to which places are exact in 32 lanes: `32 LONGEST² < 2^PLACES`. No string is as long.
+    const LONGEST: usize = 1 << 17;
+
+    /// As long as so many nodes in so many lanes need.
+    pub fn new(nodes: usize, lanes: usize) -> Self {
+        Self::from(nodes.div_ceil(lanes))
+    }
+
+    /// Number of rows.
+    pub fn rows(self) -> usize {
+        self.rows
+    }
+
+    /// Row and lane of a node, and of the element below it.
+    #[inline]
+    pub fn place(self, index: usize) -> (usize, usize) {
+        // Before its fraction is cut off it is too large by `index / 2^PLACES` at most, less than `1 / rows`: exact.
+        let lane = ((index as u64 * self.inverse) >> Self::PLACES) as usize;
+        (index - lane * self.rows, lane)
+    }
+}
+
+impl From<usize> for Strands {
+    fn from(rows: usize) -> Self {
+        assert!(rows <= Self::LONGEST, "strands of {rows} nodes");
+        Self {
+            rows,
+            inverse: (1 << Self::PLACES) / rows.max(1) as u64 + 1,
+        }
+    }
+}
+
+impl From<Strands> for usize {
+    fn from(strands: Strands) -> Self {
+        strands.rows
+    }
 }
 
 /// Where what is kept of the nodes in double precision lies, whatever the chain itself is kept in: each row of the chain
 /// has, part by part, its blocks of doubles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Layout {
-    rows: usize,
+    strands: Strands,
     parts: usize,
 }
 
@@ -22,7 +68,7 @@ impl Layout {
     /// Beside a chain of so many nodes in numbers of kind `R`.
     pub fn beside<R: Real>(nodes: usize) -> Self {
         Self {
-            rows: nodes.div_ceil(R::LANES),
+            strands: Strands::new(nodes, R::LANES),
             parts: R::LANES / DOUBLES,
         }
     }
@@ -36,13 +82,13 @@ impl Layout {
 
     /// Number of blocks.
     pub fn blocks(&self) -> usize {
-        self.rows * self.parts
+        self.strands.rows() * self.parts
     }
 
     /// Block and lane of a node, and of the element below it.
     #[inline]
     pub fn place(&self, index: usize) -> (usize, usize) {
-        let (row, lane) = place(self.rows, index);
+        let (row, lane) = self.strands.place(index);
         (row * self.parts + lane / DOUBLES, lane % DOUBLES)
     }
 }
@@ -50,7 +96,7 @@ impl Layout {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dynamics::chain::Chain;
+    use crate::{dynamics::chain::Chain, rod::lanes::SINGLES};
 
     /// A block's lanes are those of its part of the chain's row, and no node is without.
     fn assert_blocks_stand_beside_rows<R: Real>() {
@@ -70,5 +116,18 @@ mod tests {
     fn blocks_stand_beside_the_rows_of_either_kind_of_number() {
         assert_blocks_stand_beside_rows::<f64>();
         assert_blocks_stand_beside_rows::<f32>();
+    }
+
+    #[test]
+    fn a_place_is_the_quotient_and_its_rest() {
+        let longest = Strands::LONGEST;
+        for rows in (1..300).chain([4095, 4096, 4097, longest - 1, longest]) {
+            let strands = Strands::from(rows);
+            for lane in 0..SINGLES {
+                for row in [0, 1, rows / 2, rows - 1].map(|row| row.min(rows - 1)) {
+                    assert_eq!(strands.place(lane * rows + row), (row, lane));
+                }
+            }
+        }
     }
 }
