@@ -62,6 +62,8 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
 "
         ))?;
     }
+    // The page is made from the files: what they hold need not be held beside it.
+    drop(record);
     let reported = report::write(&folder, units);
     solved.map_err(|stop| stop.failure(&folder))?;
     reported

@@ -21,8 +21,8 @@ pub enum Quantity {
 
 const QUANTITIES: usize = 4;
 
-/// Numbers kept of one quantity: 4 MB.
-const MOST_NUMBERS: usize = 1 << 20;
+/// Numbers kept of one quantity: 3 MB.
+const MOST_NUMBERS: usize = 3 << 18;
 
 /// Samples kept at least, and at most.
 const ROWS: [usize; 2] = [64, 4096];
