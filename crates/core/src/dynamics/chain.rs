@@ -210,7 +210,7 @@ block! {
         pub length: Row<R>,
         /// `1/L`.
         pub inverse_length: Row<R>,
-        /// `EA`.
+        /// `EA/L`.
         pub axial: Row<R>,
         /// `A₀ EI/L`.
         pub bending_near: Row<R>,

@@ -150,17 +150,17 @@ pub fn across<N: Number>(bend: Vector<N>, couple: Vector<N>, director: Vector<N>
 pub fn react<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Reaction<N> {
     let twisted = twist(k, p, dt, beta);
     let chord = chord(k, p);
-    let strain = strain(k, &chord, p, twisted.apart, beta);
-    let bent = bend(&chord, p, &strain);
+    let strained = strain(k, &chord, p, twisted.apart, beta);
+    let bent = bend(&chord, p, &strained.strain);
     Reaction {
         force: bent.force,
         bend1: bent.bend1,
         bend2: bent.bend2,
         couple: twisted.couple,
         torque: twisted.torque,
-        tension: strain.tension,
+        tension: strained.tension,
         twist: twisted.twist,
-        damping_power: strain.damping_power + twisted.damping_power,
+        damping_power: strained.damping_power + twisted.damping_power,
     }
 }
 
@@ -208,6 +208,13 @@ pub struct Strain<N> {
     pub shared: N,
     /// The tension less what of the directors' pull lies along the chord, N.
     pub along: N,
+}
+
+/// A strain, and what is taken down of it.
+#[derive(Debug, Clone, Copy)]
+pub struct Strained<N> {
+    /// What [`bend`] needs.
+    pub strain: Strain<N>,
     /// As in [`Reaction`].
     pub tension: N,
     /// Power lost to damping, W.
@@ -226,7 +233,7 @@ pub fn strain<N: Number>(
     p: &Pose<N>,
     apart: N,
     beta: N,
-) -> Strain<N> {
+) -> Strained<N> {
     let one = N::splat(1.0);
     let half = N::splat(0.5);
     let t = chord.direction;
@@ -253,11 +260,13 @@ pub fn strain<N: Number>(
     let along = chord
         .inverse_length
         .neg_mul_add(s1.mul_add(x1, s2 * x2), tension);
-    Strain {
-        near1: s1,
-        near2: s2,
-        shared: b,
-        along,
+    Strained {
+        strain: Strain {
+            near1: s1,
+            near2: s2,
+            shared: b,
+            along,
+        },
         tension,
         damping_power: damping_tension * lengthening,
     }

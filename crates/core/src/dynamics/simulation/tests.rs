@@ -171,21 +171,10 @@ fn wear_is_the_loss_to_friction() {
 #[test]
 #[cfg(target_arch = "x86_64")]
 fn counting_leaves_the_step_as_it_is() {
-    let operation = Operation {
-        kind: OperationKind::Ream,
-        bit_depth_m: DEPTH_M,
-        rotary_speed_rad_per_s: 7.0,
-        weight_on_bit_N: 0.0,
-        bit_torque_N_m: 0.0,
-        rate_of_penetration_m_per_s: 0.0,
-        trip_speed_m_per_s: 0.2,
-        flow_rate_m3_per_s: 0.0,
-        bit_pressure_drop_Pa: 0.0,
-    };
     let mut totals = Vec::new();
     for at_rest in [0.25, 0.3] {
         let settings = DynamicsSettings::default();
-        let mut plain = Run::<f64>::new(&model(at_rest), &operation, &settings).unwrap();
+        let mut plain = Run::<f64>::new(&model(at_rest), &REAM, &settings).unwrap();
         let mut counted = plain.clone();
         plain.use_instructions("baseline");
         const STEPS: usize = 300;

@@ -140,10 +140,10 @@ pub(super) fn strain<N: Number>(
     let (k, pose) = (stiffness(e, lane), pose::<N>(e, above, below, lane));
     let apart = at(&strains.apart, lane);
     let r = element::strain(&k, &strains.chord(lane), &pose, apart, beta);
-    put(&mut strains.near1, lane, r.near1);
-    put(&mut strains.near2, lane, r.near2);
-    put(&mut strains.shared, lane, r.shared);
-    put(&mut strains.along, lane, r.along);
+    put(&mut strains.near1, lane, r.strain.near1);
+    put(&mut strains.near2, lane, r.strain.near2);
+    put(&mut strains.shared, lane, r.strain.shared);
+    put(&mut strains.along, lane, r.strain.along);
     put(&mut e.tension, lane, r.tension);
     add(&mut losses.damping, lane, r.damping_power);
 }
@@ -162,9 +162,6 @@ pub(super) fn bend<N: Number>(
         near2: at(&strains.near2, lane),
         shared: at(&strains.shared, lane),
         along: at(&strains.along, lane),
-        // The rest has been taken down.
-        tension: N::zero(),
-        damping_power: N::zero(),
     };
     let pose = pose::<N>(e, above, below, lane);
     let r = element::bend(&strains.chord(lane), &pose, &strain);
