@@ -22,9 +22,25 @@ pub(crate) const LETTER: f64 = 0.6;
 /// Whether something was drawn.
 pub(crate) type Drawn = Result<(), Box<dyn std::error::Error>>;
 
+/// What is drawn on a white page of that size, in points, as the text of an SVG file.
+pub(crate) fn sheet(width: f64, height: f64, draw: impl FnOnce(&Canvas) -> Drawn) -> String {
+    let mut svg = String::new();
+    let size = [width, height].map(|side| (side * FINE) as u32);
+    {
+        let root = SVGBackend::with_string(&mut svg, size.into()).into_drawing_area();
+        // Drawing into memory does not fail.
+        let drawn = root.fill(&WHITE).map_err(Into::into);
+        let drawn = drawn.and_then(|()| draw(&Canvas { area: &root }));
+        debug_assert!(drawn.is_ok(), "{drawn:?}");
+    }
+    // The canvas is too large by `FINE`: the file says how large it should be shown.
+    let large = format!("width=\"{}\" height=\"{}\"", size[0], size[1]);
+    svg.replacen(&large, &format!("width=\"{width}\" height=\"{height}\""), 1)
+}
+
 /// The page in points of the finished picture.
 pub(crate) struct Canvas<'a, 'b> {
-    pub(crate) area: &'a DrawingArea<SVGBackend<'b>, Shift>,
+    area: &'a DrawingArea<SVGBackend<'b>, Shift>,
 }
 
 impl Canvas<'_, '_> {
@@ -68,6 +84,16 @@ impl Canvas<'_, '_> {
     pub(crate) fn fill(&self, corners: &[(f64, f64)], colour: RGBColor) -> Drawn {
         self.area
             .draw(&Polygon::new(Self::fine(corners), colour.filled()))?;
+        Ok(())
+    }
+
+    /// A dot around each point.
+    pub(crate) fn dots(&self, points: &[(f64, f64)], colour: RGBColor, radius: f64) -> Drawn {
+        for place in Self::fine(points) {
+            let radius = (radius * FINE) as i32;
+            self.area
+                .draw(&Circle::new(place, radius, colour.filled()))?;
+        }
         Ok(())
     }
 

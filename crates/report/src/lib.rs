@@ -3,6 +3,7 @@
 
 mod axis;
 mod canvas;
+mod chart;
 mod colours;
 mod legend;
 mod line;
@@ -12,6 +13,7 @@ mod profile;
 mod report;
 mod thin;
 
+pub use chart::{Chart, Level, Scale, chart_svg};
 pub use packed::Packed;
 pub use page::report_html;
 pub use profile::{Curve, Entry, Interval, IntervalKind, Panel, Profile, Stroke, profile_svg};

@@ -1,10 +1,10 @@
 //! Quantities against measured depth, side by side, depth down the page.
 
-use plotters::{prelude::*, style::text_anchor::HPos};
+use plotters::style::text_anchor::HPos;
 
 use crate::{
     axis::Axis,
-    canvas::{Canvas, Drawn, FINE, LETTER, fitting},
+    canvas::{Canvas, Drawn, LETTER, fitting, sheet},
     colours,
     legend::Legend,
     line::thinned,
@@ -104,30 +104,10 @@ pub fn profile_svg(profile: &Profile) -> String {
     let legend = Legend::of(&profile.legend, WIDTH - LEFT);
     let top = 120.0 + legend.height();
     let height = top + PANELS + BOTTOM;
-    let mut svg = String::new();
-    {
-        let size = ((WIDTH * FINE) as u32, (height * FINE) as u32);
-        let root = SVGBackend::with_string(&mut svg, size).into_drawing_area();
-        let canvas = Canvas { area: &root };
-        // Drawing into memory does not fail.
-        let drawn = draw(&canvas, profile, &legend, top);
-        debug_assert!(drawn.is_ok(), "{drawn:?}");
-    }
-    natural_size(&svg, height)
-}
-
-/// The canvas is [`FINE`] times too large: the file says how large it should be shown.
-fn natural_size(svg: &str, height: f64) -> String {
-    let large = format!(
-        "width=\"{}\" height=\"{}\"",
-        (WIDTH * FINE) as u32,
-        (height * FINE) as u32
-    );
-    svg.replacen(&large, &format!("width=\"{WIDTH}\" height=\"{height}\""), 1)
+    sheet(WIDTH, height, |canvas| draw(canvas, profile, &legend, top))
 }
 
 fn draw(canvas: &Canvas, profile: &Profile, legend: &Legend, top: f64) -> Drawn {
-    canvas.area.fill(&WHITE)?;
     let room = WIDTH - LEFT - RIGHT;
     let title = fitting(&profile.title, 19.0, room);
     canvas.text(&title, LEFT, 34.0, 19.0, colours::TEXT, HPos::Left)?;
@@ -297,6 +277,7 @@ fn draw_hole(canvas: &Canvas, hole: &[Interval], depth: &Axis, top: f64) -> Draw
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::canvas::FINE;
 
     fn profile() -> Profile {
         let curve = |colour, stroke| Curve {
