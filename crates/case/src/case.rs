@@ -17,7 +17,7 @@ use crate::{
     node::{self, Entries, Node, Value},
     operation::OperationTable,
     overrides::{self, Override},
-    reader::Reader,
+    reader::{Kind, Reader},
     records::{Records, RecordsTable},
     rig::{HoistTable, RigTable},
     roughness,
@@ -37,6 +37,16 @@ const MODELS: &[(&str, ModelKind)] = &[
     (ModelKind::Soft.name(), ModelKind::Soft),
     (ModelKind::Dynamic.name(), ModelKind::Dynamic),
 ];
+
+/// A set of units by name.
+pub(crate) const UNIT_SETS: Choice<UnitSet> = Choice {
+    noun: "a unit set",
+    words: &[
+        ("si", UnitSet::Si),
+        ("metric", UnitSet::Metric),
+        ("field", UnitSet::Field),
+    ],
+};
 
 /// A model by name; the stiff string is known, but not built.
 pub(crate) struct ModelRule;
@@ -89,17 +99,7 @@ table! {
         );
         /// Units that people are shown: "si" (m, kN, kN.m, mm, kg/m3), "metric" (m, t, kN.m, mm,
         /// sg) or "field" (ft, klbf, ft-lbf, in, ppg). Files for machines are SI always.
-        units: UnitSet = default(
-            Choice {
-                noun: "a unit set",
-                words: &[
-                    ("si", UnitSet::Si),
-                    ("metric", UnitSet::Metric),
-                    ("field", UnitSet::Field),
-                ],
-            },
-            UnitSet::Si,
-        );
+        units: UnitSet = default(UNIT_SETS, UnitSet::Si);
         /// Where the hole runs and how wide it is and how it rubs.
         well: WellTable = required(Section::<WellTable>::RULE);
         /// Drilling fluid, the same inside the string and in the annulus.
@@ -177,21 +177,7 @@ pub fn parse(
     files: &dyn Files,
     changes: &[Override],
 ) -> Result<Case, Report> {
-    let text = match as_text(text) {
-        Ok(text) => text,
-        Err(diagnostic) => return Err(Report::about_file(name, diagnostic)),
-    };
-    let mut reader = Reader::default();
-    let source = reader.add_source(name, text);
-    let mut root = match node::parse_text(text, source) {
-        Ok(root) => root,
-        Err(mistakes) => {
-            mistakes
-                .into_iter()
-                .for_each(|mistake| reader.report(mistake));
-            return Err(reader.into_report());
-        }
-    };
+    let (mut root, mut reader) = tree(name, text, &CASE_FILE)?;
     for change in changes {
         overrides::apply(&mut root, change, &mut reader);
     }
@@ -207,22 +193,54 @@ pub fn parse(
     }
 }
 
-/// The text of a case file, or why it is none.
-fn as_text(bytes: &[u8]) -> Result<&str, Diagnostic> {
+static CASE_FILE: Kind = Kind {
+    noun: "case",
+    needs: "it needs [well], [mud], [[string]] and [operation]",
+    tables: || &crate::schema::TABLES,
+};
+
+/// The keys and values of a file, and the reader that knows its text.
+pub(crate) fn tree(
+    name: &str,
+    text: &[u8],
+    kind: &'static Kind,
+) -> Result<(Entries, Reader), Report> {
+    let text = match as_text(text, kind) {
+        Ok(text) => text,
+        Err(diagnostic) => return Err(Report::about_file(name, diagnostic)),
+    };
+    let mut reader = Reader::of(kind);
+    let source = reader.add_source(name, text);
+    match node::parse_text(text, source) {
+        Ok(root) => Ok((root, reader)),
+        Err(mistakes) => {
+            mistakes
+                .into_iter()
+                .for_each(|mistake| reader.report(mistake));
+            Err(reader.into_report())
+        }
+    }
+}
+
+/// The text of a file, or why it is none.
+fn as_text<'a>(bytes: &'a [u8], kind: &Kind) -> Result<&'a str, Diagnostic> {
+    let noun = kind.noun;
     const MOST_BYTES: usize = 8 << 20;
     if bytes.len() > MOST_BYTES {
         let message = format!(
-            "this file holds {} MB: it is no case file",
+            "this file holds {} MB: it is no {noun} file",
             bytes.len() >> 20
         );
-        return Err(Diagnostic::error(message).help("a case file is a TOML text of some kilobytes"));
+        return Err(Diagnostic::error(message)
+            .help(format!("a {noun} file is a TOML text of some kilobytes")));
     }
     // Editors on Windows may put a byte order mark in front.
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let help = "a case file is a TOML text in UTF-8";
+    let help = format!("a {noun} file is a TOML text in UTF-8");
     match std::str::from_utf8(bytes) {
-        Ok(text) if text.trim().is_empty() => Err(Diagnostic::error("the case file is empty")
-            .help("it needs [well], [mud], [[string]] and [operation]")),
+        Ok(text) if text.trim().is_empty() => {
+            Err(Diagnostic::error(format!("the {noun} file is empty")).help(kind.needs))
+        }
         Ok(text) if text.contains('\0') => {
             Err(Diagnostic::error("this file is not a text: it holds zero bytes").help(help))
         }

@@ -44,6 +44,12 @@ const TRIP_SPEED_M_PER_S: f64 = 0.3;
 /// What a slide's `rop` is where the case does not say, m/s; the soft string asks for its sign only.
 const SLIDE_ROP_M_PER_S: f64 = 10.0 / 3600.0;
 
+/// An operation by name.
+pub(crate) const KIND: Choice<OperationKind> = Choice {
+    noun: "an operation",
+    words: KINDS,
+};
+
 table! {
     /// What the driller is doing.
     OperationTable in "[operation]" {
@@ -51,7 +57,7 @@ table! {
         /// "rotate_off_bottom", "drill", "slide" (advance without rotating), "ream" and "back_ream"
         /// (rotate while running in and pulling out, off bottom).
         kind: Vec<At<OperationKind>> = required(List {
-            item: Choice { noun: "an operation", words: KINDS },
+            item: KIND,
             or_one: true,
             noun: "operations",
             most: KINDS.len(),

@@ -1,6 +1,6 @@
 //! Values set from the command line in place of the file's.
 
-use std::ops::Range;
+use std::{ops::Range, sync::Arc};
 
 use crate::{
     diagnostic::Diagnostic,
@@ -31,14 +31,16 @@ pub struct Override {
     pub key: String,
     /// Value as written.
     pub value: String,
-    /// The argument that it was written in, where that is none of its own.
+    /// Where it was written, if not in an argument of its own.
     quote: Option<Quote>,
 }
 
 /// How diagnostics quote an override, and which parts of the quotation are its key and value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Quote {
-    pub(crate) text: String,
+    /// What the user knows the text by.
+    pub(crate) name: Arc<str>,
+    pub(crate) text: Arc<str>,
     pub(crate) key: Range<usize>,
     pub(crate) value: Range<usize>,
     /// Whether the value stands there as it is.
@@ -46,13 +48,18 @@ pub(crate) struct Quote {
 }
 
 impl Override {
-    /// An override that another argument than its own `--set` asks for.
+    /// An override that something else than its own `--set` asks for.
     pub(crate) fn quoted(key: &str, value: &str, quote: Quote) -> Self {
         Self {
             key: key.to_owned(),
             value: value.to_owned(),
             quote: Some(quote),
         }
+    }
+
+    /// The value without quotes.
+    pub fn bare(&self) -> &str {
+        self.value.trim_matches(['"', '\''])
     }
 
     /// How a diagnostic quotes it.
@@ -62,7 +69,8 @@ impl Override {
             let key = prefix.len()..prefix.len() + self.key.len();
             let value = key.end + 1..key.end + 1 + self.value.len();
             Quote {
-                text: format!("{prefix}{}={}", self.key, self.value),
+                name: COMMAND_LINE.into(),
+                text: format!("{prefix}{}={}", self.key, self.value).into(),
                 key,
                 value,
                 verbatim: true,
@@ -92,7 +100,7 @@ impl std::str::FromStr for Override {
 }
 
 /// The short keys and what they stand for.
-const SHORT: &[(&str, &str)] = &[
+pub(crate) const SHORT: &[(&str, &str)] = &[
     ("friction", "well.hole.*.friction"),
     ("bit_depth", "operation.bit_depth"),
     ("rpm", "operation.rpm"),
@@ -105,7 +113,7 @@ pub(crate) const COMMAND_LINE: &str = "command line";
 /// Puts an override into the tree of the case.
 pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) {
     let quote = change.quote();
-    let source = reader.add_source(COMMAND_LINE, &quote.text);
+    let source = reader.add_source(&quote.name, &quote.text);
     let place = |of: Range<usize>| Place {
         source,
         start: of.start,
@@ -130,7 +138,7 @@ pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) 
     let top_level = crate::schema::top_level();
     if path.len() == 1 && !top_level.iter().any(|name| name == path[0]) {
         let short_keys: Vec<&str> = SHORT.iter().map(|(short, _)| *short).collect();
-        let homes = crate::schema::homes_of(path[0]);
+        let homes = crate::schema::homes_of(&crate::schema::TABLES, path[0]);
         let mut diagnostic = Diagnostic::error(format!("there is no key `{}`", short(path[0])))
             .at(key_place, "unknown key");
         if let Some(home) = homes.first() {

@@ -4,8 +4,20 @@ use crate::{
     diagnostic::{Diagnostic, Report, Severity},
     names::{nearest, short},
     node::{Entries, Node, Value},
+    schema::homes_of,
     source::{Place, Source},
 };
+
+/// A kind of file.
+#[derive(Debug)]
+pub(crate) struct Kind {
+    /// What messages call it.
+    pub(crate) noun: &'static str,
+    /// What it needs at the least, for the message about an empty one.
+    pub(crate) needs: &'static str,
+    /// The schema of its tables.
+    pub(crate) tables: fn() -> &'static serde_json::Value,
+}
 
 /// The texts read so far and the mistakes found in them.
 #[derive(Debug, Default)]
@@ -14,12 +26,21 @@ pub(crate) struct Reader {
     /// The key whose value is being read, for messages.
     pub(crate) key: &'static str,
     diagnostics: Vec<Diagnostic>,
+    /// What is read; nothing for arguments.
+    kind: Option<&'static Kind>,
 }
 
 /// More mistakes than this are kept by nobody: the file is probably something else.
 const MOST: usize = 100;
 
 impl Reader {
+    pub(crate) fn of(kind: &'static Kind) -> Self {
+        Self {
+            kind: Some(kind),
+            ..Self::default()
+        }
+    }
+
     /// Adds a text that places can point into; its index.
     pub(crate) fn add_source(&mut self, name: &str, text: &str) -> usize {
         self.sources.push(Source {
@@ -67,13 +88,16 @@ impl Reader {
         }
     }
 
-    /// What the user wrote at a place.
+    /// What the user wrote at a place, short enough to quote.
     pub(crate) fn written(&self, place: Place) -> String {
+        short(self.text_at(place))
+    }
+
+    /// What the user wrote at a place.
+    pub(crate) fn text_at(&self, place: Place) -> &str {
         let text = self.sources.get(place.source).map(|source| &source.text);
-        short(
-            text.and_then(|text| text.get(place.start..place.end))
-                .unwrap_or_default(),
-        )
+        text.and_then(|text| text.get(place.start..place.end))
+            .unwrap_or_default()
     }
 
     /// A value of the wrong kind.
@@ -117,7 +141,8 @@ impl Reader {
             let mut diagnostic =
                 Diagnostic::error(format!("unknown key `{}` in {heading}", short(&key.name)))
                     .at(key.place, "unknown key");
-            let homes = crate::schema::homes_of(&key.name);
+            let tables = self.kind.map(|kind| (kind.tables)());
+            let homes = tables.map_or_else(Vec::new, |tables| homes_of(tables, &key.name));
             if let Some(nearest) = nearest(&key.name, names.iter().copied()) {
                 diagnostic = diagnostic.help(format!("did you mean `{nearest}`?"));
                 meant.push(nearest);

@@ -71,6 +71,37 @@ impl Rule for Text {
     }
 }
 
+/// A text of some lines.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Prose;
+
+impl Rule for Prose {
+    type Value = String;
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<String> {
+        const MOST: usize = 5000;
+        let Value::Text { text, .. } = &node.value else {
+            reader.expected(node, "text in quotes");
+            return None;
+        };
+        let control = |letter: char| letter.is_control() && !letter.is_whitespace();
+        let problem = if text.chars().any(control) {
+            "holds a control character".to_owned()
+        } else if text.chars().count() > MOST {
+            format!("is longer than {MOST} characters")
+        } else {
+            return Some(text.trim().to_owned());
+        };
+        let message = format!("`{}` {problem}", reader.key);
+        reader.report(Diagnostic::error(message).at(node.place, "expected a text"));
+        None
+    }
+
+    fn schema(&self) -> Json {
+        json!({ "type": "string", "maxLength": 5000 })
+    }
+}
+
 /// One of a few words.
 pub(crate) struct Choice<T: 'static> {
     /// What is chosen, for messages.

@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use serde_json::{Value as Json, json};
 
-use crate::{case::CaseTable, rule::Table};
+use crate::{case::CaseTable, rule::Table, study::StudyTable};
 
 /// JSON schema (draft 2020-12) of the case file: every key with its meaning, units, range and default.
 ///
@@ -17,10 +17,20 @@ pub fn schema() -> Json {
     schema
 }
 
-static TABLES: LazyLock<Json> = LazyLock::new(CaseTable::schema);
+/// The same for the study file.
+pub fn study_schema() -> Json {
+    let mut schema = STUDY_TABLES.clone();
+    schema["$schema"] = json!("https://json-schema.org/draft/2020-12/schema");
+    schema["title"] = json!("wholestring study");
+    schema
+}
+
+pub(crate) static STUDY_TABLES: LazyLock<Json> = LazyLock::new(StudyTable::schema);
+
+pub(crate) static TABLES: LazyLock<Json> = LazyLock::new(CaseTable::schema);
 
 /// The tables that have a key of this name, as messages call them.
-pub(crate) fn homes_of(name: &str) -> Vec<String> {
+pub(crate) fn homes_of(tables: &Json, name: &str) -> Vec<String> {
     fn visit(schema: &Json, name: &str, homes: &mut Vec<String>) {
         match schema {
             Json::Object(object) => {
@@ -38,7 +48,7 @@ pub(crate) fn homes_of(name: &str) -> Vec<String> {
         }
     }
     let mut homes = Vec::new();
-    visit(&TABLES, name, &mut homes);
+    visit(tables, name, &mut homes);
     homes
 }
 

@@ -30,25 +30,12 @@ impl Template {
     /// # Errors
     /// A report that says why it cannot be read.
     pub fn read(path: &Path) -> Result<Self, Report> {
-        let name = path.display().to_string();
-        match read_bounded(path) {
-            Ok(text) => Ok(Self {
-                name,
-                text,
-                files: Remembered {
-                    disk: Disk::beside(path),
-                    read: Mutex::default(),
-                },
-            }),
-            Err(error) => {
-                let why = match error.kind() {
-                    io::ErrorKind::NotFound => "there is no such file".to_owned(),
-                    _ => short(&error.to_string()),
-                };
-                let diagnostic = Diagnostic::error(format!("the case cannot be read: {why}"));
-                Err(Report::about_file(&name, diagnostic))
-            }
-        }
+        let (name, text) = read_file(path, "case")?;
+        let files = Remembered {
+            disk: Disk::beside(path),
+            read: Mutex::default(),
+        };
+        Ok(Self { name, text, files })
     }
 
     /// The case with these changes.
@@ -57,6 +44,22 @@ impl Template {
     /// A report of every mistake that was found, if there is one.
     pub fn case(&self, changes: &[Override]) -> Result<Case, Report> {
         parse(&self.name, &self.text, &self.files, changes)
+    }
+}
+
+/// What diagnostics call the file, and what it holds.
+pub(crate) fn read_file(path: &Path, noun: &str) -> Result<(String, Vec<u8>), Report> {
+    let name = path.display().to_string();
+    match read_bounded(path) {
+        Ok(text) => Ok((name, text)),
+        Err(error) => {
+            let why = match error.kind() {
+                io::ErrorKind::NotFound => "there is no such file".to_owned(),
+                _ => short(&error.to_string()),
+            };
+            let diagnostic = Diagnostic::error(format!("the {noun} cannot be read: {why}"));
+            Err(Report::about_file(&name, diagnostic))
+        }
     }
 }
 

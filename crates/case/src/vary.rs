@@ -70,6 +70,42 @@ impl Variation {
     }
 }
 
+impl Variation {
+    /// Takes a value, or those of a range: what it says, and how it is written. Whether it is sound.
+    pub(crate) fn take(
+        &mut self,
+        [says, written]: [&str; 2],
+        quote: Quote,
+        place: Place,
+        reader: &mut Reader,
+    ) -> bool {
+        let values = match expand(says) {
+            Ok(None) => vec![Override::quoted(&self.key, written, quote)],
+            Ok(Some(values)) => {
+                let quote = Quote {
+                    verbatim: false,
+                    ..quote
+                };
+                let value = |value: &String| Override::quoted(&self.key, value, quote.clone());
+                values.iter().map(value).collect()
+            }
+            Err((message, label)) => {
+                reader.report(Diagnostic::error(message).at(place, label));
+                return false;
+            }
+        };
+        for value in values {
+            if self.values.iter().any(|other| other.value == value.value) {
+                let message = format!("`{}` is given twice", short(&value.value));
+                reader.report(Diagnostic::error(message).at(place, "it stands before already"));
+                return false;
+            }
+            self.values.push(value);
+        }
+        true
+    }
+}
+
 /// One argument as diagnostics quote it.
 struct Text {
     source: usize,
@@ -125,38 +161,15 @@ impl Text {
         for (offset, element) in elements(values) {
             let start = values_start + offset + element.len() - element.trim_start().len();
             let element = element.trim();
-            let place = self.place(start, start + element.len());
-            let quote = |verbatim: bool| Quote {
-                text: self.quoted.clone(),
+            let quote = Quote {
+                name: COMMAND_LINE.into(),
+                text: self.quoted.as_str().into(),
                 key: key_start..key_start + key.len(),
-                value: place.start..place.end,
-                verbatim,
+                value: start..start + element.len(),
+                verbatim: true,
             };
-            let values = match expand(element) {
-                Ok(None) => vec![Override::quoted(key, element, quote(true))],
-                Ok(Some(values)) => values
-                    .iter()
-                    .map(|value| Override::quoted(key, value, quote(false)))
-                    .collect(),
-                Err((message, label)) => {
-                    sound = false;
-                    reader.report(Diagnostic::error(message).at(place, label));
-                    continue;
-                }
-            };
-            for value in values {
-                if variation
-                    .values
-                    .iter()
-                    .any(|other| other.value == value.value)
-                {
-                    sound = false;
-                    let message = format!("`{}` is given twice", short(&value.value));
-                    reader.report(Diagnostic::error(message).at(place, "it stands before already"));
-                    break;
-                }
-                variation.values.push(value);
-            }
+            let place = self.place(start, start + element.len());
+            sound &= variation.take([element, element], quote, place, reader);
         }
         sound.then_some(variation)
     }
