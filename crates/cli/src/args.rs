@@ -26,6 +26,8 @@ pub(crate) enum Command {
     Run(RunArgs),
     /// Solve a case for all combinations of some values
     Sweep(SweepArgs),
+    /// Solve the cases of a study and make its figures and tables
+    Study(StudyArgs),
     /// Make the report of a run again
     Report(ReportArgs),
     /// Position and dogleg severity along a survey
@@ -110,6 +112,23 @@ pub(crate) struct SweepArgs {
     #[arg(long, value_name = "KEY=VALUES", required = true)]
     pub(crate) vary: Vec<String>,
 
+    #[command(flatten)]
+    pub(crate) batch: BatchArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct StudyArgs {
+    /// Study file
+    #[arg(value_name = "STUDY.toml")]
+    pub(crate) study: PathBuf,
+
+    #[command(flatten)]
+    pub(crate) batch: BatchArgs,
+}
+
+/// How many cases are solved.
+#[derive(Debug, Args)]
+pub(crate) struct BatchArgs {
     /// Cases that are solved side by side [default: one per core]
     #[arg(short, long, value_name = "N")]
     pub(crate) jobs: Option<NonZeroUsize>,
@@ -127,7 +146,7 @@ pub(crate) struct SweepArgs {
         short,
         long,
         value_name = "DIR",
-        help = "Folder for the results [default: out/<case name> sweep]"
+        help = "Folder for the results [default: out/<name>]"
     )]
     pub(crate) output: Option<PathBuf>,
 
@@ -144,7 +163,7 @@ pub(crate) struct SweepArgs {
     pub(crate) quiet: bool,
 }
 
-/// One share of the cases of a sweep: every `of`-th, beginning with the `index`-th, counted from one.
+/// One share of the cases: every `of`-th, beginning with the `index`-th, counted from one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Shard {
     index: usize,

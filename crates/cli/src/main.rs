@@ -18,6 +18,7 @@ mod report;
 mod rig;
 mod run;
 mod solve;
+mod study;
 mod survey;
 mod sweep;
 
@@ -37,6 +38,7 @@ fn main() -> ExitCode {
         Command::Check(args) => check::check(&args),
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::sweep(&args),
+        Command::Study(args) => study::study(&args),
         Command::Report(args) => report::report(&args),
         Command::Survey(args) => survey::survey(&args),
         Command::Bench(args) => bench::bench(&args),

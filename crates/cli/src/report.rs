@@ -2,12 +2,12 @@
 
 mod answers;
 mod asked;
-mod dimensions;
+pub(crate) mod dimensions;
 mod frames;
 mod history;
 mod inputs;
 mod sheets;
-mod well;
+pub(crate) mod well;
 
 use std::path::Path;
 

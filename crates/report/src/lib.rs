@@ -11,6 +11,7 @@ mod packed;
 mod page;
 mod profile;
 mod report;
+mod study;
 mod thin;
 
 pub use chart::{Chart, Level, Scale, chart_svg};
@@ -21,4 +22,5 @@ pub use report::{
     Answer, Cell, ContactPicture, DisplayUnit, Fact, Frames, Part, Place, Report, Section, Sheet,
     Solved, TimeRun, Well,
 };
+pub use study::{Grid, StudyPage, StudyPart, Verdict, study_html};
 pub use thin::thinned;

@@ -54,7 +54,7 @@ fn data(report: &Report) -> String {
         .replace('&', "\\u0026")
 }
 
-fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")

@@ -253,12 +253,17 @@ impl RowTable {
             operations: &self.operations,
             only: &self.only,
         };
-        let chosen = choosing.within(outer, sweeps, reader);
+        let along = self.along(reader)?;
+        let mut outer = outer.clone();
+        if let Some((key, _)) = &along {
+            // What the table says of it would leave one number.
+            outer.only = outer.only.without(key);
+        }
+        let chosen = choosing.within(&outer, sweeps, reader);
         let source = *self.from.get()?;
         let quantity = Quantity::named(self.column.at()?, source, columns, reader)?;
         let number = self.number(source, quantity, at, reader)?;
         let chosen = chosen?;
-        let along = self.along(reader)?;
         for sweep in chosen.sweeps.iter().map(|index| &sweeps[*index]) {
             let along = along.as_ref().map(|(key, _)| key.as_str());
             self.check_case(sweep, &chosen.only, along, at, reader)?;

@@ -71,6 +71,14 @@ impl Selection {
         }
     }
 
+    /// The same, but for a key any value.
+    pub(super) fn without(&self, key: &str) -> Self {
+        let kept = self.terms.iter().filter(|term| term.key != key);
+        Self {
+            terms: kept.cloned().collect(),
+        }
+    }
+
     /// Whether it leaves this value of a key.
     pub(super) fn has_value(&self, key: &str, value: &str) -> bool {
         let mut terms = self.terms.iter().filter(|term| term.key == key);

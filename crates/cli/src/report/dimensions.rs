@@ -64,7 +64,7 @@ pub(super) fn all() -> BTreeMap<String, [DisplayUnit; 3]> {
 }
 
 /// The symbol as it is printed: `kN.m` becomes `kN·m`, `deg/30m` becomes `°/30 m`.
-fn pretty(symbol: &str) -> String {
+pub(crate) fn pretty(symbol: &str) -> String {
     [
         ("deg", "°"),
         ("ft-lbf", "ft·lbf"),
@@ -82,7 +82,7 @@ fn pretty(symbol: &str) -> String {
 }
 
 /// The dimension of a key of the settings, by the unit at its end and by what it is; none of a bare number.
-pub(super) fn of_key(key: &str) -> Option<(&'static str, &str)> {
+pub(crate) fn of_key(key: &str) -> Option<(&'static str, &str)> {
     const SMALL: &[&str] = &[
         "diameter",
         "od",

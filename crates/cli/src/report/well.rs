@@ -8,14 +8,14 @@ use wholestring_report::{Packed, Part, Section, Well};
 const POINTS: usize = 800;
 
 /// The well of a run.
-pub(super) struct WellBore<'a> {
+pub(crate) struct WellBore<'a> {
     settings: &'a Json,
     path: Option<Path>,
     bit_md_m: f64,
 }
 
 impl<'a> WellBore<'a> {
-    pub(super) fn of(settings: &'a Json) -> Self {
+    pub(crate) fn of(settings: &'a Json) -> Self {
         Self {
             path: path(&settings["well"]),
             bit_md_m: number(&settings["operation"]["bit_depth_m"]),
@@ -37,24 +37,49 @@ impl<'a> WellBore<'a> {
         depths
     }
 
+    /// A quantity at these depths; nothing without a path.
+    fn column(&self, depths: &[f64], of: &dyn Fn(&Path, f64) -> f64) -> Vec<f64> {
+        let path = self.path.iter();
+        path.flat_map(|path| depths.iter().map(|md| of(path, *md)))
+            .collect()
+    }
+
+    /// A column of [`Self::COLUMNS`], from the surface to the bit.
+    pub(crate) fn column_named(&self, name: &str) -> Vec<f64> {
+        let depths = self.path.as_ref().map(|path| self.depths(path));
+        let column = Self::COLUMNS.iter().find(|(column, _)| *column == name);
+        column.map_or_else(Vec::new, |(_, of)| {
+            self.column(&depths.unwrap_or_default(), of)
+        })
+    }
+
+    /// What is known of the path at a measured depth.
+    pub(crate) const COLUMNS: [(&'static str, fn(&Path, f64) -> f64); 7] = [
+        ("md_m", |_, md| md),
+        ("north_m", |path, md| path.at(md).position_m.x),
+        ("east_m", |path, md| path.at(md).position_m.y),
+        ("tvd_m", |path, md| path.at(md).position_m.z),
+        ("inclination_rad", |path, md| path.at(md).inclination_rad()),
+        ("azimuth_rad", |path, md| path.at(md).azimuth_rad()),
+        ("dogleg_severity_rad_per_m", |path, md| {
+            path.dogleg_severity_rad_per_m(md)
+        }),
+    ];
+
     /// The path down to the bit.
     pub(super) fn path(&self) -> Well {
-        let depths = self
-            .path
-            .as_ref()
-            .map_or(Vec::new(), |path| self.depths(path));
-        let column = |of: &dyn Fn(&Path, f64) -> f64| match &self.path {
-            Some(path) => Packed::single(depths.iter().map(|md| of(path, *md))),
-            None => Packed::single([]),
-        };
+        let depths = self.path.as_ref().map(|path| self.depths(path));
+        let depths = depths.unwrap_or_default();
+        let column = |of: &dyn Fn(&Path, f64) -> f64| Packed::single(self.column(&depths, of));
+        let named = |name: &str| Packed::single(self.column_named(name));
         Well {
-            md_m: column(&|_, md| md),
-            north_m: column(&|path, md| path.at(md).position_m.x),
-            east_m: column(&|path, md| path.at(md).position_m.y),
-            tvd_m: column(&|path, md| path.at(md).position_m.z),
-            inclination_rad: column(&|path, md| path.at(md).inclination_rad()),
-            azimuth_rad: column(&|path, md| path.at(md).azimuth_rad()),
-            dogleg_rad_per_m: column(&|path, md| path.dogleg_severity_rad_per_m(md)),
+            md_m: named("md_m"),
+            north_m: named("north_m"),
+            east_m: named("east_m"),
+            tvd_m: named("tvd_m"),
+            inclination_rad: named("inclination_rad"),
+            azimuth_rad: named("azimuth_rad"),
+            dogleg_rad_per_m: named("dogleg_severity_rad_per_m"),
             high: [0, 1, 2].map(|axis| column(&|path, md| path.high_side_at(md)[axis])),
         }
     }

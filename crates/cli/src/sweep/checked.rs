@@ -6,7 +6,7 @@ use std::{
 };
 
 use wholestring::{dynamics::Effort, outcome::ModelKind};
-use wholestring_case::{Case, Report, Template};
+use wholestring_case::{Case, Report};
 
 use super::{
     parallel::{in_parallel, lock},
@@ -44,8 +44,7 @@ impl Checked {
 
 /// Reads and checks every case, so that no sweep ends on a mistake in its last.
 pub(super) fn check(
-    template: &Template,
-    points: &[Point],
+    points: &[Point<'_>],
     jobs: usize,
     quiet: bool,
 ) -> Result<Vec<Checked>, Failure> {
@@ -55,11 +54,11 @@ pub(super) fn check(
     let answers: Vec<Mutex<Option<Result<Checked, Report>>>> =
         points.iter().map(|_| Mutex::default()).collect();
     in_parallel(jobs, &all, |i| {
-        let answer = template.case(&points[i].changes);
+        let answer = points[i].template.case(&points[i].changes);
         *lock(&answers[i]) = Some(answer.map(|case| Checked::of(&case)));
     });
     let mut checked = Vec::new();
-    let mut unsound: Vec<(&Point, String)> = Vec::new();
+    let mut unsound: Vec<(&Point<'_>, String)> = Vec::new();
     for (point, answer) in points.iter().zip(answers) {
         let answer = answer.into_inner().unwrap_or_else(PoisonError::into_inner);
         match answer.expect("every case is checked") {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use wholestring_case::{Override, Variation};
+use wholestring_case::{Override, Template, Variation};
 
 use crate::{failure::Failure, folder_name::file_name};
 
@@ -10,17 +10,25 @@ use crate::{failure::Failure, folder_name::file_name};
 const MOST_CASES: usize = 100_000;
 
 /// One combination of values.
-pub(super) struct Point {
+pub(crate) struct Point<'a> {
+    /// Index of the set that it belongs to.
+    pub(crate) set: usize,
+    /// The case that it is a variation of.
+    pub(crate) template: &'a Template,
     /// The changes of the case: those of all, then its own.
-    pub(super) changes: Vec<Override>,
+    pub(crate) changes: Vec<Override>,
     /// Its own values, as written.
-    pub(super) values: Vec<String>,
+    pub(crate) values: Vec<String>,
     /// Name of its folder.
-    pub(super) name: String,
+    pub(crate) name: String,
 }
 
 /// All combinations, the last key varying fastest.
-pub(super) fn points(common: &[Override], variations: &[Variation]) -> Result<Vec<Point>, Failure> {
+pub(crate) fn points<'a>(
+    template: &'a Template,
+    common: &[Override],
+    variations: &[Variation],
+) -> Result<Vec<Point<'a>>, Failure> {
     let counts = variations.iter().map(|of| of.values.len());
     let count = counts.clone().try_fold(1_usize, usize::checked_mul);
     let Some(count) = count.filter(|count| *count <= MOST_CASES) else {
@@ -30,7 +38,7 @@ pub(super) fn points(common: &[Override], variations: &[Variation]) -> Result<Ve
             counts.join(" × ")
         )));
     };
-    let mut points: Vec<Point> = (0..count)
+    let mut points: Vec<Point<'a>> = (0..count)
         .map(|case| {
             let mut stride = count;
             let own = variations.iter().map(|of| {
@@ -38,16 +46,20 @@ pub(super) fn points(common: &[Override], variations: &[Variation]) -> Result<Ve
                 of.values[case / stride % of.values.len()].clone()
             });
             let own: Vec<Override> = own.collect();
-            let bare = |value: &str| value.trim_matches(['"', '\'']).to_owned();
-            let values: Vec<String> = own.iter().map(|of| bare(&of.value)).collect();
+            let values: Vec<String> = own.iter().map(|of| of.bare().to_owned()).collect();
             let parts = own.iter().zip(&values);
             let parts: Vec<_> = parts
                 .map(|(of, value)| format!("{}={value}", of.key))
                 .collect();
             Point {
+                set: 0,
+                template,
                 changes: [common, &own].concat(),
                 values,
-                name: parts.join(","),
+                name: match parts.is_empty() {
+                    true => "case".to_owned(),
+                    false => parts.join(","),
+                },
             }
         })
         .collect();
@@ -57,7 +69,7 @@ pub(super) fn points(common: &[Override], variations: &[Variation]) -> Result<Ve
 
 /// Folders bear the values; where those are too long for a name, or some system does not tell them apart,
 /// the number of the case.
-fn name_folders(points: &mut [Point]) {
+fn name_folders(points: &mut [Point<'_>]) {
     let names: Vec<String> = points.iter().map(|point| file_name(&point.name)).collect();
     let unique: BTreeSet<String> = names.iter().map(|name| name.to_lowercase()).collect();
     let whole = points

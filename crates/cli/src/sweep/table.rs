@@ -5,7 +5,7 @@ use wholestring::dynamics::DynamicOutcome;
 use wholestring_results::{Column, Data, OperationSummary, Table};
 
 /// The scalars of an operation, as `summary.json` names them, in the order of the columns.
-const SCALARS: [&str; 12] = [
+pub(crate) const SCALARS: [&str; 12] = [
     "bit_depth_m",
     "weight_on_bit_N",
     "bit_torque_N_m",

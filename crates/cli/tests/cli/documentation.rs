@@ -40,24 +40,32 @@ fn describe(schema: &Value, text: &mut String) {
     }
 }
 
-#[test]
-fn the_page_lists_every_key() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/src/case-file.md");
-    let page = fs::read_to_string(&path).unwrap().replace("\r\n", "\n");
-    let (before, rest) = page
+/// Holds the keys that a page lists against the schema, or rewrites them.
+fn list(page: &str, schema: &Value) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../docs/src")
+        .join(page);
+    let text = fs::read_to_string(&path).unwrap().replace("\r\n", "\n");
+    let (before, rest) = text
         .split_once(BEGIN)
         .expect("the page marks where keys begin");
     let (found, after) = rest.split_once(END).expect("the page marks where keys end");
     let mut expected = String::new();
-    describe(&wholestring_case::schema(), &mut expected);
+    describe(schema, &mut expected);
     expected.push('\n');
     if env::var_os(UPDATE).is_some() {
         fs::write(&path, format!("{before}{BEGIN}{expected}{END}{after}")).unwrap();
     } else {
         assert!(
             found == expected,
-            "docs/src/case-file.md does not list the keys of the schema; run this test with {UPDATE}=1 \
+            "docs/src/{page} does not list the keys of the schema; run this test with {UPDATE}=1 \
              to rewrite it"
         );
     }
+}
+
+#[test]
+fn the_pages_list_every_key() {
+    list("case-file.md", &wholestring_case::schema());
+    list("study.md", &wholestring_case::study_schema());
 }

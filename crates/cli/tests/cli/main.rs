@@ -9,5 +9,6 @@ mod report;
 mod resume;
 mod run;
 mod shipped;
+mod study;
 mod survey;
 mod sweep;

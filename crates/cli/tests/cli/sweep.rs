@@ -45,7 +45,7 @@ fn rows(desk: &Desk, folder: &str) -> Vec<Vec<String>> {
 }
 
 /// The cells of a line; commas within quotes do not part.
-fn split(line: &str) -> Vec<String> {
+pub(crate) fn split(line: &str) -> Vec<String> {
     let mut cells = vec![String::new()];
     let mut quoted = false;
     for letter in line.chars() {

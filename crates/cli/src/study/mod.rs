@@ -1,0 +1,114 @@
+//! `wholestring study`: solves the cases of a study, and makes its figures and tables.
+
+mod answers;
+mod cases;
+mod columns;
+mod figure;
+mod numbers;
+mod picture;
+mod texts;
+
+use std::path::Path;
+
+use wholestring_case::{Report, study::Study};
+use wholestring_report::{StudyPage, StudyPart, study_html};
+use wholestring_results::ResultsFolder;
+
+use self::{answers::Answers, cases::Templates, numbers::Computed};
+use crate::{
+    args::StudyArgs,
+    color,
+    failure::Failure,
+    folder_name::{default_output, file_name},
+    sweep::{Batch, Ending, Set, Sound},
+    tell,
+};
+
+/// Name of the page.
+const PAGE: &str = "report.html";
+
+pub(crate) fn study(args: &StudyArgs) -> Result<(), Failure> {
+    let refused = |report: Report| Failure::BadInput(report.render(color()));
+    let study = wholestring_case::study::load(&args.study, &columns::all()).map_err(refused)?;
+    if !args.batch.quiet && !study.warnings.is_empty() {
+        tell(&study.warnings.render(color()));
+    }
+    let templates = Templates::read(&study, &args.study)?;
+    let sound = Sound::check(templates.points(&study)?, &args.batch)?;
+    let output = args.batch.output.clone();
+    let folder = ResultsFolder::create(output.unwrap_or_else(|| default_output(&study.name)))?;
+    let sets = study.sweeps.iter().map(|sweep| {
+        Ok(Set {
+            prefix: format!("{}/", sweep.name),
+            folder: ResultsFolder::create(folder.path().join(file_name(&sweep.name)))?,
+            keys: sweep.keys().map(str::to_owned).collect(),
+        })
+    });
+    let sets = sets.collect::<Result<_, Failure>>()?;
+    let mut batch = Batch::new("study", &args.batch, sets, sound);
+    batch.solve_all()?;
+    let mut answers = Answers(Vec::new());
+    for (set, point, ending) in batch.cases() {
+        if let Some(Ending { solved, .. }) = ending {
+            let values = (&set.keys[..], &point.values[..]);
+            answers.add(
+                point.set,
+                values,
+                solved,
+                &set.folder.path().join(&point.name),
+            );
+        }
+    }
+    show(&study, &answers, &folder)?;
+    batch.conclude(folder.path())
+}
+
+/// Writes every figure and table, and the page of all.
+fn show(study: &Study, answers: &Answers, folder: &ResultsFolder) -> Result<(), Failure> {
+    let sweeps: Vec<String> = study
+        .sweeps
+        .iter()
+        .map(|sweep| sweep.name.clone())
+        .collect();
+    let figures = within(folder, "figures")?;
+    let tables = within(folder, "tables")?;
+    let mut parts = Vec::new();
+    for of in &study.figures {
+        let curves = figure::curves(of, answers)?;
+        let data = figure::table(of, &curves, answers, &sweeps);
+        data.write_csv(&figures.path().join(format!("{}.csv", of.name)))?;
+        let svg = picture::draw(of, &curves, &sweeps, study.units);
+        figures.write_text(&format!("{}.svg", of.name), &svg)?;
+        parts.push(StudyPart::Figure {
+            title: of.title.clone(),
+            caption: of.caption.clone(),
+            svg: (!curves.is_empty()).then_some(svg),
+            files: format!("figures/{}", of.name),
+        });
+    }
+    for table in &study.tables {
+        let computed = Computed::of(table, answers)?;
+        let data = texts::data(&computed, &sweeps);
+        data.write_csv(&tables.path().join(format!("{}.csv", table.name)))?;
+        let grid = texts::grid(&computed, &sweeps, study.units);
+        let text = texts::markdown(&table.title, &table.caption, &grid);
+        tables.write_text(&format!("{}.md", table.name), &text)?;
+        parts.push(StudyPart::Table {
+            title: table.title.clone(),
+            caption: table.caption.clone(),
+            grid,
+            files: format!("tables/{}", table.name),
+        });
+    }
+    let page = study_html(&StudyPage {
+        program: concat!("wholestring ", env!("CARGO_PKG_VERSION")).into(),
+        title: study.name.clone(),
+        description: study.description.clone(),
+        parts,
+    });
+    Ok(folder.write_text(PAGE, &page)?)
+}
+
+fn within(folder: &ResultsFolder, name: &str) -> Result<ResultsFolder, Failure> {
+    Ok(ResultsFolder::create(Path::join(folder.path(), name))?)
+}

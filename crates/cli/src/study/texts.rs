@@ -1,0 +1,222 @@
+//! A table of a study: as data, as Markdown, and for its page.
+
+use wholestring_case::study::Row;
+use wholestring_report::{Grid, Verdict};
+use wholestring_results::{Column, Data, Table};
+use wholestring_units::UnitSet;
+
+use super::{
+    answers::names,
+    columns::unit,
+    numbers::{Computed, agrees},
+};
+
+/// The data: a row for each number and series, in SI.
+pub(super) fn data(computed: &Computed<'_>, sweeps: &[String]) -> Table {
+    let rows = computed.table.rows.iter().zip(&computed.numbers);
+    let cells: Vec<_> = rows
+        .flat_map(|(row, numbers)| {
+            let numbers = computed.series.iter().zip(numbers);
+            numbers.filter_map(move |(series, number)| Some((row, series, (*number)?)))
+        })
+        .collect();
+    let text = |name: &str, texts: Vec<String>| column(name, Data::Text(texts));
+    let number = |name: &str, numbers: Vec<Option<f64>>| column(name, Data::Number(numbers));
+    let each = |of: &dyn Fn(&Row) -> Option<f64>| cells.iter().map(|(row, ..)| of(row)).collect();
+    let agrees = |(row, _, value): &(&Row, _, f64)| match agrees(row, *value) {
+        Some(true) => "yes".to_owned(),
+        Some(false) => "no".to_owned(),
+        None => String::new(),
+    };
+    Table::new(vec![
+        text(
+            "label",
+            cells.iter().map(|(row, ..)| row.label.clone()).collect(),
+        ),
+        text(
+            "source",
+            cells.iter().map(|(row, ..)| row.source.clone()).collect(),
+        ),
+        text(
+            "sweep",
+            cells
+                .iter()
+                .map(|(_, of, _)| sweeps[of.0].clone())
+                .collect(),
+        ),
+        text(
+            "model",
+            cells
+                .iter()
+                .map(|(_, of, _)| of.1.name().to_owned())
+                .collect(),
+        ),
+        text(
+            "operation",
+            cells.iter().map(|(_, of, _)| of.2.clone()).collect(),
+        ),
+        text(
+            "unit",
+            cells
+                .iter()
+                .map(|(row, ..)| row.dimension().map_or("", |of| of.si_symbol()).to_owned())
+                .collect(),
+        ),
+        number("expected", each(&|row| row.wanted.expected)),
+        number("least", each(&|row| row.wanted.least)),
+        number("most", each(&|row| row.wanted.most)),
+        number(
+            "computed",
+            cells.iter().map(|(.., value)| Some(*value)).collect(),
+        ),
+        text("agrees", cells.iter().map(agrees).collect()),
+    ])
+}
+
+fn column(name: &str, data: Data) -> Column {
+    Column {
+        name: name.to_owned(),
+        unit: String::new(),
+        meaning: String::new(),
+        data,
+    }
+}
+
+/// The table for people.
+pub(super) fn grid(computed: &Computed<'_>, sweeps: &[String], units: UnitSet) -> Grid {
+    let sources = computed.table.rows.iter().any(|row| !row.source.is_empty());
+    let mut heads = vec!["".to_owned(), "unit".to_owned(), "given".to_owned()];
+    heads.extend(names(&computed.series, sweeps));
+    if sources {
+        heads.push("given in".to_owned());
+    }
+    let rows = computed.table.rows.iter().zip(&computed.numbers);
+    let rows = rows.map(|(row, numbers)| {
+        let (symbol, worth) = unit(row.dimension(), "", units);
+        let mut cells = vec![
+            (row.label.clone(), Verdict::None),
+            (symbol, Verdict::None),
+            (given(row, worth), Verdict::None),
+        ];
+        for number in numbers {
+            cells.push(match number {
+                Some(number) => (against(row, *number, worth), verdict(row, *number)),
+                None => (String::new(), Verdict::None),
+            });
+        }
+        if sources {
+            cells.push((row.source.clone(), Verdict::None));
+        }
+        cells
+    });
+    let rows = rows.collect();
+    Grid { heads, rows }
+}
+
+fn verdict(row: &Row, number: f64) -> Verdict {
+    match agrees(row, number) {
+        None => Verdict::None,
+        Some(true) => Verdict::Agrees,
+        Some(false) => Verdict::Differs,
+    }
+}
+
+/// What is given: `13.61 ± 1.089`, `at least 0.95`.
+fn given(row: &Row, worth: f64) -> String {
+    let wanted = &row.wanted;
+    let show = |value: f64| short(value / worth);
+    let bounds = (wanted.least, wanted.most);
+    match (wanted.expected, bounds) {
+        (Some(expected), (Some(least), Some(most)))
+            if (least + most - 2.0 * expected).abs() <= 1e-9 * (most - least) =>
+        {
+            format!("{} ± {}", show(expected), show(expected - least))
+        }
+        (Some(expected), (None, None)) => show(expected),
+        (Some(expected), bounds) => format!("{} ({})", show(expected), between(bounds, show)),
+        (None, bounds) => between(bounds, show),
+    }
+}
+
+fn between(bounds: (Option<f64>, Option<f64>), show: impl Fn(f64) -> String) -> String {
+    match bounds {
+        (Some(least), Some(most)) => format!("{} to {}", show(least), show(most)),
+        (Some(least), None) => format!("at least {}", show(least)),
+        (None, Some(most)) => format!("at most {}", show(most)),
+        (None, None) => String::new(),
+    }
+}
+
+/// A computed number and how far it is from the given one.
+fn against(row: &Row, number: f64, worth: f64) -> String {
+    let value = short(number / worth);
+    match row.wanted.expected.filter(|expected| *expected != 0.0) {
+        Some(expected) => {
+            let off = 100.0 * (number - expected) / expected.abs();
+            let off = if off.abs() < 0.05 { 0.0 } else { off };
+            format!("{value} ({off:+.1} %)")
+                .replace('-', "\u{2212}")
+                .replace("+0.0 %", "0.0 %")
+        }
+        None => value.replace('-', "\u{2212}"),
+    }
+}
+
+/// Four digits.
+fn short(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return format!("{value}");
+    }
+    let size = value.abs().log10().floor();
+    if !(-4.0..7.0).contains(&size) {
+        return format!("{value:.3e}");
+    }
+    let decimals = (3.0 - size).max(0.0) as usize;
+    let text = format!("{value:.decimals$}");
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
+/// The grid as Markdown.
+pub(super) fn markdown(title: &str, caption: &str, grid: &Grid) -> String {
+    let line = |cells: &mut dyn Iterator<Item = String>| {
+        let cells: Vec<String> = cells.map(|cell| cell.replace('|', "\\|")).collect();
+        format!("| {} |\n", cells.join(" | "))
+    };
+    let mut text = format!("# {title}\n\n");
+    text += &line(&mut grid.heads.iter().cloned());
+    text += &line(&mut grid.heads.iter().map(|_| "---".to_owned()));
+    for row in &grid.rows {
+        text += &line(&mut row.iter().map(|(cell, verdict)| match verdict {
+            Verdict::Differs => format!("**{cell}**"),
+            _ => cell.clone(),
+        }));
+    }
+    if !caption.is_empty() {
+        text += &format!("\n{caption}\n");
+    }
+    text += "\nNumbers in bold type differ from the given ones by more than is allowed.\n";
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        for (value, expected) in [
+            (13.612_345, "13.61"),
+            (0.0, "0"),
+            (1075.04, "1075"),
+            (43_051.0, "43051"),
+            (0.012_34, "0.01234"),
+            (2.0, "2"),
+            (1e-9, "1.000e-9"),
+        ] {
+            assert_eq!(short(value), expected);
+        }
+    }
+}

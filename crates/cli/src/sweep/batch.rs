@@ -1,0 +1,328 @@
+//! Sets of cases that are solved together: all cores, one progress bar.
+
+use std::{
+    num::NonZeroUsize,
+    path::{Path, PathBuf},
+    sync::{Mutex, PoisonError},
+    thread,
+    time::{Duration, Instant},
+};
+
+use indicatif::ProgressBar;
+use wholestring_case::Case;
+use wholestring_results::{OperationSummary, ResultsFolder, Status, Summary};
+
+use super::{
+    checked::{Checked, check},
+    parallel::{in_parallel, lock},
+    points::Point,
+    table::SweepTable,
+};
+use crate::{
+    args::{BatchArgs, Shard},
+    checkpoint::{Laid, UnderWay, difference},
+    failure::Failure,
+    interrupt::Interrupt,
+    progress::{self, Watch, milliseconds},
+    record::Record,
+    say,
+    solve::{Stop, Way, checkpoint_every, solve},
+};
+
+/// Time between two writings of a `sweep.csv` while its cases are solved.
+const WRITE_INTERVAL: Duration = Duration::from_secs(5);
+
+/// Cases with a folder and a table of their own.
+pub(crate) struct Set {
+    /// What stands before the names of its cases in messages.
+    pub(crate) prefix: String,
+    pub(crate) folder: ResultsFolder,
+    /// The keys that are varied.
+    pub(crate) keys: Vec<String>,
+}
+
+/// How a case ended.
+pub(crate) struct Ending {
+    pub(crate) solved: Vec<OperationSummary>,
+    /// Nothing where it is finished.
+    pub(crate) why: Option<Stop>,
+}
+
+/// How far a batch has come.
+struct Reached {
+    /// How each case of all shards ended, none where it has not.
+    endings: Vec<Option<Ending>>,
+    count: usize,
+    /// When a `sweep.csv` was written last.
+    written: Instant,
+}
+
+/// Sets of cases that are solved together.
+pub(crate) struct Batch<'a> {
+    /// What it is called on the bar and in messages: `sweep`.
+    noun: &'static str,
+    args: &'a BatchArgs,
+    sets: Vec<Set>,
+    points: Vec<Point<'a>>,
+    checked: Vec<Checked>,
+    interrupt: Interrupt,
+    bar: ProgressBar,
+    /// The cases of this shard.
+    mine: Vec<usize>,
+    progress: Mutex<Reached>,
+    start: Instant,
+}
+
+impl BatchArgs {
+    /// Cases that are solved side by side.
+    pub(crate) fn jobs(&self) -> usize {
+        let jobs = self.jobs.or_else(|| thread::available_parallelism().ok());
+        jobs.map_or(1, NonZeroUsize::get)
+    }
+}
+
+/// The cases of a batch, read and checked, with the name of the first.
+pub(crate) struct Sound<'a> {
+    points: Vec<Point<'a>>,
+    checked: Vec<Checked>,
+}
+
+impl<'a> Sound<'a> {
+    /// Reads and checks every case, so that no batch ends on a mistake in its last.
+    pub(crate) fn check(points: Vec<Point<'a>>, args: &BatchArgs) -> Result<Self, Failure> {
+        let checked = check(&points, args.jobs(), args.quiet)?;
+        Ok(Self { points, checked })
+    }
+
+    /// What the first case is called.
+    pub(crate) fn first_name(&self) -> &str {
+        self.checked.first().map_or("", |case| &case.name)
+    }
+}
+
+impl<'a> Batch<'a> {
+    /// A batch of sound cases that belong to these sets.
+    pub(crate) fn new(
+        noun: &'static str,
+        args: &'a BatchArgs,
+        sets: Vec<Set>,
+        sound: Sound<'a>,
+    ) -> Self {
+        let Sound { points, checked } = sound;
+        let shard = args.shard.unwrap_or(Shard::ALL);
+        let mine: Vec<usize> = (0..points.len()).filter(|case| shard.has(*case)).collect();
+        // Besides its simulated time, a case counts as one millisecond on the bar, so that soft strings move
+        // it too.
+        let lengths = mine
+            .iter()
+            .map(|case| 1 + milliseconds(checked[*case].simulated_s));
+        let bar = progress::bar(lengths.sum(), args.quiet);
+        bar.set_prefix(noun);
+        Self {
+            noun,
+            args,
+            sets,
+            interrupt: Interrupt::listen(),
+            bar,
+            mine,
+            progress: Mutex::new(Reached {
+                endings: points.iter().map(|_| None).collect(),
+                count: 0,
+                written: Instant::now(),
+            }),
+            points,
+            checked,
+            start: Instant::now(),
+        }
+    }
+
+    /// Solves the cases of this shard, and writes the table of each set.
+    pub(crate) fn solve_all(&mut self) -> Result<(), Failure> {
+        // The longest first: what is left at the end is short, and no thread waits long for the others.
+        let mut order = self.mine.clone();
+        order.sort_by(|a, b| self.checked[*b].cost.total_cmp(&self.checked[*a].cost));
+        in_parallel(self.args.jobs(), &order, |case| self.solve(case));
+        self.bar.finish_and_clear();
+        let reached = lock(&self.progress);
+        (0..self.sets.len()).try_for_each(|set| self.write(set, &reached.endings))
+    }
+
+    /// Each case with its set and how it ended; nothing where it has not, or is another shard's.
+    pub(crate) fn cases(&mut self) -> impl Iterator<Item = (&Set, &Point<'a>, Option<&Ending>)> {
+        let reached = self.progress.get_mut();
+        let reached = reached.unwrap_or_else(PoisonError::into_inner);
+        let (sets, points) = (&self.sets, self.points.iter());
+        points
+            .zip(&reached.endings)
+            .map(move |(point, ending)| (&sets[point.set], point, ending.as_ref()))
+    }
+
+    /// Solves one case, unless the user asked to stop.
+    fn solve(&self, case: usize) {
+        if self.interrupt.asked() {
+            return;
+        }
+        let ending = self
+            .ending(&self.points[case])
+            .unwrap_or_else(|why| Ending {
+                solved: Vec::new(),
+                why: Some(why),
+            });
+        let mut reached = lock(&self.progress);
+        reached.endings[case] = Some(ending);
+        reached.count += 1;
+        self.bar.inc(1);
+        let simulated_s = self.bar.position() as f64 * 1e-3;
+        let speed = simulated_s / self.start.elapsed().as_secs_f64();
+        self.bar.set_message(format!(
+            "{} of {} cases, {speed:.0} × real time",
+            reached.count,
+            self.mine.len()
+        ));
+        if reached.written.elapsed() >= WRITE_INTERVAL {
+            // What cannot be written now is told at the end.
+            let _ = self.write(self.points[case].set, &reached.endings);
+            reached.written = Instant::now();
+        }
+    }
+
+    fn ending(&self, point: &Point) -> Result<Ending, Stop> {
+        let case = point
+            .template
+            .case(&point.changes)
+            .map_err(|report| Stop::Unsolved(report.render(false)))?;
+        let folder = ResultsFolder::create(self.folder(point))?;
+        let mut begun = None;
+        if self.args.resume {
+            if let Some(solved) = finished(folder.path(), &case) {
+                // Killed between its last result and its end, a run may leave one.
+                folder.remove_checkpoint()?;
+                let simulated_s = Checked::of(&case).simulated_s;
+                self.bar.inc(milliseconds(simulated_s));
+                return Ok(Ending { solved, why: None });
+            }
+            begun = self.begun(point, &case, &folder);
+        }
+        let (mut record, under_way) = match begun {
+            Some(begun) => begun,
+            None => (Record::begin(&case, case.units, &folder)?, None),
+        };
+        let way = Way {
+            csv: self.args.csv,
+            checkpoint_every: self
+                .args
+                .checkpoint
+                .unwrap_or_else(|| checkpoint_every(&case)),
+            watch: Watch::Sweep(self.bar.clone()),
+            interrupt: &self.interrupt,
+        };
+        let why = solve(&case, &way, &mut record, &folder, under_way).err();
+        Ok(Ending {
+            solved: record.summary.operations,
+            why,
+        })
+    }
+
+    /// What an earlier sweep began of the case; nothing where it left none to go on with, or none that one can.
+    fn begun(
+        &self,
+        point: &Point,
+        case: &Case,
+        folder: &ResultsFolder,
+    ) -> Option<(Record, Option<UnderWay<'static>>)> {
+        let begun = Laid::read(folder, case).and_then(|laid| {
+            let Some(laid) = laid else { return Ok(None) };
+            let record = Record::resume(case, case.units, folder, laid.solved)?;
+            Ok(Some((record, laid.under_way)))
+        });
+        begun.unwrap_or_else(|reason| {
+            Watch::Sweep(self.bar.clone()).tell(&format!(
+                "warning: {}: {reason}; it begins anew\n",
+                self.label(point)
+            ));
+            None
+        })
+    }
+
+    /// The folder of a case.
+    pub(crate) fn folder(&self, point: &Point<'_>) -> PathBuf {
+        self.sets[point.set].folder.path().join(&point.name)
+    }
+
+    /// What messages call a case.
+    fn label(&self, point: &Point<'_>) -> String {
+        format!("{}{}", self.sets[point.set].prefix, point.name)
+    }
+
+    /// Writes a set's `sweep.csv`: its cases in their order, as far as they have ended.
+    fn write(&self, set: usize, endings: &[Option<Ending>]) -> Result<(), Failure> {
+        let of_set = |case: &usize| self.points[*case].set == set;
+        let cases = || (0..self.points.len()).filter(of_set);
+        let dynamic = cases().any(|case| self.checked[case].simulated_s > 0.0);
+        let mut table = SweepTable::new(self.sets[set].keys.clone(), dynamic);
+        for case in cases() {
+            if let Some(Ending { solved, why }) = &endings[case] {
+                let failure = why.as_ref().and_then(Stop::reason);
+                let point = &self.points[case];
+                table.add(&point.values, &point.name, solved, failure.as_deref());
+            }
+        }
+        let path = self.sets[set].folder.path().join("sweep.csv");
+        Ok(table.table().write_csv(&path)?)
+    }
+
+    /// Says how it went; its results are in `place`.
+    pub(crate) fn conclude(self, place: &Path) -> Result<(), Failure> {
+        let endings = std::mem::take(&mut lock(&self.progress).endings);
+        let (place, noun, cases) = (place.display(), self.noun, self.mine.len());
+        let mut finished = 0;
+        let mut failed = Vec::new();
+        for (point, ending) in self.points.iter().zip(&endings) {
+            match ending {
+                Some(Ending { why: None, .. }) => finished += 1,
+                Some(Ending { why: Some(why), .. }) => failed.extend(
+                    why.reason()
+                        .map(|reason| format!("  {}: {reason}", self.label(point))),
+                ),
+                None => {}
+            }
+        }
+        if !self.args.quiet {
+            let took_s = self.start.elapsed().as_secs_f64();
+            say(&format!(
+                "{finished} of {cases} cases finished in {took_s:.1} s\nResults in {place}\n",
+            ))?;
+        }
+        let failures = failed.join("\n");
+        if self.interrupt.asked() && finished + failed.len() < cases {
+            let failures = if failed.is_empty() {
+                failures
+            } else {
+                failures + "\n"
+            };
+            return Err(Failure::Interrupted(format!(
+                "{failures}interrupted: what was computed is in {place}\nto go on, run the {noun} again with --resume"
+            )));
+        }
+        if failed.is_empty() {
+            return Ok(());
+        }
+        Err(Failure::Failed(format!(
+            "error: {} of {cases} cases failed\n{failures}\nwhat was computed is in {place}",
+            failed.len(),
+        )))
+    }
+}
+
+/// What a finished run of the case left in the folder; nothing if it is not finished, or of another case.
+fn finished(folder: &Path, case: &Case) -> Option<Vec<OperationSummary>> {
+    let summary = Summary::read(&folder.join("summary.json")).ok()?;
+    let all = case.operations.len() * case.models.len();
+    let complete = summary.operations.len() == all
+        && summary
+            .operations
+            .iter()
+            .all(|of| of.status == Status::Complete);
+    (complete && difference(&summary.settings, &case.settings).is_none())
+        .then_some(summary.operations)
+}
