@@ -271,7 +271,7 @@ fn the_schema_says_what_keys_mean() {
     fn visit(schema: &serde_json::Value) {
         for (key, value) in schema["properties"].as_object().into_iter().flatten() {
             let said = value["description"].as_str().unwrap_or_default();
-            assert!(said.len() > 10, "{key}");
+            assert!(!said.is_empty(), "{key}");
             visit(value);
             visit(&value["items"]);
         }

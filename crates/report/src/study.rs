@@ -74,7 +74,8 @@ figure{margin:0}svg{max-width:100%;height:auto;background:#fff;border-radius:6px
 .scroll{overflow-x:auto}
 table{border-collapse:collapse;font-size:.9rem;font-variant-numeric:tabular-nums}
 th,td{padding:.3rem .7rem;border-bottom:1px solid #ccc;text-align:right}
-th{vertical-align:bottom}th:first-child,td:first-child{text-align:left}
+th{vertical-align:bottom}th:first-child,td:first-child,td.words{text-align:left}
+td:not(.words,:first-child){white-space:nowrap}
 td.agrees::after{content:' \\2713';color:#00714f}
 td.differs{font-weight:600;background:#fbe3d5}
 td.differs::after{content:' \\2717';color:#a63c00}
@@ -183,6 +184,9 @@ fn table(grid: &Grid) -> String {
 fn cells(row: &[(String, Verdict)]) -> String {
     let cell = |(text, verdict): &(String, Verdict)| {
         let class = match verdict {
+            Verdict::None if !text.contains(|letter: char| letter.is_ascii_digit()) => {
+                " class=\"words\""
+            }
             Verdict::None => "",
             Verdict::Agrees => " class=\"agrees\"",
             Verdict::Differs => " class=\"differs\"",

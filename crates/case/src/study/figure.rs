@@ -99,7 +99,8 @@ table! {
         });
         /// Times of the frames that are drawn, a curve for each.
         times: Vec<At<f64>> = optional(times());
-        /// Measured depths of the nodes whose frames are drawn against time, a curve for each.
+        /// Measured depths of the nodes whose frames are drawn against time, a curve for each. The nearest node is
+        /// taken, and for contact force and friction of those within 5 m the one to which the wall does most.
         depths: Vec<At<f64>> = optional(depths());
         /// First and last time that is drawn. For "time", and "frames" at depths. Default: the whole run.
         window: Vec<At<f64>> = optional(WINDOW());

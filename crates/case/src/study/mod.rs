@@ -40,7 +40,7 @@ table! {
         /// Units of figures and tables: "si" (m, kN, kN.m, mm, kg/m3), "metric" (m, t, kN.m, mm, sg) or
         /// "field" (ft, klbf, ft-lbf, in, ppg). Their data as CSV are SI always.
         units: UnitSet = default(UNIT_SETS, UnitSet::Si);
-        /// The cases.
+        /// The cases to solve.
         sweep: Vec<At<SweepTable>> = required(List {
             item: Section::<SweepTable>::RULE,
             or_one: false,
@@ -316,9 +316,9 @@ fn sweep_named(at: &At<String>, sweeps: &[Sweep], reader: &mut Reader) -> Option
 }
 
 /// Warns of keys that say nothing here.
-fn unheeded<'a>(
+fn unheeded(
     fields: impl IntoIterator<Item = (&'static str, Option<Place>)>,
-    why: &'a str,
+    why: &str,
     reader: &mut Reader,
 ) {
     for (name, place) in fields {

@@ -43,7 +43,7 @@ table! {
         operations: Vec<At<OperationKind>> = optional(OPERATIONS);
         /// Cases that its rows are about, by values of varied keys.
         only: Selection = optional(SelectionRule);
-        /// Its rows.
+        /// Its rows, a number each.
         row: Vec<At<RowTable>> = required(List {
             item: Section::<RowTable>::RULE,
             or_one: false,
@@ -78,7 +78,8 @@ table! {
         /// a summary's over the window of a dynamic model, of "time" and of "frames" at a depth over time, otherwise
         /// along the string.
         statistic: Statistic = default(StatisticRule, Statistic::Mean);
-        /// The value at the node that is nearest to this measured depth.
+        /// The value at the node that is nearest to this measured depth; for contact force and friction in "frames",
+        /// at that of those within 5 m to which the wall does most.
         depth: f64 = optional(quantity::Quantity::si(
             Dimension::Length,
             Range::from_to(0.0, 20_000.0),

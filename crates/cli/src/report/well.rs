@@ -7,6 +7,9 @@ use wholestring_report::{Packed, Part, Section, Well};
 /// Points of the path on the page, besides the stations.
 const POINTS: usize = 800;
 
+/// A name, and the quantity at a measured depth.
+type PathColumn = (&'static str, fn(&Path, f64) -> f64);
+
 /// The well of a run.
 pub(crate) struct WellBore<'a> {
     settings: &'a Json,
@@ -54,7 +57,7 @@ impl<'a> WellBore<'a> {
     }
 
     /// What is known of the path at a measured depth.
-    pub(crate) const COLUMNS: [(&'static str, fn(&Path, f64) -> f64); 7] = [
+    pub(crate) const COLUMNS: [PathColumn; 7] = [
         ("md_m", |_, md| md),
         ("north_m", |path, md| path.at(md).position_m.x),
         ("east_m", |path, md| path.at(md).position_m.y),

@@ -102,7 +102,9 @@ impl Looks {
                 parts.push(statistic.name());
             }
             let values = curve.values.iter().filter(|(key, _)| !fixed.contains(key));
-            parts.extend(values.map(|(key, value)| format!("{} {value}", key.replace('_', " "))));
+            parts.extend(
+                values.map(|(key, value)| format!("{} {}", key.replace('_', " "), apart(value))),
+            );
             if let Some(at) = curve.at {
                 parts.push(match by_time {
                     true => format!("{at:.2} s"),
@@ -192,6 +194,18 @@ impl Looks {
     }
 }
 
+/// A value with a blank before its unit: `300m` as `300 m`.
+fn apart(value: &str) -> String {
+    let ends = value
+        .char_indices()
+        .map(|(at, letter)| at + letter.len_utf8());
+    let number = ends.rev().find(|end| value[..*end].parse::<f64>().is_ok());
+    match number.map(|end| value.split_at(end)) {
+        Some((number, unit)) if unit.starts_with(char::is_alphabetic) => format!("{number} {unit}"),
+        _ => value.to_owned(),
+    }
+}
+
 /// Keys whose value is the same for all curves.
 fn constant(curves: &[Curve]) -> Vec<String> {
     let keys = curves
@@ -209,4 +223,22 @@ fn constant(curves: &[Curve]) -> Vec<String> {
         values.all(|value| Some(value) == first)
     });
     all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_stand_apart_from_their_units() {
+        for (value, expected) in [
+            ("300m", "300 m"),
+            ("4305 m", "4305 m"),
+            ("0.3", "0.3"),
+            ("drill", "drill"),
+            ("6tf", "6 tf"),
+        ] {
+            assert_eq!(apart(value), expected);
+        }
+    }
 }

@@ -75,7 +75,8 @@ fn the_small_study_meets_its_closed_forms() {
         3
     );
     for (friction, settle_s) in [("0.1", 8.0), ("0.2", 6.0)] {
-        let summary = desk.summary(&format!("results/dynamics/friction={friction}"));
+        let case = format!("results/dynamics/friction={friction},bit_depth=300 m");
+        let summary = desk.summary(&case);
         assert_eq!(summary.settings["dynamics"]["settle_s"], settle_s);
     }
     assert_eq!(read(&desk, "statics/sweep.csv").lines().count(), 1 + 24 * 3);
@@ -90,7 +91,7 @@ fn the_small_study_meets_its_closed_forms() {
     let hook_load = read(&desk, "figures/hook-load.csv");
     assert_eq!(hook_load.lines().count(), 1 + 3 * 4 * 2);
     let svg = read(&desk, "figures/torque.svg");
-    assert!(svg.contains("what a small top drive gives") && svg.contains("bit depth 2000m"));
+    assert!(svg.contains("what a small top drive gives") && svg.contains("bit depth 2000 m"));
     let page = read(&desk, "report.html");
     assert_eq!(page.matches("<svg").count(), 4);
     assert_eq!(page.matches("<table>").count(), 2);
@@ -120,7 +121,7 @@ fn shares_make_a_whole() {
     let before = solved("friction=0.2,bit_depth=500m");
     let output = study(&desk, &["--resume"]);
     assert!(
-        transcript(&output).contains("27 of 27 cases finished"),
+        transcript(&output).contains("30 of 30 cases finished"),
         "{}",
         transcript(&output)
     );
@@ -144,7 +145,10 @@ fn mistakes_are_underlined_in_the_study() {
     assert_snapshot!(transcript(&output));
     assert!(!desk.path("results").exists());
 
-    let varied = text.replace("friction = [0.1, 0.2, 0.35]", "friction = [0.1, 20, 0.35]");
+    let varied = text.replace(
+        "friction = [0.1, 0.2, 0.35]",
+        "friction = [0.1, 20, 0.35, 0.2]",
+    );
     assert_ne!(varied, text);
     fs::write(
         &file,
@@ -156,4 +160,53 @@ fn mistakes_are_underlined_in_the_study() {
 
     fs::write(&file, text.replace("slant-30.toml\"", "slant-31.toml\"")).unwrap();
     assert_snapshot!(transcript(&study(&desk, &[])));
+}
+
+/// All cases of the article's campaign are sound, and its table gives what the article prints.
+#[test]
+fn the_articles_study_is_sound() {
+    let desk = Desk::new();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let file = root.join("studies/full-hole-system-dynamics.toml");
+    // The last case of all is a soft string: it is solved in no time.
+    let output = desk.run(&[
+        "study",
+        file.to_str().unwrap(),
+        "-o",
+        "results",
+        "--shard",
+        "180/180",
+    ]);
+    let told = transcript(&output);
+    assert!(told.contains("1 of 1 cases finished"), "{told}");
+    assert!(told.ends_with("--- standard error\n"), "{told}");
+
+    let text = fs::read_to_string(root.join("verification/G01_paper_targets.json")).unwrap();
+    let article: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let numbers = read(&desk, "tables/numbers.md");
+    let given = |label: &str| {
+        let mut rows = numbers.lines().filter_map(|line| {
+            let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+            let number = cells.get(3)?.split(' ').next()?.parse::<f64>().ok()?;
+            cells[1].starts_with(label).then_some(number)
+        });
+        rows.next().unwrap_or_else(|| panic!("{label}: {numbers}"))
+    };
+    for friction in ["0.1", "0.3"] {
+        for (quantity, label) in [
+            ("mean_friction_torque_kNm", "friction torque, friction"),
+            (
+                "max_static_torque_kNm",
+                "maximum static friction torque, friction",
+            ),
+            ("axial_friction_kN", "axial friction, friction"),
+        ] {
+            let printed = article["outputs"][quantity][friction].as_f64().unwrap();
+            assert_eq!(given(&format!("{label} {friction}")), printed, "{quantity}");
+        }
+    }
+    assert_eq!(
+        given("largest contact force"),
+        article["outputs"]["contact_force_max_kN"]
+    );
 }
