@@ -41,9 +41,6 @@ use state::State;
 /// Extra damping of the first seconds of a prepared start, relative to the rigid motion, 1/s.
 const FADING_DAMPING_PER_S: f64 = 4.0;
 
-/// Time in which a centred start brings the top to its speed, s.
-const RAMP_S: f64 = 1.0;
-
 /// Steps after which anchors follow their nodes: at 3.2 m elements some 10 ms.
 const FOLLOW_STEPS: u64 = 16;
 
@@ -198,10 +195,7 @@ impl<R: Real> Run<R> {
     fn step(&mut self) {
         let time = self.time_s();
         let dt = self.plan.dt_s;
-        let ramp = match self.settings.start {
-            Start::Prepared => 1.0,
-            Start::Centred => (time / RAMP_S).min(1.0),
-        };
+        let ramp = self.settings.start_ramp(time);
         let rotation = ramp * self.follow_schedule(time);
         let input = self.step_input(time, rotation);
         self.state.top_drive.prescribe(&mut self.chain, rotation);
