@@ -20,12 +20,10 @@ use crate::{
     color,
     failure::Failure,
     folder_name::{default_output, file_name},
+    report::{FILE, PROGRAM},
     sweep::{Batch, Ending, Set, Sound},
     tell,
 };
-
-/// Name of the page.
-const PAGE: &str = "report.html";
 
 pub(crate) fn study(args: &StudyArgs) -> Result<(), Failure> {
     let refused = |report: Report| Failure::BadInput(report.render(color()));
@@ -78,7 +76,7 @@ fn show(study: &Study, answers: &Answers, folder: &ResultsFolder) -> Result<(), 
         let data = figure::table(of, &curves, answers, &sweeps);
         data.write_csv(&figures.path().join(format!("{}.csv", of.name)))?;
         let svg = picture::draw(of, &curves, &sweeps, study.units);
-        figures.write_text(&format!("{}.svg", of.name), &svg)?;
+        figures.write_file(&format!("{}.svg", of.name), svg.as_bytes())?;
         parts.push(StudyPart::Figure {
             title: of.title.clone(),
             caption: of.caption.clone(),
@@ -92,7 +90,7 @@ fn show(study: &Study, answers: &Answers, folder: &ResultsFolder) -> Result<(), 
         data.write_csv(&tables.path().join(format!("{}.csv", table.name)))?;
         let grid = texts::grid(&computed, &sweeps, study.units);
         let text = texts::markdown(&table.title, &table.caption, &grid);
-        tables.write_text(&format!("{}.md", table.name), &text)?;
+        tables.write_file(&format!("{}.md", table.name), text.as_bytes())?;
         parts.push(StudyPart::Table {
             title: table.title.clone(),
             caption: table.caption.clone(),
@@ -101,12 +99,12 @@ fn show(study: &Study, answers: &Answers, folder: &ResultsFolder) -> Result<(), 
         });
     }
     let page = study_html(&StudyPage {
-        program: concat!("wholestring ", env!("CARGO_PKG_VERSION")).into(),
+        program: PROGRAM.into(),
         title: study.name.clone(),
         description: study.description.clone(),
         parts,
     });
-    Ok(folder.write_text(PAGE, &page)?)
+    Ok(folder.write_file(FILE, page.as_bytes())?)
 }
 
 fn within(folder: &ResultsFolder, name: &str) -> Result<ResultsFolder, Failure> {

@@ -1,7 +1,9 @@
 //! A figure of a study as a picture.
 
 use wholestring_case::study::{Figure, FigureData, Source};
-use wholestring_report::{Chart, Curve as Line, Entry, Level, Scale, Stroke, chart_svg};
+use wholestring_report::figure::{
+    Axis, Direction, Figure as Picture, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke,
+};
 use wholestring_units::{Dimension, UnitSet};
 
 use super::{
@@ -10,63 +12,102 @@ use super::{
     figure::{Curve, rank},
 };
 
+/// Size of a figure, and the height of one in which depth points down.
+const WIDTH_MM: f64 = 180.0;
+const HEIGHT_MM: f64 = 90.0;
+const TALL_MM: f64 = 120.0;
+
+/// Curves of more points than this are lines without dots.
+const MOST_DOTS: usize = 60;
+
 /// The figure as the text of an SVG file.
 pub(super) fn draw(figure: &Figure, curves: &[Curve], sweeps: &[String], units: UnitSet) -> String {
     let y = &figure.y[0];
     let (y_unit, y_worth) = unit(y.column.dimension, y.column.name, units);
-    let (x_name, x_depth, (x_unit, x_worth)) = match &figure.data {
+    let (x_name, x_range, (x_unit, x_worth)) = match &figure.data {
         FigureData::Summary { x, .. } => (
             x.key.replace(['_', '.'], " "),
-            true,
+            Range::Tight,
             unit(x.dimension, "", units),
         ),
         FigureData::Rows { x, .. } | FigureData::Times { x, .. } | FigureData::Depths { x, .. } => {
-            let exact = x.column.name == "time_s" || is_depth(x.column.name);
             (
                 title(x),
-                exact,
+                range(x.column.name),
                 unit(x.column.dimension, x.column.name, units),
             )
         }
     };
     let y_names: Vec<String> = figure.y.iter().map(title).collect();
     let looks = Looks::of(curves, sweeps, units, figure);
-    chart_svg(&Chart {
+    let mut marks: Vec<Mark> = figure
+        .levels
+        .iter()
+        .map(|level| Mark::OwnRule {
+            at: level.value / y_worth,
+            label: level.label.clone(),
+        })
+        .collect();
+    for curve in curves {
+        let (colour, stroke) = looks.of_curve(curve);
+        let points: Vec<(f64, f64)> = curve
+            .points
+            .iter()
+            .map(|(x, y)| (x / x_worth, y / y_worth))
+            .collect();
+        let (ink, shape) = (Ink::Line(colour), Shape::Circle);
+        // Nodes between the joints of a string touch nothing: a line would fill the picture.
+        let single = matches!(figure.data, FigureData::Times { .. });
+        if single || points.len() <= MOST_DOTS {
+            let points = points.clone();
+            marks.push(Mark::Points { ink, shape, points });
+        }
+        if !single {
+            marks.push(Mark::Curve {
+                ink,
+                stroke,
+                points,
+            });
+        }
+    }
+    // A depth against which nothing else is drawn points down the page.
+    let down = y.column.source != Source::Summary && is_depth(y.column.name);
+    let own = Axis {
+        down,
+        ..Axis::new(
+            label(&y_names.join(", "), &y_unit),
+            if down { Range::Tight } else { Range::Zero },
+        )
+    };
+    Picture {
         title: figure.title.clone(),
         subtitle: String::new(),
-        x: Scale {
-            label: label(&x_name, &x_unit),
-            exact: x_depth,
+        keys: looks.keys(),
+        layout: Layout {
+            direction: Direction::Across,
+            columns: 1,
+            width_mm: WIDTH_MM,
+            panel_mm: if down { TALL_MM } else { HEIGHT_MM },
         },
-        y: Scale {
-            label: label(&y_names.join(", "), &y_unit),
-            exact: y.column.source != Source::Summary && is_depth(y.column.name),
-        },
-        legend: looks.entries(),
-        curves: curves
-            .iter()
-            .map(|curve| {
-                let (colour, stroke) = looks.of_curve(curve);
-                Line {
-                    colour,
-                    stroke,
-                    points: curve
-                        .points
-                        .iter()
-                        .map(|(x, y)| (x / x_worth, y / y_worth))
-                        .collect(),
-                }
-            })
-            .collect(),
-        levels: figure
-            .levels
-            .iter()
-            .map(|level| Level {
-                label: level.label.clone(),
-                value: level.value / y_worth,
-            })
-            .collect(),
-    })
+        shared: Axis::new(label(&x_name, &x_unit), x_range),
+        panels: vec![Panel {
+            axis: own,
+            marks,
+            keys: Vec::new(),
+        }],
+        hole: Vec::new(),
+    }
+    .drawing()
+    .svg()
+}
+
+/// Depth and time reach as far as they go, all else to zero.
+fn range(name: &str) -> Range {
+    if name == "time_s" || is_depth(name) {
+        Range::Tight
+    } else {
+        Range::Zero
+    }
 }
 
 /// Curves differ by colour in what they show, and by stroke in who says it.
@@ -150,47 +191,43 @@ impl Looks {
         };
         match self.by_stroke() {
             true => (shown, stroke(series == 1)),
-            false => (
-                series * self.shown.len() + shown,
-                stroke(rank(&curve.series) == 1),
-            ),
+            false => (series * self.shown.len() + shown, stroke_of(&curve.series)),
         }
     }
 
-    fn entries(&self) -> Vec<Entry> {
-        let entry = |name: String, colour, stroke| Entry {
+    fn keys(&self) -> Vec<Key> {
+        let key = |name: String, ink, stroke| Key {
             name,
-            colour,
-            stroke,
+            sample: Sample::Line(ink, stroke),
         };
         if self.by_stroke() {
             let shown = self.shown.iter().enumerate();
-            let colours = shown.map(|(i, name)| entry(name.clone(), Some(i), Stroke::Solid));
+            let shown = shown.map(|(i, name)| key(name.clone(), Ink::Line(i), Stroke::Solid));
             let strokes = [Stroke::Solid, Stroke::Dashed];
             let series = self.series_names.iter().zip(strokes);
             let series = series.filter(|_| self.series.len() > 1);
-            return colours
-                .chain(series.map(|(name, stroke)| entry(name.clone(), None, stroke)))
+            return shown
+                .chain(series.map(|(name, stroke)| key(name.clone(), Ink::Note, stroke)))
                 .collect();
         }
-        let mut entries = Vec::new();
+        let mut keys = Vec::new();
         for (i, series) in self.series.iter().enumerate() {
-            let stroke = if rank(series) == 1 {
-                Stroke::Dashed
-            } else {
-                Stroke::Solid
-            };
             for (j, shown) in self.shown.iter().enumerate() {
                 let both = [&self.series_names[i], shown].map(String::as_str);
                 let told: Vec<&str> = both.into_iter().filter(|name| !name.is_empty()).collect();
-                entries.push(entry(
-                    told.join(", "),
-                    Some(i * self.shown.len() + j),
-                    stroke,
-                ));
+                let ink = Ink::Line(i * self.shown.len() + j);
+                keys.push(key(told.join(", "), ink, stroke_of(series)));
             }
         }
-        entries
+        keys
+    }
+}
+
+/// Dynamics are drawn full, the soft string dashed.
+fn stroke_of(series: &Series) -> Stroke {
+    match rank(series) {
+        0 => Stroke::Solid,
+        _ => Stroke::Dashed,
     }
 }
 

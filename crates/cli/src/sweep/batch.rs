@@ -16,7 +16,8 @@ use super::{
     checked::{Checked, check},
     parallel::{in_parallel, lock},
     points::Point,
-    table::SweepTable,
+    report,
+    table::{FILE, SweepTable},
 };
 use crate::{
     args::{BatchArgs, Shard},
@@ -136,7 +137,7 @@ impl<'a> Batch<'a> {
         }
     }
 
-    /// Solves the cases of this shard, and writes the table of each set.
+    /// Solves the cases of this shard, and writes table and page of each set.
     pub(crate) fn solve_all(&mut self) -> Result<(), Failure> {
         // The longest first: what is left at the end is short, and no thread waits long for the others.
         let mut order = self.mine.clone();
@@ -144,7 +145,10 @@ impl<'a> Batch<'a> {
         in_parallel(self.args.jobs(), &order, |case| self.solve(case));
         self.bar.finish_and_clear();
         let reached = lock(&self.progress);
-        (0..self.sets.len()).try_for_each(|set| self.write(set, &reached.endings))
+        (0..self.sets.len()).try_for_each(|set| {
+            self.write(set, &reached.endings)?;
+            Ok(report::write(&self.sets[set].folder, None)?)
+        })
     }
 
     /// Each case with its set and how it ended; nothing where it has not, or is another shard's.
@@ -267,7 +271,7 @@ impl<'a> Batch<'a> {
                 table.add(&point.values, &point.name, solved, failure.as_deref());
             }
         }
-        let path = self.sets[set].folder.path().join("sweep.csv");
+        let path = self.sets[set].folder.path().join(FILE);
         Ok(table.table().write_csv(&path)?)
     }
 

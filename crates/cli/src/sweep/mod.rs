@@ -4,6 +4,7 @@ mod batch;
 mod checked;
 mod parallel;
 mod points;
+pub(crate) mod report;
 mod table;
 
 use wholestring_case::{Report, Template, Variation};
