@@ -216,8 +216,8 @@ block! {
         pub bending_near: Row<R>,
         /// `B₀ EI/L`.
         pub bending_far: Row<R>,
-        /// `a L`.
-        pub bow_near: Row<R>,
+        /// `a L/2`.
+        pub half_bow_near: Row<R>,
         /// `b L`.
         pub bow_far: Row<R>,
         /// `GJ/L`.
@@ -289,7 +289,7 @@ impl<R: Real> ElementBlock<R> {
             axial: zero,
             bending_near: zero,
             bending_far: zero,
-            bow_near: zero,
+            half_bow_near: zero,
             bow_far: zero,
             torsion: zero,
             bending: zero,
@@ -490,7 +490,7 @@ impl<R: Real> Chain<R> {
         element!(self, index, axial = k.axial);
         element!(self, index, bending_near = k.bending_near);
         element!(self, index, bending_far = k.bending_far);
-        element!(self, index, bow_near = k.bow_near);
+        element!(self, index, half_bow_near = k.half_bow_near);
         element!(self, index, bow_far = k.bow_far);
         element!(self, index, torsion = k.twist);
         element!(self, index, bending = k.bending);
@@ -504,7 +504,7 @@ impl<R: Real> Chain<R> {
             axial: element!(self, index, axial),
             bending_near: element!(self, index, bending_near),
             bending_far: element!(self, index, bending_far),
-            bow_near: element!(self, index, bow_near),
+            half_bow_near: element!(self, index, half_bow_near),
             bow_far: element!(self, index, bow_far),
             twist: element!(self, index, torsion),
             bending: element!(self, index, bending),

@@ -361,7 +361,7 @@ fn fused_arithmetic_gives_the_same_forces() {
         axial: f(k.axial),
         bending_near: f(k.bending_near),
         bending_far: f(k.bending_far),
-        bow_near: f(k.bow_near),
+        half_bow_near: f(k.half_bow_near),
         bow_far: f(k.bow_far),
         twist: f(k.twist),
         bending: f(k.bending),

@@ -58,7 +58,7 @@ struct Stretch<'a, R> {
     torque: &'a [R; DOUBLES],
     bending_near: &'a [R; DOUBLES],
     bending_far: &'a [R; DOUBLES],
-    bow_near: &'a [R; DOUBLES],
+    half_bow_near: &'a [R; DOUBLES],
     bow_far: &'a [R; DOUBLES],
     metal: &'a Metal,
 }
@@ -163,7 +163,7 @@ impl Look {
             torque: elements.torque.part(part),
             bending_near: elements.bending_near.part(part),
             bending_far: elements.bending_far.part(part),
-            bow_near: elements.bow_near.part(part),
+            half_bow_near: elements.half_bow_near.part(part),
             bow_far: elements.bow_far.part(part),
             metal: strength.block(block),
         };
@@ -194,7 +194,7 @@ impl Look {
         let t = chord.scaled(rest * (1.5 - 0.5 * chord.dot(chord) * rest * rest));
         let (tension, torque) = (number(stretch.tension), number(stretch.torque));
         // The gradient of the element's energy on its upper director: `rod::element`.
-        let near = number(stretch.bending_near) + number(stretch.bow_near) * tension;
+        let near = number(stretch.bending_near) + 2.0 * number(stretch.half_bow_near) * tension;
         let far = number(stretch.bending_far) - number(stretch.bow_far) * tension;
         let pull = near * t.dot(d1) + far * t.dot(d2);
         let moment = d2.scaled(far).minus(t, pull).cross(d1);

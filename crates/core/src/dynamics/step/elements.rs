@@ -178,7 +178,7 @@ fn stiffness<N: Number>(e: &ElementBlock<N::Real>, lane: usize) -> Stiffness<N> 
         axial: at(&e.axial, lane),
         bending_near: at(&e.bending_near, lane),
         bending_far: at(&e.bending_far, lane),
-        bow_near: at(&e.bow_near, lane),
+        half_bow_near: at(&e.half_bow_near, lane),
         bow_far: at(&e.bow_far, lane),
         twist: at(&e.torsion, lane),
         bending: at(&e.bending, lane),

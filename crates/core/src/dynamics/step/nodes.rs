@@ -330,11 +330,10 @@ pub(super) fn turn<N: Number>(
     // quarter of the precession times the angle by which the step advances the whirl.
     let turning = halfway.scaled(cosine).minus(halfway.cross(d0), sine) + kick;
     let q = quarter_dt2 * turning.dot(turning);
-    // 1/(1 + q) to rounding: q is the square of half the turn in a step.
-    let q2 = q * q;
-    let shrink = (one - q).mul_add(one + q2, q2 * q2);
+    // 1/(1 + q), but for q⁴: q is the square of half the turn in a step. (1 − q)/(1 + q) is twice that less one.
+    let shrink = (one - q) * q.mul_add(q, one);
     let turned = d0
-        .scaled((one - q) * shrink)
+        .scaled(shrink + shrink - one)
         .plus(turning.cross(d0), dt * shrink);
     put3(&mut state.d, lane, turned);
     put3(&mut state.w, lane, turning);
