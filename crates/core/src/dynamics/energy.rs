@@ -188,6 +188,11 @@ impl Ledger {
         sum.damping_loss_J += losses.damping;
     }
 
+    /// Books what mass-proportional damping took, J.
+    pub fn book_calming(&mut self, taken: f64) {
+        self.booked.mud_loss_J += taken;
+    }
+
     /// The balance and its residual over the largest of work, losses, change of energy and kinetic energy; none where a
     /// number is none, as in a run that diverged.
     pub fn balance(&self, now: &Energies, flow_J: f64) -> Option<(EnergyBalance, f64)> {

@@ -29,12 +29,8 @@ use super::{
 pub struct Stiffness<N> {
     /// Rest length `L`, m.
     pub length: N,
-    /// `1/L`, 1/m.
-    pub inverse_length: N,
     /// `EA/L`, N/m.
     pub axial: N,
-    /// `A₀ EI/L`, N·m.
-    pub bending_near: N,
     /// `B₀ EI/L`, N·m.
     pub bending_far: N,
     /// `a L/2`, m: half of how tension stiffens a director against its own chord.
@@ -43,7 +39,7 @@ pub struct Stiffness<N> {
     pub bow_far: N,
     /// `GJ/L`, N·m.
     pub twist: N,
-    /// `EI/L`, N·m: what stiffness-proportional damping acts on.
+    /// `EI/L`, N·m: what stiffness-proportional damping acts on, too.
     pub bending: N,
 }
 
@@ -66,15 +62,21 @@ impl Stiffness<f64> {
         let bow = phi / 6.0 + phi * phi / 12.0;
         Self {
             length: l,
-            inverse_length: 1.0 / l,
             axial: section.axial_stiffness_N / l,
-            bending_near: ei / l * (4.0 + phi) * over,
             bending_far: ei / l * (2.0 - phi) * over,
             half_bow_near: 0.5 * (2.0 / 15.0 + bow) * over * over * l,
             bow_far: (1.0 / 30.0 + bow) * over * over * l,
             twist: section.torsional_stiffness_N_m2 / l,
             bending: ei / l,
         }
+    }
+}
+
+impl<N: Number> Stiffness<N> {
+    /// `A₀ EI/L`, N·m: `A₀ = B₀ + 2`.
+    #[inline(always)]
+    pub fn bending_near(&self) -> N {
+        self.bending_far + (self.bending + self.bending)
     }
 }
 
@@ -268,7 +270,7 @@ pub fn strain<N: Number>(
 
     // The damping knows the chord alone: it neither stiffens the directors nor works on them.
     let twice = elastic_tension + elastic_tension;
-    let a = k.half_bow_near.mul_add(twice, k.bending_near);
+    let a = k.half_bow_near.mul_add(twice, k.bending_near());
     let b = k.bow_far.neg_mul_add(elastic_tension, k.bending_far);
     let s1 = a.mul_add(c1, b * c2);
     let s2 = a.mul_add(c2, b * c1);
@@ -368,7 +370,7 @@ pub fn energy(k: &Stiffness<f64>, p: &Pose<f64>) -> f64 {
         (p.anchor_chord.scaled(2.0) + p.displacement).dot(p.displacement) + p.anchor_excess;
     let longer = excess / (l + k.length) + k.half_bow_near * near - k.bow_far * far;
     0.5 * k.axial * longer * longer
-        + 0.5 * k.bending_near * near
+        + 0.5 * k.bending_near() * near
         + k.bending_far * far
         + 0.5 * k.twist * p.twist * p.twist
 }

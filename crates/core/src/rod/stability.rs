@@ -127,7 +127,7 @@ fn lend(k: &Stiffness<f64>, bare: &ElementInertia, limit: f64) -> Option<Element
     let axial_kg = bare.axial_kg.max(4.0 * k.axial / square);
     let lateral_kg = bare.lateral_kg.max(axial_kg);
     // Both ends turned alike against a turning chord, and against one another.
-    let shear = 2.0 * (k.bending_near + k.bending_far);
+    let shear = 2.0 * (k.bending_near() + k.bending_far);
     let budget = square / shear - 4.0 * over_length * over_length / lateral_kg;
     if budget <= 0.0 {
         return None;
@@ -135,7 +135,7 @@ fn lend(k: &Stiffness<f64>, bare: &ElementInertia, limit: f64) -> Option<Element
     let rotary_kg_m2 = bare
         .rotary_kg_m2
         .max(0.5 / budget)
-        .max((k.bending_near - k.bending_far) / square);
+        .max((k.bending_near() - k.bending_far) / square);
     Some(ElementInertia {
         axial_kg,
         lateral_kg,

@@ -141,7 +141,7 @@ fn wear_is_the_loss_to_friction() {
             ..Default::default()
         };
         let mut run = Run::<f64>::new(&model(0.3), &REAM, &settings).unwrap();
-        let input = run.step_input(0.0, REAM.rotary_speed_rad_per_s);
+        let input = run.step_input();
         let mut lost = 0.0;
         run.chain.clear_sums();
         for _ in 0..2000 {
