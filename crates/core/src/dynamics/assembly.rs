@@ -237,7 +237,8 @@ impl Surroundings {
         let (mut moved_above, mut any) = (false, false);
         for index in 0..chain.nodes() {
             let along = chain.tangent(index).dot(chain.displacement(index));
-            let moved = along.abs() > self.reach_m;
+            // All that will be there soon go at once: looking for them takes longer than moving them.
+            let moved = along.abs() > 0.5 * self.reach_m;
             if moved {
                 let md = anchors[index].md_m + along;
                 self.anchor(chain, anchors, index, md);

@@ -445,6 +445,24 @@ impl<R: Real> Chain<R> {
         slid
     }
 
+    /// Effective tension of each element at the last step, from the top down, N.
+    pub fn tensions_N(&self) -> impl Iterator<Item = f64> {
+        let along = |lane| {
+            let blocks = self.element_blocks.iter();
+            blocks.map(move |block: &ElementBlock<R>| block.tension.0[lane].to_f64())
+        };
+        (0..R::LANES).flat_map(along).take(self.elements())
+    }
+
+    /// Work that friction has done at each node since the last sample, from the top down, J.
+    pub fn wear_J(&self) -> impl Iterator<Item = f64> {
+        let along = |lane| {
+            let blocks = self.node_blocks.iter();
+            blocks.map(move |block: &NodeBlock<R>| block.sum_wear.0[lane].to_f64())
+        };
+        (0..R::LANES).flat_map(along).take(self.nodes)
+    }
+
     /// Number of nodes.
     pub fn nodes(&self) -> usize {
         self.nodes

@@ -4,7 +4,7 @@ use super::{element::Stiffness, mesh::Mesh};
 
 /// Part of the stability limit that is used: the rest is for what the elements' own frequencies do
 /// not know (tension, large rotation).
-pub(crate) const SAFETY: f64 = 0.98;
+pub(crate) const SAFETY: f64 = 0.99;
 
 /// Largest part of the string's axial mass that short elements may be lent in sum.
 const MOST_ADDED_MASS: f64 = 0.003;

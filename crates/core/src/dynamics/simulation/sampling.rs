@@ -25,7 +25,8 @@ impl<R: Real> Run<R> {
         let time = self.time_s();
         let interval_s = self.sample_interval_s();
         let run_samples = (self.end_time_s() / interval_s).round() as u64;
-        if !self.state.window_open && time >= self.settings.settle_s {
+        let opens = !self.state.window_open && time >= self.settings.settle_s;
+        if opens {
             self.open_window();
         }
         self.chain.close();
@@ -36,7 +37,10 @@ impl<R: Real> Run<R> {
             let pressures = mud.pressures();
             record.press(|node| pressures.difference_Pa(node));
         }
-        state.wear.sample(chain, |i| anchors[i].md_m);
+        let rubbed_J = state.wear.sample(chain, |i| anchors[i].md_m);
+        if !opens {
+            state.ledger.book_friction(rubbed_J);
+        }
         let sums = std::mem::take(&mut state.since_sample);
         let totals = record.sample(chain, &state.high, &state.body, sums.steps);
         record.map_contact(anchors, time, run_samples);

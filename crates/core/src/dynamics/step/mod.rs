@@ -46,11 +46,9 @@ pub struct StepInput {
     pub stribeck_speed: f64,
 }
 
-/// Energies that left the string in a step, J.
+/// Energies that left the string in a step, J. What friction on the wall took is summed with the nodes.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct StepLosses {
-    /// To friction on the wall.
-    pub friction: f64,
     /// To the wall's contact forces.
     pub contact: f64,
     /// To the mud; mass-proportional damping is booked with it.
@@ -217,10 +215,9 @@ impl<R: Real> Stepper<R> {
     }
 }
 
-/// Energy lost by each lane: friction's in J, the contact's over half the step, twice the mud's in J, the damping's
+/// Energy lost by each lane: the contact's over half the step, twice the mud's in J, the damping's
 /// power in W.
 struct Losses<R: Real> {
-    friction: Row<R>,
     contact: Row<R>,
     mud: Row<R>,
     damping: Row<R>,
@@ -230,7 +227,6 @@ impl<R: Real> Losses<R> {
     fn none() -> Self {
         let zero = Row::filled(0.0);
         Self {
-            friction: zero,
             contact: zero,
             mud: zero,
             damping: zero,
@@ -323,7 +319,6 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
     }
     let sum = |row: Row<N::Real>| row.0.as_ref().iter().map(|x| x.to_f64()).sum::<f64>();
     StepLosses {
-        friction: sum(losses.friction),
         contact: sum(losses.contact) * 0.5 * input.dt,
         mud: sum(losses.mud) * 0.5,
         damping: sum(losses.damping) * input.dt,

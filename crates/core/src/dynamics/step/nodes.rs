@@ -282,7 +282,6 @@ pub(super) fn land<N: Number, const FULL: bool>(
     add(&mut n.sum_axial, lane, along);
     add(&mut n.sum_torque, lane, torque);
     add(&mut n.sum_wear, lane, rubbed);
-    add(&mut losses.friction, lane, rubbed);
     add(&mut losses.contact, lane, contact);
     add(&mut losses.mud, lane, slowed);
 }
