@@ -238,7 +238,7 @@ impl Surroundings {
         for index in 0..chain.nodes() {
             let along = chain.tangent(index).dot(chain.displacement(index));
             // All that will be there soon go at once: looking for them takes longer than moving them.
-            let moved = along.abs() > 0.5 * self.reach_m;
+            let moved = along.abs() > 0.8 * self.reach_m;
             if moved {
                 let md = anchors[index].md_m + along;
                 self.anchor(chain, anchors, index, md);

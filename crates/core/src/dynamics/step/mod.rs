@@ -250,18 +250,16 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
     let mut losses = Losses::none();
     let (mut strains, mut flight) = (Strains::none(), Flight::none());
     // The last row of elements pulls at the first row of nodes, too: it and the first come before all nodes.
-    let (mut first, mut last) = (Pull::none(), Pull::none());
-    let e = &mut element_blocks[rows - 1];
-    let under = ends(states, rows - 1);
-    pull::<N>(&mut last, &mut strains, e, under, input, &mut losses);
-    if rows > 1 {
-        let e = &mut element_blocks[0];
-        let under = ends(states, 0);
-        pull::<N>(&mut first, &mut strains, e, under, input, &mut losses);
-    } else {
-        first = last;
+    let mut last = Pull::none();
+    let mut pulls = [last; 3];
+    let mut both = [(rows - 1, &mut last, strains), (0, &mut pulls[0], strains)];
+    let alone = rows == 1;
+    let both = if alone { &mut both[..1] } else { &mut both[..] };
+    pull::<N>(both, element_blocks, states, input, &mut losses);
+    if alone {
+        pulls[0] = last;
     }
-    let mut pulls = [first, Pull::none(), last];
+    pulls[2] = last;
     pulls[2].go_on();
 
     for (row, n) in node_blocks.iter_mut().enumerate() {
@@ -325,27 +323,37 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
     }
 }
 
-/// A row of elements from its chords to what it does to its ends.
+/// Rows of elements from their chords to what they do to their ends, side by side: one does not wait for the other.
 #[inline(always)]
 fn pull<N: Number>(
-    out: &mut Pull<N::Real>,
-    strains: &mut Strains<N::Real>,
-    e: &mut ElementBlock<N::Real>,
-    ends: &[StateBlock<N::Real>; 2],
+    pulled: &mut [(usize, &mut Pull<N::Real>, Strains<N::Real>)],
+    element_blocks: &mut [ElementBlock<N::Real>],
+    states: &[StateBlock<N::Real>],
     input: &StepInput,
     losses: &mut Losses<N::Real>,
 ) {
     for lane in lanes::<N>() {
-        chord::<N>(strains, e, ends, lane);
+        for (row, _, strains) in pulled.iter_mut() {
+            chord::<N>(strains, &element_blocks[*row], ends(states, *row), lane);
+        }
     }
     for lane in lanes::<N>() {
-        twist::<N>(out, strains, e, ends, input, losses, lane);
+        for (row, out, strains) in pulled.iter_mut() {
+            let e = &mut element_blocks[*row];
+            twist::<N>(out, strains, e, ends(states, *row), input, losses, lane);
+        }
     }
     for lane in lanes::<N>() {
-        strain::<N>(strains, e, ends, input, losses, lane);
+        for (row, _, strains) in pulled.iter_mut() {
+            let e = &mut element_blocks[*row];
+            strain::<N>(strains, e, ends(states, *row), input, losses, lane);
+        }
     }
     for lane in lanes::<N>() {
-        bend::<N>(out, strains, e, ends, lane);
+        for (row, out, strains) in pulled.iter_mut() {
+            let e = &element_blocks[*row];
+            bend::<N>(out, strains, e, ends(states, *row), lane);
+        }
     }
 }
 
