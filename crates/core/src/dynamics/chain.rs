@@ -138,7 +138,7 @@ impl<R: Real> StateBlock<R> {
 }
 
 block! {
-    /// A row of nodes: what they are, then what is summed up between samples.
+    /// A row of nodes: what they are, what is summed up between samples, and last what a plain step does not ask for.
     pub struct NodeBlock<R> {
         /// Tangent of the hole's axis at the anchor.
         pub tangent: Rows<R>,
@@ -146,12 +146,8 @@ block! {
         pub curvature: Rows<R>,
         /// Buoyed weight, N.
         pub weight: Rows<R>,
-        /// Inertia along the hole, kg: steel.
-        pub mass_axial: Row<R>,
         /// Inertia across the hole, kg: steel, mud inside and mud carried along outside.
         pub mass_lateral: Row<R>,
-        /// Moment of inertia about the director, kg·m².
-        pub polar: Row<R>,
         /// Inverse of `mass_axial`; zero where the motion is prescribed.
         pub inv_mass_axial: Row<R>,
         /// Inverse of `mass_lateral`; zero where the motion is prescribed.
@@ -164,28 +160,16 @@ block! {
         pub gyroscopic: Row<R>,
         /// Clearance `R − r` between pipe and hole at the anchor, m.
         pub clearance: Row<R>,
-        /// What the clearance gains per metre below the anchor.
-        pub clearance_slope: Row<R>,
         /// Contact radius `r`, m.
         pub radius: Row<R>,
         /// Kinetic friction coefficient.
         pub friction: Row<R>,
-        /// What the friction coefficient gains at rest.
-        pub friction_rise: Row<R>,
-        /// Friction around the hole over friction along it.
-        pub friction_around: Row<R>,
         /// Contact stiffness, N/m or N/m^1.5.
         pub stiffness: Row<R>,
-        /// Contact damping of the linear law, N·s/m.
-        pub damping: Row<R>,
         /// Linear lateral drag, N·s/m.
         pub drag_linear: Row<R>,
         /// Quadratic lateral drag, N·s²/m².
         pub drag_quadratic: Row<R>,
-        /// Viscous drag of the mud along the hole, N·s/m.
-        pub mud_axial: Row<R>,
-        /// Viscous drag of the mud about the axis, N·m·s.
-        pub mud_spin: Row<R>,
         /// Sum over steps of the contact force, N.
         pub sum_normal: Row<R>,
         /// Sum over steps of the axial friction on the wall, N, along the hole.
@@ -194,6 +178,22 @@ block! {
         pub sum_torque: Row<R>,
         /// Work that friction has done, J: force times sliding distance.
         pub sum_wear: Row<R>,
+        /// Inertia along the hole, kg: steel.
+        pub mass_axial: Row<R>,
+        /// Moment of inertia about the director, kg·m².
+        pub polar: Row<R>,
+        /// What the clearance gains per metre below the anchor.
+        pub clearance_slope: Row<R>,
+        /// What the friction coefficient gains at rest.
+        pub friction_rise: Row<R>,
+        /// Friction around the hole over friction along it.
+        pub friction_around: Row<R>,
+        /// Viscous drag of the mud along the hole, N·s/m.
+        pub mud_axial: Row<R>,
+        /// Viscous drag of the mud about the axis, N·m·s.
+        pub mud_spin: Row<R>,
+        /// Contact damping of the linear law, N·s/m.
+        pub damping: Row<R>,
     }
 }
 
@@ -208,16 +208,12 @@ block! {
         pub excess: Row<R>,
         /// Stiffness, in the order of [`Stiffness`].
         pub length: Row<R>,
-        /// `1/L`.
-        pub inverse_length: Row<R>,
         /// `EA/L`.
         pub axial: Row<R>,
-        /// `A₀ EI/L`.
-        pub bending_near: Row<R>,
         /// `B₀ EI/L`.
         pub bending_far: Row<R>,
-        /// `a L`.
-        pub bow_near: Row<R>,
+        /// `a L/2`.
+        pub half_bow_near: Row<R>,
         /// `b L`.
         pub bow_far: Row<R>,
         /// `GJ/L`.
@@ -285,11 +281,9 @@ impl<R: Real> ElementBlock<R> {
             chord: [zero, zero, one],
             excess: zero,
             length: one,
-            inverse_length: one,
             axial: zero,
-            bending_near: zero,
             bending_far: zero,
-            bow_near: zero,
+            half_bow_near: zero,
             bow_far: zero,
             torsion: zero,
             bending: zero,
@@ -430,20 +424,10 @@ impl<R: Real> Chain<R> {
         }
     }
 
-    /// How the lower ends of a row of elements move. The last lane ends in itself. After a step the row that closes
-    /// the states is that of the step's beginning.
-    pub fn ends(&self, row: usize) -> StateBlock<R> {
-        let rows = self.node_blocks.len();
-        if row + 1 < rows {
-            return self.states[row + 1];
-        }
-        let (mut ends, last) = (self.states[0], &self.states[rows - 1]);
-        for (row, last) in ends.rows_mut().zip(last.rows()) {
-            let end = R::LANES - 1;
-            row.0.as_mut().copy_within(1.., 0);
-            row.0[end] = last.0[end];
-        }
-        ends
+    /// How the lower ends of a row of elements move, if the states were closed since: after a step the row that
+    /// [closes](Self::close) them is that of the step's beginning.
+    pub fn ends(&self, row: usize) -> &StateBlock<R> {
+        &self.states[row + 1]
     }
 
     /// Whether a node has slid further along the hole than `reach_m` from its anchor.
@@ -459,6 +443,24 @@ impl<R: Real> Chain<R> {
             }
         }
         slid
+    }
+
+    /// Effective tension of each element at the last step, from the top down, N.
+    pub fn tensions_N(&self) -> impl Iterator<Item = f64> {
+        let along = |lane| {
+            let blocks = self.element_blocks.iter();
+            blocks.map(move |block: &ElementBlock<R>| block.tension.0[lane].to_f64())
+        };
+        (0..R::LANES).flat_map(along).take(self.elements())
+    }
+
+    /// Work that friction has done at each node since the last sample, from the top down, J.
+    pub fn wear_J(&self) -> impl Iterator<Item = f64> {
+        let along = |lane| {
+            let blocks = self.node_blocks.iter();
+            blocks.map(move |block: &NodeBlock<R>| block.sum_wear.0[lane].to_f64())
+        };
+        (0..R::LANES).flat_map(along).take(self.nodes)
     }
 
     /// Number of nodes.
@@ -486,11 +488,9 @@ impl<R: Real> Chain<R> {
     pub fn set_stiffness(&mut self, index: usize, k: &Stiffness<f64>) {
         self.lengths_m[index] = k.length;
         element!(self, index, length = k.length);
-        element!(self, index, inverse_length = k.inverse_length);
         element!(self, index, axial = k.axial);
-        element!(self, index, bending_near = k.bending_near);
         element!(self, index, bending_far = k.bending_far);
-        element!(self, index, bow_near = k.bow_near);
+        element!(self, index, half_bow_near = k.half_bow_near);
         element!(self, index, bow_far = k.bow_far);
         element!(self, index, torsion = k.twist);
         element!(self, index, bending = k.bending);
@@ -500,11 +500,9 @@ impl<R: Real> Chain<R> {
     pub fn stiffness(&self, index: usize) -> Stiffness<f64> {
         Stiffness {
             length: element!(self, index, length),
-            inverse_length: element!(self, index, inverse_length),
             axial: element!(self, index, axial),
-            bending_near: element!(self, index, bending_near),
             bending_far: element!(self, index, bending_far),
-            bow_near: element!(self, index, bow_near),
+            half_bow_near: element!(self, index, half_bow_near),
             bow_far: element!(self, index, bow_far),
             twist: element!(self, index, torsion),
             bending: element!(self, index, bending),

@@ -29,7 +29,7 @@ fn a_viscous_spin_down_knows_no_mesh() {
         STEEL.density_kg_per_m3 * (outer - inner) + mud.density_kg_per_m3 * (inner + carried);
     for element_length in MESHES_M {
         let mut rod = Bench::in_mud(&[(PIPE_M, LENGTH_M)], element_length, 0.0, mud, hole_m);
-        rod.input.mass_damping = 0.4;
+        rod.mass_damping_per_s = 0.4;
         for i in 0..rod.chain.nodes() {
             node!(rod.chain, i, spin = 7.0);
             rod.chain.set_velocity(i, Vector(0.3, 0.0, 0.0));

@@ -350,7 +350,7 @@ fn a_string_breaks_off_at_its_friction() {
             }
         }
         // Slow, and calm: 1/s on every node that turns, another 10 N·m in the end.
-        rod.input.mass_damping = 1.0;
+        rod.mass_damping_per_s = 1.0;
         let speed = 0.02;
         node!(rod.chain, 0, spin = speed);
         let twist = |rod: &Bench| {

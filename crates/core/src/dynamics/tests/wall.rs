@@ -93,9 +93,6 @@ impl Pipe {
             input: StepInput {
                 dt,
                 stiffness_damping: 0.0,
-                mass_damping: 0.0,
-                rigid_velocity: 0.0,
-                rigid_spin: 0.0,
                 dissipation: 0.5,
                 stribeck_speed: 0.1,
             },
