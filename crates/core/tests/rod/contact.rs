@@ -260,7 +260,7 @@ fn at_the_default_step_a_blow_hardly_rebounds() {
                 expected: exact,
                 computed: found,
                 tolerance: Tolerance::Absolute(5e-6),
-                reason: "the force's 1e-6 in the few steps of a blow; expected is the implicit law by bisection",
+                reason: "the error of the force, some 1e-6, in the few steps of a blow; expected is the implicit law by bisection",
             });
             assert!(found < 0.55);
         }
