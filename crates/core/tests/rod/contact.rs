@@ -3,7 +3,7 @@
 use serde_json::Value;
 use wholestring::wall::contact::{contact_modulus_Pa, hertz, hertz_stiffness, linear};
 
-use crate::common::{Row, Tolerance, assert_close, report, verification};
+use crate::common::{Row, Tolerance, assert_close, report, report_worst, verification};
 
 fn number(value: &Value) -> f64 {
     value.as_f64().expect("a number")
@@ -38,16 +38,24 @@ fn hertz_constants_of_pipe_and_hole() {
                 reason: "digits of the source",
             });
         }
-        for point in row["table"].as_array().expect("a table") {
+        let table = row["table"].as_array().expect("a table");
+        for (what, unit, key, law) in [
+            ("force at its penetration", "N", "N", (k, 1.5)),
+            ("slope of the force", "N/m", "tangent_N_m", (1.5 * k, 0.5)),
+        ] {
+            let quantity = format!("{}: {what}, {unit}", name.replace(',', ""));
+            report_worst(table.iter().map(|point| Row {
+                case: "F01",
+                quantity: &quantity,
+                expected: number(&point[key]),
+                computed: law.0 * number(&point["alpha_m"]).powf(law.1),
+                tolerance: Tolerance::Relative(1e-6),
+                reason: "digits of the source",
+            }));
+        }
+        for point in table {
             let force = number(&point["N"]);
             let alpha = number(&point["alpha_m"]);
-            assert_close(name, k * alpha.powf(1.5), force, 1e-6);
-            assert_close(
-                name,
-                1.5 * k * alpha.sqrt(),
-                number(&point["tangent_N_m"]),
-                1e-6,
-            );
             // At rest under that force: the step would end deeper by what the force takes away. The
             // force is that of the law's end of the step, to the solution's 1e-6.
             for inertia in [150.0 / 3e-7, 30.0 / 1e-8, 1e12] {
@@ -244,7 +252,16 @@ fn at_the_default_step_a_blow_hardly_rebounds() {
                 .sum::<f64>()
                 / f64::from(PHASES);
             let exact = implicit_restitution(m, v, k, d, dt);
-            assert!((found - exact).abs() < 1e-4, "{found} {exact}");
+            report(&Row {
+                case: "E06",
+                quantity: &format!(
+                    "restitution at the step of a string: 120 kg at {v} m/s with a dissipation of {d} s/m"
+                ),
+                expected: exact,
+                computed: found,
+                tolerance: Tolerance::Absolute(5e-6),
+                reason: "the error of the force, some 1e-6, in the few steps of a blow; expected is the implicit law by bisection",
+            });
             assert!(found < 0.55);
         }
     }
