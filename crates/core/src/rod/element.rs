@@ -340,10 +340,7 @@ pub fn twist<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Twiste
     // 1/(1 + c12) by its series in e = 1 − c12: within 1e-8 for a bend of 12° in an element, 4e-8 for 15°, and the
     // same in the rate and in its moments, so that no work is lost.
     let share = e.mul_add(
-        e.mul_add(
-            e.mul_add(N::splat(0.0625), N::splat(0.125)),
-            N::splat(0.25),
-        ),
+        e.mul_add(e.mul_add(N::splat(0.0625), N::splat(0.125)), N::splat(0.25)),
         half,
     );
     // w2·d1 − w1·d2, for each is across its own director.

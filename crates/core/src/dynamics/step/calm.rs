@@ -30,8 +30,10 @@ pub(super) fn calm<N: Number>(chain: &mut Chain<N::Real>, calming: &Calming) -> 
             let th = at3::<N>(&n.tangent, lane);
             let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));
             let axial0 = th.dot(v0);
-            let v1 = v0.scaled(left).plus(th, gone * rigid_v);
-            let axial1 = axial0.mul_add(left, gone * rigid_v);
+            // What fills the last lane stays where it is.
+            let free = at::<N>(&n.inv_mass_axial, lane).if_positive(gone, zero);
+            let axial1 = free.neg_mul_add(axial0 - rigid_v, axial0);
+            let v1 = v0.scaled(left).plus(th, left.neg_mul_add(axial0, axial1));
             let free = at::<N>(&n.inv_polar, lane).if_positive(gone, zero);
             let s1 = free.neg_mul_add(s0 - rigid_s, s0);
             // Squares before less squares after.
