@@ -213,10 +213,11 @@ impl Look {
         let bending = moment.dot(moment).sqrt();
         self.tension[lane] = tension;
         self.torque[lane] = torque;
-        self.twist[lane] = number(stretch.twist);
-        // Where there is no element, there is no tension either.
-        let axial = number(stretch.axial).max(f64::MIN_POSITIVE);
-        self.longer[lane] = tension / axial;
+        // Below the bit there is no element, whatever its rows hold.
+        let axial = number(stretch.axial);
+        let there = axial > 0.0;
+        self.twist[lane] = if there { number(stretch.twist) } else { 0.0 };
+        self.longer[lane] = if there { tension / axial } else { 0.0 };
         self.bending[lane] = bending;
         self.stress[lane] = stretch.metal.stress_Pa(lane, tension, bending, torque);
     }
