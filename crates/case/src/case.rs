@@ -147,6 +147,9 @@ pub struct Case {
     pub operations: Vec<Operation>,
     /// What a dynamic run needs beside these.
     pub dynamics: DynamicsSettings,
+    /// Whether the top hangs on a constant lift that is found before each dynamic run, such that the mean weight on bit is
+    /// the operation's: [`wholestring::dynamics::tune_lift`].
+    pub tunes_lift: bool,
     /// Time on the clock between checkpoints of a dynamic run, s.
     pub checkpoint_interval_s: f64,
     /// What a dynamic run keeps beside its tables.
@@ -318,6 +321,12 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     {
         table.check_precision(operations, settings, reader)?;
     }
+    let tunes_lift = match (case.hoist.get(), &operations, &dynamics) {
+        (Some(hoist), Some(operations), Some(dynamics)) => {
+            hoist.tunes_lift(operations, &dynamics.schedule, reader)
+        }
+        _ => None,
+    };
     let records = match (&dynamics, case.records.get()) {
         (Some(dynamics), Some(records)) => records.build(dynamics, bit_depth_m, reader),
         _ => None,
@@ -355,7 +364,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         rig: rig?,
     };
     let (models, operations) = (models?, operations?);
-    let (mut dynamics, records) = (dynamics?, records?);
+    let (mut dynamics, records, tunes_lift) = (dynamics?, records?, tunes_lift?);
     dynamics.probes.clone_from(&records.probes);
     effort::check_effort(&models, &model, &operations, &dynamics, &case, reader)?;
     let name = match case.name.optional()? {
@@ -377,6 +386,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         model,
         operations,
         dynamics,
+        tunes_lift,
         checkpoint_interval_s,
         records,
         survey_notes: stations.map_or_else(Vec::new, |stations| stations.notes),

@@ -2,8 +2,8 @@
 
 use wholestring::{
     dynamics::{
-        Autodriller, BitSettings, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl,
-        Precision, RodDamping, Schedule, Start, TopDriveSettings,
+        Autodriller, BitSettings, CentredStart, ContactLaw, DynamicsSettings, FrictionLaw,
+        HoistControl, Precision, RodDamping, Schedule, Start, StartTension, TopDriveSettings,
     },
     operation::Operation,
     well::{Hole, HoleSection},
@@ -83,6 +83,22 @@ table! {
                 words: &[("prepared", Start::Prepared), ("centred", Start::Centred)],
             },
             DynamicsSettings::default().start,
+        );
+        /// Centred start: tension of the string at time zero. "static" (what it has hanging in its hole without
+        /// friction, its weight on the bit included) or "cold" (none: all of its weight comes on at once, and the string
+        /// rings along the hole).
+        start_tension: StartTension = default(
+            Choice {
+                noun: "a tension",
+                words: &[("static", StartTension::Static), ("cold", StartTension::Cold)],
+            },
+            CentredStart::default().tension,
+        );
+        /// Centred start: time in which the top is brought to its rotary speed, linearly. Raising it softens the
+        /// torsional wave that the start sends down the string.
+        start_ramp: f64 = default(
+            Quantity::si(Dimension::Time, Range::from_to(0.0, 3600.0), "1 s"),
+            CentredStart::default().ramp_s,
         );
         /// "vector" (friction opposes the resultant sliding velocity) or "independent" (full
         /// friction axially and full friction around, up to 1.41 times too strong in sum).
@@ -194,6 +210,7 @@ impl DynamicsTable {
             top_drive,
             schedule,
         } = told;
+        self.warn_of_centred_keys(reader);
         let contact_law = self.contact(reader);
         let plan = schedule.clone().unwrap_or_default();
         let hoist_control = hoist.control(&plan, reader);
@@ -205,6 +222,10 @@ impl DynamicsTable {
             duration_s: *self.duration.get()?,
             settle_s: *self.settle.get()?,
             start: *self.start.get()?,
+            centred: CentredStart {
+                tension: *self.start_tension.get()?,
+                ramp_s: *self.start_ramp.get()?,
+            },
             friction_law: *self.friction_law.get()?,
             stribeck_speed_m_per_s: *self.stribeck_speed.get()?,
             contact_law: contact_law?,
@@ -269,6 +290,29 @@ impl DynamicsTable {
                     "used with `static` friction above `kinetic` in a hole section",
                 ),
             );
+        }
+    }
+
+    /// What only a centred start has, where the start is another.
+    fn warn_of_centred_keys(&self, reader: &mut Reader) {
+        if self.start.get() != Some(&Start::Prepared) {
+            return;
+        }
+        let keys = [
+            (
+                self.start_tension.given().map(|at| at.place),
+                "start_tension",
+            ),
+            (self.start_ramp.given().map(|at| at.place), "start_ramp"),
+        ];
+        for (place, name) in keys {
+            let Some(place) = place else { continue };
+            let diagnostic = Diagnostic::warning(format!("`{name}` has no effect here"))
+                .at(place, "used with start = \"centred\"");
+            reader.report(match self.start.given() {
+                Some(start) => diagnostic.at(start.place, "the start"),
+                None => diagnostic.help("the start is \"prepared\" where none is given"),
+            });
         }
     }
 

@@ -3,6 +3,7 @@
 use wholestring::{
     GRAVITY_M_PER_S2,
     dynamics::{Autodriller, DynamicsSettings, HoistControl, HoistLine, Schedule},
+    operation::Operation,
     rig::Rig,
 };
 use wholestring_units::Dimension;
@@ -68,6 +69,7 @@ pub(crate) enum Control {
     Autodriller,
     BlockVelocity,
     HookLoad,
+    TunedLift,
 }
 
 impl Control {
@@ -75,6 +77,7 @@ impl Control {
         ("autodriller", Self::Autodriller),
         ("block-velocity", Self::BlockVelocity),
         ("hook-load", Self::HookLoad),
+        ("tuned-lift", Self::TunedLift),
     ];
 }
 
@@ -82,8 +85,10 @@ table! {
     /// How the top of the string is moved along the hole in the dynamic model.
     HoistTable in "[hoist]" {
         /// "autodriller" (the block follows the bit so that the weight on bit holds `wob`),
-        /// "block-velocity" (constant speed) or "hook-load" (constant lifting force). Default: the
-        /// autodriller where the bit is on bottom, the operation's own constant speed elsewhere.
+        /// "block-velocity" (constant speed), "hook-load" (constant lifting force) or "tuned-lift" (the constant lifting
+        /// force under which the mean weight on bit over the window is `wob`, within 1 %: the case is run several times
+        /// to find it, and the summary tells). Default: the autodriller where the bit is on bottom, the operation's own
+        /// constant speed elsewhere.
         control: Control = optional(Choice {
             noun: "a hoist control",
             words: Control::WORDS,
@@ -204,6 +209,11 @@ impl HoistTable {
         })
     }
 
+    /// The word of the control that was chosen.
+    pub(crate) fn control_word(&self) -> Option<&'static str> {
+        self.control.given().map(|control| word_of(control.value))
+    }
+
     /// The control that was chosen, if one was. A schedule may put the autodriller in control later.
     pub(crate) fn control(
         &self,
@@ -255,8 +265,41 @@ impl HoistTable {
             Control::HookLoad => {
                 HoistControl::HookLoad(needed(&self.hook_load, "hook_load", chosen.place, reader)?)
             }
+            Control::TunedLift => return Some(None),
         };
         Some(Some(control))
+    }
+
+    /// Whether the lift is to be found before the run, or is none that could be: nothing to tune it for, or no constant
+    /// one.
+    pub(crate) fn tunes_lift(
+        &self,
+        operations: &[Operation],
+        schedule: &Schedule,
+        reader: &mut Reader,
+    ) -> Option<bool> {
+        let Some(chosen) = self.control.optional()? else {
+            return Some(false);
+        };
+        if chosen.value != Control::TunedLift {
+            return Some(false);
+        }
+        let off_bottom = operations.iter().find(|one| !one.kind.on_bottom());
+        let why = if let Some(operation) = off_bottom {
+            format!("\"{}\" puts no weight on the bit", operation.kind.name())
+        } else if operations.iter().any(|one| one.weight_on_bit_N <= 0.0) {
+            "`wob` is 0".to_owned()
+        } else if schedule.moves_the_hoist() {
+            "the schedule moves the block".to_owned()
+        } else {
+            return Some(true);
+        };
+        reader.report(
+            Diagnostic::error("there is no weight on bit to tune a constant lift for")
+                .at(chosen.place, why)
+                .help("\"tuned-lift\" is for \"drill\" and \"slide\" with a `wob`, the hoist left alone"),
+        );
+        None
     }
 }
 

@@ -3,8 +3,8 @@
 use serde_json::{Value as Json, json};
 use wholestring::{
     dynamics::{
-        Band, BitLaw, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistSetPoint,
-        Precision, Schedule, ScheduleStep, SpeedController, Start, TopDriveSettings,
+        Band, BitLaw, ContactLaw, DynamicsSettings, FrictionLaw, HoistSetPoint, Precision,
+        Schedule, ScheduleStep, SpeedController, Start, StartTension, TopDriveSettings,
     },
     model::Model,
     mud::Rheology,
@@ -184,16 +184,12 @@ fn bit(dynamics: &DynamicsSettings, operations: &[Operation]) -> Json {
     bit
 }
 
-/// The control as solved; `null` leaves it to the operation. The autodriller's numbers stand also
+/// The control as chosen; `null` leaves it to the operation. The autodriller's numbers stand also
 /// where it is not the control that was chosen: an operation on bottom takes it.
 fn hoist(dynamics: &DynamicsSettings, table: Option<&HoistTable>) -> Json {
     let number = |value: Option<&f64>| value.copied();
     json!({
-        "control": dynamics.hoist_control.map(|control| match control {
-            HoistControl::Autodriller => "autodriller",
-            HoistControl::BlockVelocity(_) => "block-velocity",
-            HoistControl::HookLoad(_) => "hook-load",
-        }),
+        "control": table.and_then(HoistTable::control_word),
         "gain_m_per_s_per_N": number(table.and_then(|table| table.gain.get())),
         "integral_time_s": number(table.and_then(|table| table.integral_time.get())),
         "filter_s": number(table.and_then(|table| table.filter.get())),
@@ -297,6 +293,11 @@ fn run(dynamics: &DynamicsSettings, case: &CaseTable) -> Json {
             Start::Prepared => "prepared",
             Start::Centred => "centred",
         },
+        "start_tension": match dynamics.centred.tension {
+            StartTension::Static => "static",
+            StartTension::Cold => "cold",
+        },
+        "start_ramp_s": dynamics.centred.ramp_s,
         "friction_law": match dynamics.friction_law {
             FrictionLaw::Vector => "vector",
             FrictionLaw::Independent => "independent",

@@ -6,7 +6,7 @@ mod np13;
 
 use common::{EXAMPLE, changed, read, read_with};
 use wholestring::{
-    dynamics::{ContactLaw, DynamicsSettings, HoistControl},
+    dynamics::{CentredStart, ContactLaw, DynamicsSettings, HoistControl, Start, StartTension},
     operation::OperationKind,
     outcome::ModelKind,
     string::{Blades, Component, StringSpec},
@@ -286,7 +286,8 @@ fn explicit_pipe_without_joints_is_plain() {
 fn the_other_laws_and_controls_are_taken() {
     let text = changed("contact_law = \"hertz\"", "contact_law = \"linear\"\ncontact_stiffness = \"2e8 N/m\"\ncontact_damping_ratio = 0.1 #")
         .replace("[mesh]", "[hoist]\ncontrol = \"block-velocity\"\nblock_velocity = \"-0.1 m/s\"\n[dynamics.damping]\nmass = 0\n[mesh]")
-        .replace("seed = 1", "seed = 7");
+        .replace("seed = 1", "seed = 7")
+        .replace("start = \"prepared\"", "start = \"centred\"\nstart_tension = \"cold\"\nstart_ramp = \"0 s\"");
     let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
     assert!(case.warnings.is_empty(), "{}", case.warnings);
     let linear = ContactLaw::Linear {
@@ -299,6 +300,14 @@ fn the_other_laws_and_controls_are_taken() {
         Some(HoistControl::BlockVelocity(-0.1))
     );
     assert_eq!(case.dynamics.damping.mass_per_s, 0.0);
+    let cold = CentredStart {
+        tension: StartTension::Cold,
+        ramp_s: 0.0,
+    };
+    assert_eq!(
+        (case.dynamics.start, case.dynamics.centred),
+        (Start::Centred, cold)
+    );
     assert_eq!(case.dynamics.seed, 7);
 }
 

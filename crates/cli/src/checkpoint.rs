@@ -9,7 +9,10 @@ use std::time::{Duration, Instant};
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use wholestring::{dynamics::Checkpoint, operation::Operation};
+use wholestring::{
+    dynamics::{Checkpoint, TunedLift},
+    operation::Operation,
+};
 use wholestring_case::Case;
 use wholestring_results::{ResultsError, ResultsFolder};
 
@@ -25,14 +28,22 @@ pub(crate) struct UnderWay<'a> {
     operation: String,
     /// What it had taken until then, s.
     pub(crate) wall_time_s: f64,
+    /// The lift that was found for it, where it hangs on one.
+    pub(crate) lift: Option<TunedLift>,
     pub(crate) simulation: Checkpoint<'a>,
 }
 
 impl<'a> UnderWay<'a> {
-    pub(crate) fn new(operation: &Operation, took: Duration, simulation: Checkpoint<'a>) -> Self {
+    pub(crate) fn new(
+        operation: &Operation,
+        took: Duration,
+        lift: Option<TunedLift>,
+        simulation: Checkpoint<'a>,
+    ) -> Self {
         Self {
             operation: operation.kind.name().to_owned(),
             wall_time_s: took.as_secs_f64(),
+            lift,
             simulation,
         }
     }

@@ -174,11 +174,20 @@ pub(crate) fn table(summary: &Summary, units: UnitSet, width: Option<usize>) -> 
 
 /// What is to be known about the table, in lines: columns that are not complete, and what the dynamic
 /// ones cost and how sound they are.
-pub(crate) fn notes(summary: &Summary) -> String {
+pub(crate) fn notes(summary: &Summary, units: UnitSet) -> String {
     let mut notes = String::new();
     let incomplete = |solved: &OperationSummary| solved.status != Status::Complete;
     if summary.operations.iter().any(incomplete) {
         notes += "* as far as it was computed\n";
+    }
+    for solved in &summary.operations {
+        let Some(lift) = solved.lift else { continue };
+        notes += &format!(
+            "Lift: {} for a mean weight on bit of {}, found in {} runs\n",
+            Dimension::Force.format(lift.hook_load_N, units),
+            Dimension::Force.format(lift.weight_on_bit_N, units),
+            lift.runs,
+        );
     }
     let all = || {
         summary

@@ -28,6 +28,14 @@ impl Watch {
         }
     }
 
+    /// The progress of a run that only serves to find a setting; a sweep shows none, for nobody knows how many there will be.
+    pub(crate) fn trial(&self, name: &str, end_s: f64) -> Option<OwnBar> {
+        match self {
+            Self::Screen { quiet } => Some(OwnBar::new(name, 0.0, end_s, *quiet)),
+            Self::Sweep(_) => None,
+        }
+    }
+
     /// Says something on standard error, beside the bar.
     pub(crate) fn tell(&self, text: &str) {
         match self {
@@ -66,7 +74,7 @@ impl Progress {
     /// Takes the operation's own bar from the screen.
     pub(crate) fn finish(self) {
         if let Self::Own(own) = self {
-            own.bar.finish_and_clear();
+            own.clear();
         }
     }
 }
@@ -104,7 +112,13 @@ impl OwnBar {
         }
     }
 
-    fn reach(&self, time_s: f64) {
+    /// Takes the bar from the screen.
+    pub(crate) fn clear(self) {
+        self.bar.finish_and_clear();
+    }
+
+    /// Shows the simulated time reached.
+    pub(crate) fn reach(&self, time_s: f64) {
         let speed = (time_s - self.from_s) / self.start.elapsed().as_secs_f64();
         self.bar.set_position(milliseconds(time_s));
         self.bar.set_message(format!(

@@ -50,7 +50,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         let width = terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
         let title = format!("{}: {}", case.name, record::subtitle(&case, units));
         let table = comparison::table(&record.summary, units, width);
-        let notes = comparison::notes(&record.summary);
+        let notes = comparison::notes(&record.summary, units);
         let indicators = indicators::notes(&record.summary, units);
         let warnings = rig::warnings(&record.summary, &case.model.rig, units);
         let place = folder.path().display();

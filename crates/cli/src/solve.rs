@@ -3,7 +3,9 @@
 use std::time::{Duration, Instant};
 
 use wholestring::{
-    dynamics::Simulation,
+    dynamics::{
+        DynamicsSettings, HoistControl, LiftError, MOST_LIFT_RUNS, Simulation, TunedLift, tune_lift,
+    },
     operation::Operation,
     outcome::ModelKind,
     statics::soft::{self, SoftSettings},
@@ -15,8 +17,8 @@ use crate::{
     checkpoint::{self, Keeper, UnderWay},
     failure::Failure,
     interrupt::Interrupt,
-    progress::Watch,
-    record::Record,
+    progress::{OwnBar, Watch},
+    record::{Effort, Record},
 };
 
 /// How a case is solved, beside what it says itself.
@@ -167,16 +169,37 @@ fn solve_dynamic(
 ) -> Status {
     let start = Instant::now();
     let mut before = Duration::ZERO;
-    let mut simulation = match begun {
-        None => match Simulation::new(&case.model, operation, &case.dynamics) {
+    let mut lift = begun.as_ref().and_then(|begun| begun.lift);
+    let mut settings = case.dynamics.clone();
+    let mut tuned = None;
+    if case.tunes_lift && lift.is_none() {
+        match tune(case, operation, way) {
+            Ok((found, simulation)) => {
+                lift = Some(found);
+                // Frames are taken as a run goes on: that needs another.
+                tuned = record.frames.is_none().then_some(simulation);
+            }
+            Err(LiftError::Stopped) => {
+                lay_aside(keeper, record, None, &way.watch);
+                return Status::Interrupted;
+            }
+            Err(error) => return unsolvable("dynamic model", &error),
+        }
+    }
+    if let Some(lift) = lift {
+        settings.hoist_control = Some(HoistControl::HookLoad(lift.hook_load_N));
+    }
+    let run_again = lift.is_some() && tuned.is_none();
+    let mut simulation = match (begun, tuned) {
+        (None, Some(tuned)) => tuned,
+        (None, None) => match Simulation::new(&case.model, operation, &settings) {
             Ok(simulation) => simulation,
             Err(error) => return unsolvable("dynamic model", &error),
         },
-        Some(begun) => {
+        (Some(begun), _) => {
             before = Duration::from_secs_f64(begun.wall_time_s);
             let then = begun.simulation.instructions().to_owned();
-            let resumed =
-                Simulation::resume(&case.model, operation, &case.dynamics, begun.simulation);
+            let resumed = Simulation::resume(&case.model, operation, &settings, begun.simulation);
             match resumed {
                 Ok(simulation) => {
                     let now = simulation.instructions();
@@ -217,7 +240,7 @@ fn solve_dynamic(
         }
         let interrupted = way.interrupt.asked();
         if interrupted || keeper.is_due() {
-            let under_way = UnderWay::new(operation, took(), simulation.checkpoint());
+            let under_way = UnderWay::new(operation, took(), lift, simulation.checkpoint());
             lay_aside(keeper, record, Some(under_way), &way.watch);
         }
         if interrupted {
@@ -238,8 +261,55 @@ fn solve_dynamic(
         }
     };
     progress.finish();
-    record.add_dynamic(operation, &simulation.outcome(), status.clone(), took());
+    let effort = Effort {
+        took: took(),
+        runs: lift.map_or(1, |lift| lift.runs + usize::from(run_again)),
+    };
+    record.add_dynamic(
+        operation,
+        &simulation.outcome(),
+        lift,
+        status.clone(),
+        effort,
+    );
     status
+}
+
+/// Finds the lift of an operation, and its run under it.
+fn tune(
+    case: &Case,
+    operation: &Operation,
+    way: &Way<'_>,
+) -> Result<(TunedLift, Simulation), LiftError> {
+    let DynamicsSettings {
+        settle_s,
+        duration_s,
+        ..
+    } = case.dynamics;
+    let mut bar: Option<(usize, OwnBar)> = None;
+    let found = tune_lift(&case.model, operation, &case.dynamics, |run, time_s| {
+        if bar.as_ref().is_none_or(|(of, _)| *of != run) {
+            let name = format!(
+                "{}, lift {run} of at most {MOST_LIFT_RUNS}",
+                operation.kind.name()
+            );
+            if let Some((_, bar)) = bar.take() {
+                bar.clear();
+            }
+            bar = way
+                .watch
+                .trial(&name, settle_s + duration_s)
+                .map(|own| (run, own));
+        }
+        if let Some((_, bar)) = &bar {
+            bar.reach(time_s);
+        }
+        !way.interrupt.asked()
+    });
+    if let Some((_, bar)) = bar {
+        bar.clear();
+    }
+    found
 }
 
 fn unsolvable(model: &str, error: &dyn std::error::Error) -> Status {

@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, fs::File, io::BufReader, io::Write, path::Path}
 
 use serde::{Deserialize, Serialize};
 use wholestring::{
-    dynamics::{EnergyBalance, Indicators},
+    dynamics::{EnergyBalance, Indicators, TunedLift},
     mud::Hydraulics,
     outcome::{ModelKind, Scalars},
 };
@@ -78,6 +78,9 @@ pub struct OperationSummary {
     /// Torque and drag; means over the window for a dynamic model.
     #[serde(flatten, with = "ScalarKeys")]
     pub scalars: Scalars,
+    /// The constant lift that was found for it, where the hoist is a tuned lift; dynamic models only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lift: Option<TunedLift>,
     /// What the mud does, if it has a rheology; means over the window for a dynamic model.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hydraulics: Option<Hydraulics>,

@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, fs};
 
 use serde_json::{Value, json};
 use wholestring::{
-    dynamics::{EnergyBalance, Indicators, StickSlip, TorqueUse, Whirl},
+    dynamics::{EnergyBalance, Indicators, StickSlip, TorqueUse, TunedLift, Whirl},
     mud::Hydraulics,
     outcome::{ModelKind, Scalars},
 };
@@ -34,6 +34,7 @@ fn soft() -> OperationSummary {
         friction: Friction::of(&[0.3, 0.3]),
         bit_depth_m: 4305.0,
         scalars: SCALARS,
+        lift: None,
         hydraulics: None,
         statistics: None,
         indicators: None,
@@ -54,6 +55,11 @@ fn dynamic() -> OperationSummary {
         model: ModelKind::Dynamic,
         status: Status::Failed("the string flew off at 3.2 s".into()),
         friction: Friction::of(&[0.2, 0.3]),
+        lift: Some(TunedLift {
+            hook_load_N: 7e5,
+            weight_on_bit_N: 59.9e3,
+            runs: 5,
+        }),
         hydraulics: Some(Hydraulics {
             mud_drag_N: 1.0,
             mud_torque_N_m: 2.0,

@@ -11,6 +11,16 @@ fn values() {
         ("seed_negative", "seed = 1", "seed = -1"),
         ("seed_fractional", "seed = 1", "seed = 1.5"),
         ("start_is_a_number", "start = \"prepared\"", "start = 0"),
+        (
+            "start_without_tension",
+            "start = \"prepared\"",
+            "start = \"centred\"\nstart_tension = \"none\"",
+        ),
+        (
+            "start_ramp_negative",
+            "start = \"prepared\"",
+            "start = \"centred\"\nstart_ramp = -1",
+        ),
         ("elements_too_short", "\"3.2 m\"", "\"3.2 mm\""),
         ("rows_without_end", "\"60 s\"", "\"86400 s\""),
         ("window_without_samples", "\"60 s\"", "\"1 ms\""),
@@ -55,6 +65,11 @@ fn values() {
             "warn_stribeck_speed",
             "seed = 1",
             "seed = 1\nstribeck_speed = \"0.2 m/s\"",
+        ),
+        (
+            "warn_centred_keys",
+            "start = \"prepared\"",
+            "start = \"prepared\"\nstart_tension = \"cold\"\nstart_ramp = \"2 s\"",
         ),
         (
             "warn_contact_key",

@@ -56,6 +56,37 @@ fn top_drive_and_hoist() {
 }
 
 #[test]
+fn tuned_lifts() {
+    let tuned = "[hoist]\ncontrol = \"tuned-lift\"\n[mesh]";
+    let of = |kind: &str| {
+        let text = changed("[mesh]", tuned);
+        let from = text
+            .lines()
+            .find(|line| line.starts_with("kind = \"drill\""))
+            .expect("operations");
+        text.replace(from, kind)
+    };
+    texts_refused([
+        ("lift_of_a_trip", of("kind = [\"drill\", \"trip_out\"]")),
+        (
+            "lift_of_no_weight",
+            of("kind = \"drill\"").replace("wob = \"6 tf\"", "wob = 0"),
+        ),
+        (
+            "lift_of_a_moving_block",
+            of("kind = \"drill\"\nschedule = [{ at = 10, block_velocity = 0 }]"),
+        ),
+    ]);
+    let sound = read(&of("kind = \"drill\"")).unwrap_or_else(|report| panic!("{report}"));
+    assert!(sound.tunes_lift && sound.dynamics.hoist_control.is_none());
+    assert_eq!(sound.settings["hoist"]["control"], "tuned-lift");
+    warned(
+        "warn_lift_with_gain",
+        read(&of("kind = \"drill\"").replace("tuned-lift\"", "tuned-lift\"\ngain = 1e-7")),
+    );
+}
+
+#[test]
 fn loads() {
     texts_refused([
         (

@@ -2,6 +2,8 @@
 
 mod rows;
 
+pub(crate) use rows::Effort;
+
 use serde::{Deserialize, Serialize};
 use wholestring::{
     dynamics::ScheduleStep,
@@ -155,6 +157,7 @@ impl Record {
             friction: Friction::of(&friction(&self.hole)),
             bit_depth_m: operation.bit_depth_m,
             scalars,
+            lift: None,
             hydraulics: None,
             statistics: None,
             indicators: None,

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use wholestring::{
-    dynamics::{ContactClass, DynamicOutcome, NodeProfile, ScheduleStep, TimeSeries},
+    dynamics::{ContactClass, DynamicOutcome, NodeProfile, ScheduleStep, TimeSeries, TunedLift},
     operation::Operation,
     outcome::ModelKind,
     statics::soft::SoftProfile,
@@ -11,6 +11,15 @@ use wholestring::{
 use wholestring_results::{Numerics, OperationSummary, Spectrum, Statistic, Status};
 
 use super::Record;
+
+/// What a dynamic run cost.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Effort {
+    /// Time on the clock.
+    pub(crate) took: Duration,
+    /// Runs from the start to the end, those that a lift was sought with included.
+    pub(crate) runs: usize,
+}
 
 impl Record {
     pub(crate) fn add_soft(&mut self, operation: &Operation, profile: &SoftProfile) {
@@ -49,13 +58,15 @@ impl Record {
         );
     }
 
-    /// Adds what a dynamic run computed in `took`, to its end or until `status` says.
+    /// Adds what a dynamic run computed, to its end or until `status` says, under the lift that was found for it if one
+    /// was.
     pub(crate) fn add_dynamic(
         &mut self,
         operation: &Operation,
         outcome: &DynamicOutcome,
+        lift: Option<TunedLift>,
         status: Status,
-        took: Duration,
+        effort: Effort,
     ) {
         let DynamicOutcome {
             scalars,
@@ -79,10 +90,12 @@ impl Record {
             };
             ((*name).to_owned(), statistic)
         });
-        let simulated_s = series.time_s.last().copied().unwrap_or(0.0);
-        let wall_time_s = took.as_secs_f64();
+        let last_s = series.time_s.last().copied().unwrap_or(0.0);
+        let simulated_s = last_s * effort.runs as f64;
+        let wall_time_s = effort.took.as_secs_f64();
         let solved = OperationSummary {
             status,
+            lift,
             hydraulics: *hydraulics,
             statistics: Some(statistics.collect()),
             indicators: Some(*indicators),

@@ -513,3 +513,72 @@ fn frames_and_spectra() {
     ];
     assert_eq!(files(&desk, "out"), expected.map(String::from).into());
 }
+
+/// A tuned lift is told of on the screen and in the summary, and is what the answer was computed with.
+#[test]
+fn a_tuned_lift_is_reported() {
+    let desk = Desk::new();
+    let arguments = [
+        "run",
+        "slant.toml",
+        "--set",
+        "model=dynamic",
+        "--set",
+        "operation.kind=drill",
+        "--set",
+        "hoist.control=tuned-lift",
+    ];
+    let output = desk.run(&arguments);
+    assert!(output.status.success());
+    let text = String::from_utf8(output.stdout).unwrap();
+    let summary = desk.summary("out/Straight slant");
+    let solved = &summary.operations[0];
+    let lift = solved.lift.expect("a lift");
+    assert!((lift.weight_on_bit_N / 20e3 - 1.0).abs() <= 0.01);
+    assert_eq!(lift.weight_on_bit_N, solved.scalars.weight_on_bit_N);
+    assert!((lift.hook_load_N / solved.scalars.hook_load_N - 1.0).abs() < 1e-9);
+    let told = format!("found in {} runs", lift.runs);
+    assert!(text.contains("Lift: ") && text.contains(&told), "{text}");
+
+    // Frames are those of the run with that lift.
+    let frames = [
+        &arguments[..],
+        &["--set", "records.frames=20 Hz", "-o", "frames"],
+    ]
+    .concat();
+    assert!(desk.run(&frames).status.success());
+    let again = desk.summary("frames");
+    assert_eq!(again.operations[0].scalars, solved.scalars);
+    assert_eq!(again.operations[0].lift, solved.lift);
+    assert!(desk.path("frames").join("frames.parquet").exists());
+}
+
+/// A weight that no lift gives ends the run with the nearest one.
+#[test]
+fn a_lift_that_is_not_found_says_which_came_nearest() {
+    let desk = Desk::new();
+    let output = desk.run(&[
+        "run",
+        "slant.toml",
+        "--set",
+        "model=dynamic",
+        "--set",
+        "operation.kind=drill",
+        "--set",
+        "hoist.control=tuned-lift",
+        "--set",
+        "dynamics.duration=0.2 s",
+        "--set",
+        "dynamics.settle=0 s",
+        "--set",
+        "wob=150 kN",
+        "--set",
+        "mud.density=1.0 sg",
+    ]);
+    assert_eq!(output.status.code(), Some(3));
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(
+        told.contains("no constant lift gives a mean weight on bit of 150.0 kN"),
+        "{told}"
+    );
+}

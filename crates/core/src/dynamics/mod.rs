@@ -13,6 +13,7 @@ mod hoist;
 mod imbalance;
 mod indicators;
 mod layout;
+mod lift;
 mod outcome;
 mod precision;
 mod record;
@@ -34,6 +35,7 @@ pub use bit::{Band, BitLaw, BitSettings, Excitation, RateLaw, RegenerativeLaw, S
 pub use energy::EnergyBalance;
 pub use frame::{Channel, Frame};
 pub use indicators::{Indicators, StickSlip, TorqueUse, Whirl};
+pub use lift::{LIFT_TOLERANCE, LiftError, MOST_LIFT_RUNS, TunedLift, tune_lift};
 pub use outcome::{
     ContactClass, ContactMap, DynamicOutcome, HoleWear, NodeProfile, Numerics, Percentiles,
     Statistic, TimeSeries,
@@ -41,8 +43,8 @@ pub use outcome::{
 pub use precision::Simulation;
 pub use schedule::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep};
 pub use settings::{
-    Autodriller, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, Precision,
-    RodDamping, SpeedController, Start, TopDriveSettings,
+    Autodriller, CentredStart, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine,
+    Precision, RodDamping, SpeedController, Start, StartTension, TopDriveSettings,
 };
 pub use setup::{Effort, SetupError};
 pub use signal::{NodeSignal, Probe, Probed, Signal};

@@ -10,8 +10,38 @@ use crate::wall::friction::STRIBECK_SPEED_M_PER_S;
 pub enum Start {
     /// Laid on its contact side with the tension and torque of the soft string, then settled.
     Prepared,
-    /// On the hole's axis with its static, frictionless tension, untwisted and at rest.
+    /// On the hole's axis, untwisted and at rest, as [`CentredStart`] says.
     Centred,
+}
+
+/// How a centred start begins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CentredStart {
+    /// Tension in the string at time zero.
+    pub tension: StartTension,
+    /// Time in which the top is brought to its speed, linearly, s; zero for at once. Raising it softens the
+    /// torsional wave that the start sends down.
+    pub ramp_s: f64,
+}
+
+impl Default for CentredStart {
+    /// The static tension, and a ramp of 1 s.
+    fn default() -> Self {
+        Self {
+            tension: StartTension::Static,
+            ramp_s: 1.0,
+        }
+    }
+}
+
+/// Tension of a string that starts centred.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StartTension {
+    /// What it has hanging in its hole without friction, its weight on the bit included: nothing moves along the
+    /// hole but for what friction and the hoist then do.
+    Static,
+    /// None: all of its weight comes on at time zero.
+    Cold,
 }
 
 /// Kind of number that the time loop computes with.
@@ -186,6 +216,8 @@ pub struct DynamicsSettings {
     pub settle_s: f64,
     /// How the string lies at time zero.
     pub start: Start,
+    /// How a centred start begins.
+    pub centred: CentredStart,
     /// Friction law.
     pub friction_law: FrictionLaw,
     /// Sliding speed at which the friction at rest has half decayed to the kinetic one, m/s. Raising it
@@ -221,8 +253,26 @@ pub struct DynamicsSettings {
     pub precision: Precision,
 }
 
+impl DynamicsSettings {
+    /// Part of its rotary speed that the top is given at `time_s` by its start.
+    pub(super) fn start_ramp(&self, time_s: f64) -> f64 {
+        let ramp_s = self.centred.ramp_s;
+        if self.start == Start::Centred && time_s < ramp_s {
+            time_s / ramp_s
+        } else {
+            1.0
+        }
+    }
+
+    /// Whether the string starts without any tension.
+    pub(super) fn starts_cold(&self) -> bool {
+        self.start == Start::Centred && self.centred.tension == StartTension::Cold
+    }
+}
+
 impl Default for DynamicsSettings {
-    /// Elements of 3.2 m; 60 s after 20 s of settling, sampled every 10 ms; a prepared start; vector
+    /// Elements of 3.2 m; 60 s after 20 s of settling, sampled every 10 ms; a prepared start, or a centred one
+    /// with its static tension and a ramp of 1 s; vector
     /// friction that loses half of its rise at rest by 0.1 m/s; Hertz contact with 0.5 s/m; damping of 0.1 1/s by
     /// mass and 10 µs by stiffness; the hoist control that the operation asks for on a line of 1e7 N/m and
     /// 1e5 N·s/m that carries no block; a constant rotary speed; no schedule, no probes; rock of 1e8 N/m and 1e7 N/m across;
@@ -233,6 +283,7 @@ impl Default for DynamicsSettings {
             duration_s: 60.0,
             settle_s: 20.0,
             start: Start::Prepared,
+            centred: CentredStart::default(),
             friction_law: FrictionLaw::Vector,
             contact_law: ContactLaw::Hertz {
                 dissipation_s_per_m: 0.5,

@@ -69,6 +69,7 @@ pub(super) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
             settings.hoist_line.block_mass_kg,
         ),
         ("settle_s", settings.settle_s),
+        ("centred.ramp_s", settings.centred.ramp_s),
         ("damping.mass_per_s", settings.damping.mass_per_s),
         ("damping.stiffness_s", settings.damping.stiffness_s),
         (

@@ -41,9 +41,6 @@ use state::State;
 /// Extra damping of the first seconds of a prepared start, relative to the rigid motion, 1/s.
 const FADING_DAMPING_PER_S: f64 = 4.0;
 
-/// Time in which a centred start brings the top to its speed, s.
-const RAMP_S: f64 = 1.0;
-
 /// Steps after which anchors follow their nodes and mass-proportional damping acts: at 3.2 m elements some 10 ms.
 const FOLLOW_STEPS: u64 = 16;
 
@@ -205,7 +202,7 @@ impl<R: Real> Run<R> {
     fn step(&mut self) {
         let time = self.time_s();
         let dt = self.plan.dt_s;
-        let ramp = self.ramp(time);
+        let ramp = self.settings.start_ramp(time);
         let rotation = ramp * self.follow_schedule(time);
         let input = self.step_input();
         self.state.top_drive.prescribe(&mut self.chain, rotation);
@@ -252,14 +249,6 @@ impl<R: Real> Run<R> {
         sum.bit_torque += bit.torque_N_m;
         sum.depth_of_cut += bit.depth_of_cut_m;
         self.state.steps += 1;
-    }
-
-    /// Part of its rotary speed that the top has.
-    fn ramp(&self, time: f64) -> f64 {
-        match self.settings.start {
-            Start::Prepared => 1.0,
-            Start::Centred => (time / RAMP_S).min(1.0),
-        }
     }
 
     /// Brings the set points to where they are at `time`; the rotary speed, rad/s.
@@ -317,7 +306,8 @@ impl<R: Real> Run<R> {
         if rate_per_s == 0.0 {
             return;
         }
-        let rotation = self.ramp(time) * self.state.set_points.rotary_speed_rad_per_s(time);
+        let rotation =
+            self.settings.start_ramp(time) * self.state.set_points.rotary_speed_rad_per_s(time);
         let calming = Calming {
             left: (-rate_per_s * steps as f64 * self.plan.dt_s).exp(),
             rigid_velocity: self.state.rigid_velocity_m_per_s,

@@ -192,7 +192,13 @@ impl Guide {
         let depth = |from_bit_m: f64| operation.bit_depth_m - from_bit_m;
         let middle = |i: usize| depth(mesh.nodes[i].from_bit_m - 0.5 * mesh.elements[i].length_m);
         let tension_N = (0..mesh.elements.len())
-            .map(|i| profile.tension_at_N(middle(i)))
+            .map(|i| {
+                if settings.starts_cold() {
+                    0.0
+                } else {
+                    profile.tension_at_N(middle(i))
+                }
+            })
             .collect();
         let turning = settings.start == Start::Prepared && operation_turns(&operation, settings);
         // Torque from the bit up: what each node rubs off.

@@ -19,6 +19,7 @@ mod energy;
 mod friction;
 mod hold;
 mod independent;
+mod lift;
 mod mud;
 mod np13;
 mod numerics;

@@ -95,7 +95,12 @@ impl<R: Real> Run<R> {
         };
         let top_drive = TopDrive::new(&settings.top_drive, string, &mut chain);
         // The front on which the bit stands with its first weight.
-        let lighter_N = operation.weight_on_bit_now_N() - first.weight_on_bit_now_N();
+        let pressed_N = if settings.starts_cold() {
+            0.0
+        } else {
+            first.weight_on_bit_now_N()
+        };
+        let lighter_N = operation.weight_on_bit_now_N() - pressed_N;
         let bottom = bottom + lighter_N / settings.bit.law.stiffness_N_per_m();
         let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
         let wear = Wear::new(chain.nodes(), hole_end_m, bottom);

@@ -1,0 +1,272 @@
+//! A constant lift on the top of the string, found so that the mean weight on bit is what the operation asks for.
+
+use serde::{Deserialize, Serialize};
+
+use super::{
+    precision::Simulation,
+    settings::{DynamicsSettings, FrictionLaw, HoistControl},
+    setup::SetupError,
+    simulation::Diverged,
+};
+use crate::{
+    model::Model,
+    operation::{Operation, OperationKind},
+    statics::soft::{self, SoftError, SoftSettings},
+};
+
+/// How far the mean weight on bit may be from what is asked for, as a fraction of it.
+pub const LIFT_TOLERANCE: f64 = 0.01;
+
+/// Runs after which the search gives up.
+pub const MOST_LIFT_RUNS: usize = 20;
+
+/// A constant lift and what it gives.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct TunedLift {
+    /// Lifting force on the top of the string, block excluded, N.
+    pub hook_load_N: f64,
+    /// Mean weight on bit over the window that it gives, N.
+    pub weight_on_bit_N: f64,
+    /// Runs of the whole case that it took to find.
+    pub runs: usize,
+}
+
+/// Why no lift was found.
+#[derive(Debug, thiserror::Error)]
+pub enum LiftError {
+    /// The run cannot begin.
+    #[error(transparent)]
+    Setup(#[from] SetupError),
+    /// The soft string, which says where to look, has no solution.
+    #[error("no lift can be guessed: {0}")]
+    Guess(#[from] SoftError),
+    /// An operation that asks for no weight on bit.
+    #[error("{0} puts no weight on the bit that a lift could be tuned for")]
+    NoWeight(&'static str),
+    /// A run diverged.
+    #[error("with a lift of {:.1} kN {diverged}", .hook_load_N * 1e-3)]
+    Diverged {
+        /// Lift of that run, N.
+        hook_load_N: f64,
+        /// What happened.
+        diverged: Diverged,
+    },
+    /// No lift gives the weight on bit.
+    #[error(
+        "no constant lift gives a mean weight on bit of {:.1} kN over this window: after {} runs the nearest is {:.1} kN \
+         under a lift of {:.1} kN; a longer window, or a smoother bit, makes the mean follow the lift more evenly",
+        .target_N * 1e-3, .nearest.runs, .nearest.weight_on_bit_N * 1e-3, .nearest.hook_load_N * 1e-3
+    )]
+    NotFound {
+        /// Weight on bit that was asked for, N.
+        target_N: f64,
+        /// The lift that comes nearest, after all runs.
+        nearest: TunedLift,
+    },
+    /// Whoever watched asked to stop.
+    #[error("stopped")]
+    Stopped,
+}
+
+/// Finds the constant lift under which the mean weight on bit over the window is the operation's, within
+/// [`LIFT_TOLERANCE`], and gives back the run with it, finished.
+///
+/// Each try is the whole run, from its start to the end of its window. The first is the hook load of the soft string
+/// (for [`FrictionLaw::Independent`] that of a string which slides, as that law drags). From there the lift goes on by the
+/// weight that is missing or too much, in growing steps, until it has tried too much and too little; between those it goes on
+/// by the secant, the side that stays halved each time (the Illinois rule). Where several lifts give the weight, it
+/// is the one that this finds: the same on every run.
+///
+/// `watch` is told the number of the try, from one, and its time, s, a few times each simulated second; the search stops where it
+/// answers `false`.
+///
+/// # Errors
+/// An operation without weight on bit, a run that cannot begin or diverges, and a weight that no lift gives.
+pub fn tune_lift(
+    model: &Model,
+    operation: &Operation,
+    settings: &DynamicsSettings,
+    mut watch: impl FnMut(usize, f64) -> bool,
+) -> Result<(TunedLift, Simulation), LiftError> {
+    let target_N = operation.weight_on_bit_now_N();
+    if target_N <= 0.0 {
+        return Err(LiftError::NoWeight(operation.kind.name()));
+    }
+    let mut search = Search::new(target_N, guess_N(model, operation, settings)?);
+    let mut nearest: Option<TunedLift> = None;
+    for run in 1..=MOST_LIFT_RUNS {
+        let settings = DynamicsSettings {
+            hoist_control: Some(HoistControl::HookLoad(search.lift_N)),
+            ..settings.clone()
+        };
+        let mut simulation = Simulation::new(model, operation, &settings)?;
+        let end_s = simulation.end_time_s() - 0.5 * simulation.sample_interval_s();
+        while simulation.time_s() < end_s {
+            if !watch(run, simulation.time_s()) {
+                return Err(LiftError::Stopped);
+            }
+            let left_s = simulation.end_time_s() - simulation.time_s();
+            simulation
+                .advance(left_s.min(WATCH_INTERVAL_S))
+                .map_err(|diverged| LiftError::Diverged {
+                    hook_load_N: search.lift_N,
+                    diverged,
+                })?;
+        }
+        let found = TunedLift {
+            hook_load_N: search.lift_N,
+            weight_on_bit_N: simulation.outcome().scalars.weight_on_bit_N,
+            runs: run,
+        };
+        let excess_N = found.weight_on_bit_N - target_N;
+        if excess_N.abs() <= LIFT_TOLERANCE * target_N {
+            return Ok((found, simulation));
+        }
+        if nearest.is_none_or(|best| excess_N.abs() < (best.weight_on_bit_N - target_N).abs()) {
+            nearest = Some(found);
+        }
+        search.learn(excess_N);
+    }
+    let mut nearest = nearest.unwrap_or(TunedLift {
+        hook_load_N: search.lift_N,
+        weight_on_bit_N: f64::NAN,
+        runs: 0,
+    });
+    nearest.runs = MOST_LIFT_RUNS;
+    Err(LiftError::NotFound { target_N, nearest })
+}
+
+/// Simulated time between two looks at who watches, s.
+const WATCH_INTERVAL_S: f64 = 0.2;
+
+/// The hook load of the soft string, N.
+fn guess_N(
+    model: &Model,
+    operation: &Operation,
+    settings: &DynamicsSettings,
+) -> Result<f64, SoftError> {
+    let mut operation = *operation;
+    if settings.friction_law == FrictionLaw::Independent && operation.kind == OperationKind::Drill {
+        operation.kind = OperationKind::Slide;
+    }
+    let profile = soft::solve(model, &operation, &SoftSettings::default())?;
+    Ok(profile.scalars.hook_load_N.max(0.0))
+}
+
+/// Least part of the way from one side to the other that a secant goes: it does not creep along a bend.
+const LEAST_PART: f64 = 0.08;
+
+/// By what the steps grow as long as one side has not been found.
+const GROWTH: f64 = 1.6;
+
+/// A lift, and by what the weight on bit exceeds the target with it.
+#[derive(Debug, Clone, Copy)]
+struct Try {
+    lift_N: f64,
+    excess_N: f64,
+}
+
+/// The search for a lift: more lift leaves less weight on the bit.
+#[derive(Debug, Clone)]
+struct Search {
+    /// The lift to try.
+    lift_N: f64,
+    /// The last one that left too much weight, and the last one that left too little.
+    heavy: Option<Try>,
+    light: Option<Try>,
+    was_heavy: Option<bool>,
+    step_N: f64,
+}
+
+impl Search {
+    fn new(target_N: f64, lift_N: f64) -> Self {
+        Self {
+            lift_N,
+            heavy: None,
+            light: None,
+            was_heavy: None,
+            step_N: 0.2 * target_N,
+        }
+    }
+
+    /// Chooses the next lift, now that this one leaves so much too much weight, N.
+    fn learn(&mut self, excess_N: f64) {
+        let tried = Try {
+            lift_N: self.lift_N,
+            excess_N,
+        };
+        let is_heavy = excess_N > 0.0;
+        let (same, other) = if is_heavy {
+            (&mut self.heavy, &mut self.light)
+        } else {
+            (&mut self.light, &mut self.heavy)
+        };
+        *same = Some(tried);
+        if self.was_heavy == Some(is_heavy)
+            && let Some(stale) = other
+        {
+            stale.excess_N *= 0.5;
+        }
+        self.was_heavy = Some(is_heavy);
+        self.lift_N = match (self.heavy, self.light) {
+            (Some(heavy), Some(light)) => {
+                let part = heavy.excess_N / (heavy.excess_N - light.excess_N);
+                let part = part.clamp(LEAST_PART, 1.0 - LEAST_PART);
+                heavy.lift_N + part * (light.lift_N - heavy.lift_N)
+            }
+            _ => {
+                let step = self.step_N.max(excess_N.abs());
+                self.step_N = GROWTH * step;
+                (tried.lift_N + step.copysign(excess_N)).max(0.0)
+            }
+        };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Tries until a lift is within a hundredth of the target; how many it took.
+    fn tries(target_N: f64, first_N: f64, weight_N: impl Fn(f64) -> f64) -> Option<usize> {
+        let mut search = Search::new(target_N, first_N);
+        (1..=MOST_LIFT_RUNS).find(|_| {
+            let excess_N = weight_N(search.lift_N) - target_N;
+            if excess_N.abs() <= LIFT_TOLERANCE * target_N {
+                return true;
+            }
+            search.learn(excess_N);
+            false
+        })
+    }
+
+    /// A string that hangs free: what the lift leaves stands on the bit.
+    #[test]
+    fn a_straight_line_takes_two_tries() {
+        for first in [300e3, 500e3, 900e3] {
+            assert_eq!(tries(60e3, first, |lift| 660e3 - lift), Some(2));
+        }
+    }
+
+    /// Friction holds the string over a wide range of lifts: the weight stands still there, and grows where friction
+    /// has given way.
+    #[test]
+    fn a_plateau_is_passed() {
+        let weight = |lift: f64| {
+            let missing = 640e3 - lift;
+            40e3 + (missing - 300e3).max(0.0) + missing.min(0.0) * 0.8
+        };
+        for first in [640e3, 500e3, 200e3, 0.0] {
+            let tries = tries(60e3, first, weight).expect("found");
+            assert!(tries <= 12, "{tries} tries from {first} N");
+        }
+    }
+
+    /// A bit that cannot bear what is asked, however little is lifted, and a weight that jumps over it.
+    #[test]
+    fn what_no_lift_gives_is_not_found() {
+        assert_eq!(tries(60e3, 100e3, |lift| 50e3 - lift), None);
+        let jump = |lift: f64| if lift < 300e3 { 80e3 } else { 20e3 };
+        assert_eq!(tries(60e3, 100e3, jump), None);
+    }
+}
