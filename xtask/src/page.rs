@@ -1,4 +1,4 @@
-//! The page of a run: whether its committed bundle is what its sources make, and whether it works in a browser.
+//! The pages of a run and of a sweep: whether their committed bundle is what its sources make, and whether they work in a browser.
 
 use std::{
     env, fs,
@@ -39,23 +39,45 @@ pub(crate) fn browser() -> Result<Finding, Failure> {
         return unable("there is no Chromium, and it cannot be installed here".into());
     };
     let results = target().join("report-page");
+    let frames = ["--set", "records.frames=20Hz"];
+    page("run", &frames, &results, &browser, "page.mjs")?;
+    let results = target().join("sweep-page");
+    let varied = [
+        "--vary",
+        "friction=0.2,0.3",
+        "--vary",
+        "bit_depth=300m,600m",
+    ];
+    page("sweep", &varied, &results, &browser, "sweep.mjs")?;
+    Ok(Finding::Done)
+}
+
+/// Makes the page of a command, and runs its test in a browser.
+fn page(
+    command: &str,
+    more: &[&str],
+    results: &Path,
+    browser: &Path,
+    test: &str,
+) -> Result<(), Failure> {
     run(
         cargo()
             .args(["run", "--quiet", "--package", "wholestring-cli", "--"])
-            .args(["run", "crates/cli/tests/data/slant.toml", "--quiet"])
-            .args(["--set", NASTY, "--set", "records.frames=20Hz", "-o"])
-            .arg(&results),
+            .args([command, "crates/cli/tests/data/slant.toml", "--quiet"])
+            .args(["--set", NASTY])
+            .args(more)
+            .arg("-o")
+            .arg(results),
         "the browser needs a page",
     )?;
     run(
         Command::new("node")
             .current_dir(web())
-            .arg("test/page.mjs")
+            .arg(Path::new("test").join(test))
             .arg(browser)
             .arg(results.join("report.html")),
-        "the page of a run must work in a browser",
-    )?;
-    Ok(Finding::Done)
+        "the page must work in a browser",
+    )
 }
 
 /// Where nothing can be tested: a reason to skip, but not where every change is tested.

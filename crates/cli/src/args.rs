@@ -26,8 +26,10 @@ pub(crate) enum Command {
     Run(RunArgs),
     /// Solve a case for all combinations of some values
     Sweep(SweepArgs),
-    /// Make the report of a run again
+    /// Make the report of a run or a sweep again
     Report(ReportArgs),
+    /// Draw what a run or a sweep left as SVG files; a second run on the same axes
+    Plot(PlotArgs),
     /// Position and dogleg severity along a survey
     Survey(SurveyArgs),
     /// Measure this machine's speed at this work
@@ -91,11 +93,30 @@ pub(crate) struct RunArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct ReportArgs {
-    /// Folder that a run wrote to
+    /// Folder that a run or a sweep wrote to
     #[arg(value_name = "DIR")]
     pub(crate) folder: PathBuf,
 
     /// Units that the page opens with [default: the case's]
+    #[arg(long, value_name = "si|metric|field")]
+    pub(crate) units: Option<UnitSet>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct PlotArgs {
+    /// Folder that a run or a sweep wrote to, or those of two runs
+    #[arg(value_name = "DIR", required = true, num_args = 1..=2)]
+    pub(crate) folders: Vec<PathBuf>,
+
+    /// Folder for the pictures [default: plots in the first DIR; of two, plots-SECOND]
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Paint each as PNG too, with 300 dots per inch
+    #[arg(long)]
+    pub(crate) png: bool,
+
+    /// Units on the axes [default: the case's]
     #[arg(long, value_name = "si|metric|field")]
     pub(crate) units: Option<UnitSet>,
 }

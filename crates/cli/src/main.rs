@@ -11,7 +11,7 @@ mod folder_name;
 mod frames;
 mod indicators;
 mod interrupt;
-mod picture;
+mod plot;
 mod progress;
 mod record;
 mod report;
@@ -38,6 +38,7 @@ fn main() -> ExitCode {
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::sweep(&args),
         Command::Report(args) => report::report(&args),
+        Command::Plot(args) => plot::plot(&args),
         Command::Survey(args) => survey::survey(&args),
         Command::Bench(args) => bench::bench(&args),
         Command::Schema => schema(),

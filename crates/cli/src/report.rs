@@ -1,8 +1,8 @@
 //! `report.html`: the page of a run, made from the files that it left.
 
 mod answers;
-mod asked;
-mod dimensions;
+pub(crate) mod asked;
+pub(crate) mod dimensions;
 mod frames;
 mod history;
 mod inputs;
@@ -20,28 +20,36 @@ use crate::{
     column::{numbers, words},
     failure::Failure,
     say,
+    sweep::report as sweep,
 };
 
 /// Name of the file.
-const FILE: &str = "report.html";
+pub(crate) const FILE: &str = "report.html";
+
+/// What made the page.
+pub(crate) const PROGRAM: &str = concat!("wholestring ", env!("CARGO_PKG_VERSION"));
 
 /// Rows of a profile that a page shows: of a soft string every few where there are more.
 const MOST_NODES: usize = 3000;
 
 /// `wholestring report DIR`.
 pub(crate) fn report(args: &ReportArgs) -> Result<(), Failure> {
-    if !args.folder.join("summary.json").is_file() {
-        let place = args.folder.display();
-        return Err(Failure::BadInput(format!(
-            "error: {place} is no folder of a run: it holds no summary.json"
+    let place = args.folder.display();
+    let bad = |error: &dyn std::fmt::Display| Failure::BadInput(format!("error: {error}"));
+    // Whatever the folder holds is the input here.
+    if args.folder.join("summary.json").is_file() {
+        let page = page(&args.folder, args.units).map_err(|error| bad(&error))?;
+        let folder = ResultsFolder::create(&args.folder)?;
+        folder.write_file(FILE, page.as_bytes())?;
+    } else if sweep::is_sweep(&args.folder) {
+        let folder = ResultsFolder::create(&args.folder)?;
+        sweep::write(&folder, args.units).map_err(|error| bad(&error))?;
+    } else {
+        return Err(bad(&format!(
+            "{place} is no folder of a run or a sweep: it holds neither summary.json nor sweep.csv"
         )));
     }
-    // Whatever the folder holds is the input here.
-    let page = page(&args.folder, args.units)
-        .map_err(|error| Failure::BadInput(format!("error: {error}")))?;
-    let folder = ResultsFolder::create(&args.folder)?;
-    folder.write_text(FILE, &page)?;
-    say(&format!("{}\n", folder.path().join(FILE).display()))
+    say(&format!("{}\n", args.folder.join(FILE).display()))
 }
 
 /// Writes the page of the run whose files are in the folder; nothing where nothing was solved.
@@ -50,36 +58,88 @@ pub(crate) fn write(folder: &ResultsFolder, units: UnitSet) -> Result<(), Failur
         return Ok(());
     }
     let page = page(folder.path(), Some(units))?;
-    Ok(folder.write_text(FILE, &page)?)
+    Ok(folder.write_file(FILE, page.as_bytes())?)
 }
 
 /// The page of the run in a folder.
 fn page(folder: &Path, units: Option<UnitSet>) -> Result<String, ResultsError> {
     let summary = Summary::read(&folder.join("summary.json"))?;
-    Ok(report_html(&gather(folder, &summary, units)?))
+    let mut report = gather(&Tables::read(folder)?, &summary, units);
+    let mut frames = frames::read(folder, report.runs.len())?;
+    for run in &mut report.runs {
+        run.frames = frames.remove(&run.operation);
+    }
+    Ok(report_html(&report))
 }
 
-/// Everything that the page tells.
-fn gather(
-    folder: &Path,
-    summary: &Summary,
-    units: Option<UnitSet>,
-) -> Result<Report, ResultsError> {
-    let nodes = table(folder, "nodes")?;
-    let wear = table(folder, "wear")?;
-    let time = table(folder, "time")?;
-    let contact = table(folder, "contact")?;
-    let settings = &summary.settings;
-    let well = well::WellBore::of(settings);
+/// The tables of a run, without rows where there is none.
+pub(crate) struct Tables {
+    nodes: Table,
+    wear: Table,
+    time: Table,
+    contact: Table,
+}
+
+impl Tables {
+    /// Those in a folder.
+    pub(crate) fn read(folder: &Path) -> Result<Self, ResultsError> {
+        Ok(Self {
+            nodes: table(folder, "nodes")?,
+            wear: table(folder, "wear")?,
+            time: table(folder, "time")?,
+            contact: table(folder, "contact")?,
+        })
+    }
+}
+
+/// A table of the folder, without rows where there is none.
+pub(crate) fn table(folder: &Path, name: &str) -> Result<Table, ResultsError> {
+    let path = folder.join(format!("{name}.parquet"));
+    if path.is_file() {
+        Table::read_parquet(&path)
+    } else {
+        Ok(Table::new(Vec::new()))
+    }
+}
+
+/// What is told of a run; all but the string at moments.
+pub(crate) fn gather(tables: &Tables, summary: &Summary, units: Option<UnitSet>) -> Report {
     let runs: Vec<&OperationSummary> = summary
         .operations
         .iter()
         .filter(|solved| solved.statistics.is_some())
         .collect();
-    let mut frames = frames::read(folder, &runs)?;
     let many = runs.len();
-    Ok(Report {
-        program: concat!("wholestring ", env!("CARGO_PKG_VERSION")).into(),
+    let settle = &summary.settings["dynamics"]["settle_s"];
+    let timed = |solved: &&OperationSummary| {
+        let history = history::history(&tables.time, &solved.operation, many);
+        TimeRun {
+            operation: solved.operation.clone(),
+            window_s: settle.as_f64().unwrap_or(0.0),
+            samples: history.samples,
+            history: history.columns,
+            notes: history.notes,
+            contact: history::contact(&tables.contact, &solved.operation, many),
+            frames: None,
+        }
+    };
+    Report {
+        runs: runs.iter().map(timed).collect(),
+        ..along_the_hole(&tables.nodes, &tables.wear, summary, units)
+    }
+}
+
+/// What is told of a run along its hole, and nothing of what it did in time.
+pub(crate) fn along_the_hole(
+    nodes: &Table,
+    wear: &Table,
+    summary: &Summary,
+    units: Option<UnitSet>,
+) -> Report {
+    let settings = &summary.settings;
+    let well = well::WellBore::of(settings);
+    Report {
+        program: PROGRAM.into(),
         title: summary.case.clone(),
         units: match units {
             Some(units) => units.name().into(),
@@ -98,11 +158,11 @@ fn gather(
                     Status::Interrupted => Some("interrupted: what was computed until then".into()),
                     Status::Failed(reason) => Some(reason.clone()),
                 },
-                answers: answers::answers(solved, settings, &nodes),
-                profile: columns(&nodes, Some(solved.model.name()), &solved.operation),
+                answers: answers::answers(solved, settings, nodes),
+                profile: columns(nodes, Some(solved.model.name()), &solved.operation),
                 wear: match solved.model {
                     wholestring::outcome::ModelKind::Dynamic => {
-                        columns(&wear, None, &solved.operation)
+                        columns(wear, None, &solved.operation)
                     }
                     wholestring::outcome::ModelKind::Soft => Default::default(),
                 },
@@ -111,37 +171,13 @@ fn gather(
         well: well.path(),
         hole: well.hole(),
         string: well.string(),
-        runs: runs
-            .iter()
-            .map(|solved| {
-                let history = history::history(&time, &solved.operation, many);
-                TimeRun {
-                    operation: solved.operation.clone(),
-                    window_s: settings["dynamics"]["settle_s"].as_f64().unwrap_or(0.0),
-                    samples: history.samples,
-                    history: history.columns,
-                    notes: history.notes,
-                    contact: history::contact(&contact, &solved.operation, many),
-                    frames: frames.remove(&solved.operation),
-                }
-            })
-            .collect(),
+        runs: Vec::new(),
         sheets: [
             sheets::results(summary),
             sheets::numerics(summary),
             inputs::sheets(settings),
         ]
         .concat(),
-    })
-}
-
-/// A table of the folder, without rows where there is none.
-fn table(folder: &Path, name: &str) -> Result<Table, ResultsError> {
-    let path = folder.join(format!("{name}.parquet"));
-    if path.is_file() {
-        Table::read_parquet(&path)
-    } else {
-        Ok(Table::new(Vec::new()))
     }
 }
 

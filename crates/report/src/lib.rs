@@ -1,22 +1,22 @@
-//! Pictures of what a run leaves: its profile as SVG, and all of it as a page.
+//! Pictures of what a run leaves: figures as SVG and PNG, and all of it as a page.
 #![warn(missing_docs)]
 
-mod axis;
-mod canvas;
-mod colours;
-mod legend;
-mod line;
+mod draw;
+pub mod figure;
 mod packed;
 mod page;
-mod profile;
+mod plots;
 mod report;
+mod sweep;
 mod thin;
 
+pub use draw::Drawing;
 pub use packed::Packed;
-pub use page::report_html;
-pub use profile::{Curve, Entry, Interval, IntervalKind, Panel, Profile, Stroke, profile_svg};
+pub use page::{report_html, sweep_html};
+pub use plots::{Plot, Run, Spectrum, common_operations, plots, profile};
 pub use report::{
     Answer, Cell, ContactPicture, DisplayUnit, Fact, Frames, Part, Place, Report, Section, Sheet,
     Solved, TimeRun, Well,
 };
+pub use sweep::{Sweep, SweepRow, sweep_plots};
 pub use thin::thinned;

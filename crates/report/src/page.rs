@@ -1,9 +1,21 @@
-//! The page of a run as one file that needs nothing else.
+//! The pages of a run and of a sweep, each one file that needs nothing else.
 
-use crate::Report;
+use std::collections::BTreeMap;
 
-/// The page's program and its looks, bundled from `web/` by `npm run bundle`.
+use serde::Serialize;
+
+use crate::{
+    DisplayUnit, Fact, Report, Sheet, Sweep,
+    plots::{
+        SETS,
+        catalogue::{TIME_PLOTS, TRACKS, TimePlot, Track},
+    },
+    sweep_plots,
+};
+
+/// The programs of the pages and their looks, bundled from `web/` by `npm run bundle`.
 const PROGRAM: &str = include_str!("../assets/report.js");
+const SWEEP_PROGRAM: &str = include_str!("../assets/sweep.js");
 const LOOKS: &str = include_str!("../assets/report.css");
 /// Licences of what is in the bundle.
 const LICENCES: &str = include_str!("../assets/licences.txt");
@@ -11,14 +23,72 @@ const LICENCES: &str = include_str!("../assets/licences.txt");
 /// What the page may do: run what is in it, and nothing else; it never asks the network for anything.
 const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
 
-/// The report as the text of an HTML file.
+/// What the program of a run's page reads: the report, and which plots are made of it.
+#[derive(Serialize)]
+struct Data<'a> {
+    #[serde(flatten)]
+    report: &'a Report,
+    tracks: &'a [Track],
+    time_plots: &'a [TimePlot],
+}
+
+/// The report of a run as the text of an HTML file.
 ///
 /// No name in it can end the element that it stands in, whatever it holds.
 pub fn report_html(report: &Report) -> String {
-    let title = escaped(&report.title);
-    let program = escaped(&report.program);
-    let data = data(report);
+    let data = Data {
+        report,
+        tracks: TRACKS,
+        time_plots: TIME_PLOTS,
+    };
     let licences = escaped(LICENCES);
+    let rest = format!("<template id=\"licences\">{licences}</template>");
+    page(&report.title, &report.program, &data, &rest, PROGRAM)
+}
+
+/// What the program of a sweep's page reads.
+#[derive(Serialize)]
+struct SweepData<'a> {
+    program: &'a str,
+    title: &'a str,
+    units: &'a str,
+    dimensions: &'a BTreeMap<String, [DisplayUnit; 3]>,
+    asked: &'a [Fact],
+    sheet: Sheet,
+}
+
+/// The report of a sweep as the text of an HTML file: its figure in every set of units, and the table.
+///
+/// No name in it can end the element that it stands in, whatever it holds.
+pub fn sweep_html(sweep: &Sweep) -> String {
+    let data = SweepData {
+        program: &sweep.program,
+        title: &sweep.title,
+        units: &sweep.units,
+        dimensions: &sweep.dimensions,
+        asked: &sweep.asked,
+        sheet: sweep.sheet(),
+    };
+    let figures = SETS.map(|units| {
+        let plots = sweep_plots(sweep, units);
+        let plot = plots.into_iter().next();
+        let figure = plot.map_or(String::new(), |mut plot| {
+            // The page says these itself.
+            plot.figure.title.clear();
+            plot.figure.subtitle.clear();
+            plot.figure.drawing().element(&format!("clip-{units}"))
+        });
+        format!("<template id=\"figure-{units}\">{figure}</template>")
+    });
+    let rest = figures.join("\n");
+    page(&sweep.title, &sweep.program, &data, &rest, SWEEP_PROGRAM)
+}
+
+/// A page of data and the program that shows them, with whatever else the program needs.
+fn page(title: &str, made_by: &str, data: &impl Serialize, rest: &str, program: &str) -> String {
+    let title = escaped(title);
+    let made_by = escaped(made_by);
+    let data = json(data);
     format!(
         r#"<!doctype html>
 <html lang="en">
@@ -26,7 +96,7 @@ pub fn report_html(report: &Report) -> String {
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta http-equiv="Content-Security-Policy" content="{POLICY}">
-<meta name="generator" content="{program}">
+<meta name="generator" content="{made_by}">
 <link rel="icon" href="data:,">
 <title>{title}</title>
 <style>
@@ -35,10 +105,10 @@ pub fn report_html(report: &Report) -> String {
 <body>
 <noscript><p>{title}: this page draws its plots itself and needs JavaScript, though no network.</p></noscript>
 <main id="page"></main>
-<template id="licences">{licences}</template>
+{rest}
 <script type="application/json" id="report">{data}</script>
 <script>
-{PROGRAM}</script>
+{program}</script>
 </body>
 </html>
 "#
@@ -46,8 +116,8 @@ pub fn report_html(report: &Report) -> String {
 }
 
 /// JSON in which nothing looks like HTML.
-fn data(report: &Report) -> String {
-    let json = serde_json::to_string(report).expect("numbers and words");
+fn json(data: &impl Serialize) -> String {
+    let json = serde_json::to_string(data).expect("numbers and words");
     // These stand in JSON within strings only, where an escape means the same.
     json.replace('<', "\\u003c")
         .replace('>', "\\u003e")

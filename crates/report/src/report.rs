@@ -258,4 +258,6 @@ pub enum Place {
     Numerics,
     /// Among the inputs.
     Inputs,
+    /// On the page of a sweep: a row for each case.
+    Cases,
 }

@@ -1,4 +1,4 @@
-// Bundles the page's program and looks into ../assets, where Rust takes them from; with --check, says whether they are
+// Bundles the pages' programs and looks into ../assets, where Rust takes them from; with --check, says whether they are
 // what is there already.
 import { readFileSync, writeFileSync } from "node:fs";
 import { build } from "esbuild";
@@ -7,7 +7,7 @@ const assets = new URL("../assets/", import.meta.url);
 const here = new URL("./", import.meta.url).pathname;
 
 const { outputFiles } = await build({
-  entryPoints: { report: "src/main.js" },
+  entryPoints: { report: "src/main.js", sweep: "src/sweep.js" },
   absWorkingDir: here,
   outdir: "out",
   bundle: true,

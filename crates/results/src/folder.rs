@@ -83,10 +83,10 @@ impl ResultsFolder {
         FrameWriter::resume(&self.path, channels, so_far)
     }
 
-    /// Writes a file of text, such as a picture.
-    pub fn write_text(&self, name: &str, text: &str) -> Result<(), ResultsError> {
+    /// Writes a file, such as a picture.
+    pub fn write_file(&self, name: &str, bytes: &[u8]) -> Result<(), ResultsError> {
         crate::file::write_whole(&self.path.join(name), |writer| {
-            std::io::Write::write_all(writer, text.as_bytes())
+            std::io::Write::write_all(writer, bytes)
         })
     }
 }

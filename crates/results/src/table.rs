@@ -155,6 +155,31 @@ impl Table {
         })
     }
 
+    /// Reads back a CSV file, every column as words.
+    pub fn read_csv(path: &Path) -> Result<Self, ResultsError> {
+        let bytes = std::fs::read(path).map_err(|source| ResultsError::Read {
+            path: path.to_owned(),
+            source,
+        })?;
+        let mut csv = csv::Reader::from_reader(&bytes[..]);
+        let malformed = |error: csv::Error| ResultsError::format(path, error);
+        let names = csv.headers().map_err(malformed)?.clone();
+        let mut columns: Vec<Vec<String>> = vec![Vec::new(); names.len()];
+        for record in csv.records() {
+            for (column, cell) in columns.iter_mut().zip(&record.map_err(malformed)?) {
+                column.push(cell.to_owned());
+            }
+        }
+        let columns = names.iter().zip(columns);
+        let column = |(name, words): (&str, Vec<String>)| Column {
+            name: name.to_owned(),
+            unit: String::new(),
+            meaning: String::new(),
+            data: Data::Text(words),
+        };
+        Ok(Self::new(columns.map(column).collect()))
+    }
+
     fn write_records(&self, csv: &mut csv::Writer<impl io::Write>) -> csv::Result<()> {
         csv.write_record(self.columns.iter().map(|column| &column.name))?;
         for row in 0..self.rows() {

@@ -12,13 +12,14 @@ use wholestring::{
     well::Hole,
 };
 use wholestring_case::{Case, Records};
+use wholestring_report::profile;
 use wholestring_results::{
     CONTACT, FramesSoFar, Friction, NODES, OperationSummary, ResultsError, ResultsFolder,
     SCHEMA_VERSION, SPECTRA, Status, Summary, TIME, Table, WEAR,
 };
 use wholestring_units::{Dimension, UnitSet};
 
-use crate::{failure::Failure, frames::Frames, picture};
+use crate::{failure::Failure, frames::Frames, report::along_the_hole};
 
 /// What a run has solved to its end, as a checkpoint keeps it.
 #[derive(Serialize, Deserialize)]
@@ -49,7 +50,6 @@ pub(crate) struct Record {
     records: Records,
     settle_s: f64,
     hole: Hole,
-    subtitle: String,
     units: UnitSet,
 }
 
@@ -102,7 +102,6 @@ impl Record {
             records: case.records.clone(),
             settle_s: case.dynamics.settle_s,
             hole: case.model.well.hole.clone(),
-            subtitle: subtitle(case, units),
             units,
         }
     }
@@ -122,7 +121,6 @@ impl Record {
             records: _,
             settle_s: _,
             hole: _,
-            subtitle: _,
             units: _,
         } = self;
         Solved {
@@ -181,14 +179,13 @@ impl Record {
             Some(frames) => frames.write()?,
             None => folder.remove("frames.parquet")?,
         }
-        let picture = picture::draw(
-            &self.summary.case,
-            &self.subtitle,
-            &self.nodes,
-            &self.hole,
-            self.units,
-        );
-        folder.write_text("profile.svg", &picture)?;
+        let report = along_the_hole(&self.nodes, &self.wear, &self.summary, Some(self.units));
+        match profile(&report, self.units.name()) {
+            Some(figure) => {
+                folder.write_file("profile.svg", figure.drawing().svg().as_bytes())?;
+            }
+            None => folder.remove("profile.svg")?,
+        }
         // Last, so that a summary tells of tables that are there.
         folder.write_summary(&self.summary)?;
         Ok(())

@@ -42,7 +42,7 @@ const OTHERS: &[(&str, [(&str, f64); 3])] = &[
 ];
 
 /// Every dimension by its name.
-pub(super) fn all() -> BTreeMap<String, [DisplayUnit; 3]> {
+pub(crate) fn all() -> BTreeMap<String, [DisplayUnit; 3]> {
     let known = Dimension::ALL.iter().map(|dimension| {
         let units = [UnitSet::Si, UnitSet::Metric, UnitSet::Field].map(|set| {
             let unit = dimension.unit_in(set);

@@ -3,7 +3,7 @@
 use std::{collections::BTreeMap, path::Path};
 
 use wholestring_report::{Frames, Packed};
-use wholestring_results::{OperationSummary, ResultsError, Table};
+use wholestring_results::{ResultsError, Table};
 
 use crate::column::{numbers, words};
 
@@ -24,13 +24,10 @@ const CHANNELS: &[&str] = &[
     "bending_moment_N_m",
 ];
 
-/// Frames of each operation; none where none were kept, or where they do not hold where the string lies.
+/// Frames of each operation, of so many that may have some; none where none were kept, or where they do not hold where the string lies.
 ///
 /// The file may be larger than memory: it is read twice, piece by piece.
-pub(super) fn read(
-    folder: &Path,
-    runs: &[&OperationSummary],
-) -> Result<BTreeMap<String, Frames>, ResultsError> {
+pub(super) fn read(folder: &Path, runs: usize) -> Result<BTreeMap<String, Frames>, ResultsError> {
     let path = folder.join("frames.parquet");
     if !path.is_file() {
         return Ok(BTreeMap::new());
@@ -46,7 +43,7 @@ pub(super) fn read(
     })?;
     let mut reader = Reader {
         kept,
-        share: MOST_NUMBERS / runs.len().max(1),
+        share: MOST_NUMBERS / runs.max(1),
         seen: BTreeMap::new(),
         moment: None,
         taken: BTreeMap::new(),

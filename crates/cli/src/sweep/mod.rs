@@ -3,6 +3,7 @@
 mod checked;
 mod parallel;
 mod points;
+pub(crate) mod report;
 mod table;
 
 use std::{
@@ -21,7 +22,7 @@ use self::{
     checked::{Checked, check},
     parallel::{in_parallel, lock},
     points::{Point, points},
-    table::SweepTable,
+    table::{FILE, SweepTable},
 };
 use crate::{
     args::{Shard, SweepArgs},
@@ -216,14 +217,15 @@ impl Sweep<'_> {
                 table.add(&point.values, &point.name, solved, failure.as_deref());
             }
         }
-        let path = self.folder.path().join("sweep.csv");
+        let path = self.folder.path().join(FILE);
         Ok(table.table().write_csv(&path)?)
     }
 
-    /// Writes the table of all, and says how it went.
+    /// Writes table and page of all, and says how it went.
     fn conclude(self) -> Result<(), Failure> {
         let endings = std::mem::take(&mut lock(&self.progress).endings);
         self.write(&endings)?;
+        report::write(self.folder, None)?;
         let place = self.folder.path().display();
         let mut finished = 0;
         let mut failed = Vec::new();

@@ -4,6 +4,9 @@ use serde_json::{Map, Value};
 use wholestring::dynamics::DynamicOutcome;
 use wholestring_results::{Column, Data, OperationSummary, Table};
 
+/// Name of the file.
+pub(super) const FILE: &str = "sweep.csv";
+
 /// The scalars of an operation, as `summary.json` names them, in the order of the columns.
 const SCALARS: [&str; 12] = [
     "bit_depth_m",

@@ -5,6 +5,7 @@ mod check;
 mod contract;
 mod desk;
 mod documentation;
+mod plot;
 mod report;
 mod resume;
 mod run;

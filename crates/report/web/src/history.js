@@ -5,7 +5,7 @@ import "uplot/dist/uPlot.min.css";
 import { below } from "./curve.js";
 import { el } from "./dom.js";
 import { colour, line } from "./palette.js";
-import { NODE_CHANNELS, PLOTS } from "./plots.js";
+import { NODE_CHANNELS } from "./channels.js";
 import { chosen, chosenRun } from "./solutions.js";
 import { choose, on, state } from "./state.js";
 import { digits, grouped, quantity, shown, shownAll, symbol } from "./units.js";
@@ -20,7 +20,8 @@ export function history(report) {
   /** Plots of the chosen operation, with their data. */
   function shownPlots(run) {
     const columns = run.history;
-    const fixed = PLOTS.map((plot) => ({ ...plot, columns: plot.columns.filter(([name]) => columns[name]) }))
+    const fixed = report.time_plots
+      .map((plot) => ({ ...plot, columns: plot.columns.filter(([name]) => columns[name]) }))
       .filter((plot) => plot.columns.length)
       .filter((plot) => plot.columns.some(([name]) => columns[name].some((value) => value !== 0)))
       .map((plot) => ({ ...plot, times: columns.time_s, values: plot.columns.map(([name]) => columns[name]) }));
@@ -145,7 +146,7 @@ export function history(report) {
         legend: { live: true, markers: { width: 0, fill: (plot, i) => plot.series[i].stroke(plot, i) } },
         scales: {
           x: { time: false, min: view[0], max: view[1] },
-          y: { dir: plot.down ? -1 : 1, range: (_, low, high) => air(low, high, plot.dimension) },
+          y: { dir: plot.points ? -1 : 1, range: (_, low, high) => air(low, high, plot.dimension) },
         },
         axes: [
           {
@@ -178,8 +179,7 @@ export function history(report) {
   function soft(plot) {
     const solved = chosen(report, "soft");
     if (!plot.soft || !solved) return null;
-    const [name, row] = plot.soft;
-    const value = solved.profile[name]?.[row];
+    const value = solved.profile[plot.soft]?.[0];
     return Number.isFinite(value) ? shown(value, plot.dimension) : null;
   }
 

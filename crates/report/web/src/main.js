@@ -5,12 +5,12 @@ import { answers, asked } from "./answer.js";
 import { contactMap } from "./contact.js";
 import { readReport } from "./data.js";
 import { choice, el } from "./dom.js";
+import { header } from "./header.js";
 import { history } from "./history.js";
 import { scene } from "./scene.js";
 import { sheet } from "./sheet.js";
 import { chosenRun, operations, spoken } from "./solutions.js";
 import { choose, on, state } from "./state.js";
-import { followTheme } from "./theme.js";
 import { tracks } from "./tracks.js";
 import { useDimensions } from "./units.js";
 
@@ -60,44 +60,8 @@ const operationChoice =
         (operation) => choose({ operation, times: null, moment: null }),
       )
     : null;
-const setTheme = followTheme(() => Object.values(parts).forEach((part) => part.redraw()));
-
 page.append(
-  el(
-    "header",
-    {},
-    el(
-      "div",
-      { class: "title-line" },
-      el("h1", {}, report.title),
-      el(
-        "div",
-        { class: "controls noprint" },
-        choice(
-          "Units",
-          [
-            ["si", "SI"],
-            ["metric", "Metric"],
-            ["field", "US field"],
-          ],
-          state.units,
-          (units) => choose({ units }),
-        ),
-        choice(
-          "Colours",
-          [
-            ["auto", "Auto"],
-            ["light", "Light"],
-            ["dark", "Dark"],
-          ],
-          state.theme,
-          setTheme,
-        ),
-        el("button", { type: "button", onclick: () => print() }, "Print"),
-      ),
-    ),
-    asked(report),
-  ),
+  header(report.title, asked(report), () => Object.values(parts).forEach((part) => part.redraw())),
   section(
     "answer",
     "Answer",

@@ -20,7 +20,7 @@ function inputText(cell) {
 }
 
 /** The number of a result without its unit, with its deviation. */
-function numberText(cell, largest) {
+function numberText(cell, largest = 0) {
   if (cell === null || typeof cell !== "object") return cellText(cell);
   // What is nothing beside the others of its row is shown as nothing.
   const near = (value) => (Math.abs(value) < 1e-6 * largest ? 0 : value);
@@ -54,12 +54,12 @@ function byRow(sheet) {
 }
 
 /** A table whose columns are quantities: their heads name the unit. */
-function byColumn(sheet) {
+function byColumn(sheet, write) {
   return sheet.rows.map((cells) =>
     el(
       "tr",
       {},
-      cells.map((cell) => el("td", { class: isText(cell) ? null : "number" }, inputText(cell))),
+      cells.map((cell) => el("td", { class: isText(cell) ? null : "number" }, write(cell))),
     ),
   );
 }
@@ -74,16 +74,25 @@ function keys(sheet) {
 export function sheet(sheet) {
   const body = el("tbody", {});
   const head = el("thead", {});
-  const results = sheet.place !== "inputs";
+  const cases = sheet.place === "cases";
+  const results = sheet.place !== "inputs" && !cases;
+  const rows = () => {
+    if (results) return byRow(sheet);
+    if (cases) return byColumn(sheet, numberText);
+    return sheet.heads.length ? byColumn(sheet, inputText) : keys(sheet);
+  };
   const draw = () => {
-    body.replaceChildren(...(results ? byRow(sheet) : sheet.heads.length ? byColumn(sheet) : keys(sheet)));
+    body.replaceChildren(...rows());
     const column = (i) => (results ? null : unit(common(sheet.rows.map((row) => row[i]))));
     if (sheet.heads.length)
       head.replaceChildren(
         el(
           "tr",
           {},
-          sheet.heads.map((name, i) => el("th", { scope: "col" }, name, column(i))),
+          sheet.heads.map((name, i) => {
+            const words = cases && sheet.rows.every((row) => isText(row[i]));
+            return el("th", { scope: "col", class: words ? "words" : null }, name, column(i));
+          }),
         ),
       );
   };
@@ -94,7 +103,7 @@ export function sheet(sheet) {
     { class: "scrolls" },
     el("table", { class: sheet.heads.length ? "grid" : "keys" }, head, body),
   );
-  if (results) return el("div", { class: "sheet" }, el("h3", {}, sheet.title), table);
+  if (results || cases) return el("div", { class: cases ? "sheet cases" : "sheet" }, el("h3", {}, sheet.title), table);
   const long = sheet.rows.length > 24;
   return el(
     "details",

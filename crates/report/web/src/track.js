@@ -1,39 +1,9 @@
-// What each track shows, and its curves.
+// The curves of each track.
 
 import { largestNear, meanNear } from "./curve.js";
 
 /** Half of the distance between joints, and a little: what touches or bends most within it counts for all of it, m. */
 const JOINT_REACH_M = 6;
-
-const TRACKS = [
-  {
-    title: "Effective tension",
-    dimension: "force",
-    column: "tension_N",
-    band: ["tension_p05_N", "tension_p95_N"],
-    zero: true,
-  },
-  { title: "Torque", dimension: "torque", column: "torque_N_m", band: ["torque_p05_N_m", "torque_p95_N_m"] },
-  { title: "Side force", dimension: "force per length", column: "side_force_N_per_m", sides: true },
-  {
-    title: "In contact",
-    dimension: "percent",
-    column: "contact_fraction",
-    touches: true,
-    range: [0, 1.04],
-    classes: true,
-  },
-  {
-    title: "Bending moment",
-    dimension: "torque",
-    column: "bending_moment_N_m",
-    band: ["bending_moment_p05_N_m", "bending_moment_p95_N_m"],
-    swings: true,
-  },
-  { title: "Wear work, hole", dimension: "work per length", column: "wear_work_J_per_m", from: "wear" },
-  { title: "Inclination", dimension: "angle", column: "inclination_rad", from: "well", zero: true },
-  { title: "Dogleg severity", dimension: "dogleg severity", column: "dogleg_rad_per_m", from: "well", zero: true },
-];
 
 /** Depths and values of a track's curves, with who drew them. */
 function curvesOf(report, track) {
@@ -68,4 +38,4 @@ function curvesOf(report, track) {
 
 /** The tracks of a report that have anything to show, with their curves. */
 export const tracksOf = (report) =>
-  TRACKS.map((track) => ({ ...track, curves: curvesOf(report, track) })).filter((track) => track.curves.length);
+  report.tracks.map((track) => ({ ...track, curves: curvesOf(report, track) })).filter((track) => track.curves.length);

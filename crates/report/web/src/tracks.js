@@ -207,7 +207,7 @@ export function tracks(report) {
         }),
       );
     }
-    if (track.classes) classStrip(clip, track, box, view, y);
+    if (track.touches) classStrip(clip, track, box, view, y);
     const middle = box.left + box.width / 2;
     picture.append(
       clip,
@@ -222,7 +222,7 @@ export function tracks(report) {
       );
     if (track.swings && far)
       picture.append(svg("text", { x: box.left, y: box.top + box.height + 14, class: "side" }, "joint to joint"));
-    if (track.classes)
+    if (track.touches)
       picture.append(
         svg(
           "text",

@@ -90,6 +90,11 @@ await check("every time history is drawn", async () => {
   }
 });
 
+await check("the soft string stands beside hook load and torque", async () => {
+  const legends = await page.locator(".history .u-legend").allTextContents();
+  assert.equal(legends.filter((legend) => legend.includes("soft string")).length, 2, JSON.stringify(legends));
+});
+
 await check("the map of contact is drawn", async () => {
   const side = await picture(page, "canvas.map");
   assert.ok((await colours(page, "canvas.map")) > 10);

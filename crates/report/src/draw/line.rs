@@ -34,45 +34,23 @@ pub(crate) fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// The pieces of a dashed line.
-pub(crate) fn dashes(points: &[(f64, f64)], dash: f64, gap: f64) -> Vec<Vec<(f64, f64)>> {
-    let mut pieces = Vec::new();
-    let mut piece = Vec::new();
-    // What is left of the dash or gap that the pen is in.
-    let (mut drawing, mut left) = (true, dash);
-    for pair in points.windows(2) {
-        let ((x0, y0), (x1, y1)) = (pair[0], pair[1]);
-        let length = (x1 - x0).hypot(y1 - y0);
-        let at = |along: f64| {
-            (
-                x0 + (x1 - x0) * along / length,
-                y0 + (y1 - y0) * along / length,
-            )
-        };
-        if drawing && piece.is_empty() {
-            piece.push((x0, y0));
-        }
-        let mut along = 0.0;
-        while length - along > left {
-            along += left;
-            if drawing {
-                piece.push(at(along));
-                pieces.push(std::mem::take(&mut piece));
-            } else {
-                piece.push(at(along));
-            }
-            drawing = !drawing;
-            left = if drawing { dash } else { gap };
-        }
-        left -= length - along;
-        if drawing && length > 0.0 {
-            piece.push((x1, y1));
-        }
+/// The curve without the points between the extremes of each stretch of `within` along it: of thousands of samples in
+/// the width of a line, what shows. A curve goes across the page, or down it.
+pub(crate) fn envelope(points: &[(f64, f64)], within: f64, down: bool) -> Vec<(f64, f64)> {
+    let turned = |(x, y): (f64, f64)| if down { (y, x) } else { (x, y) };
+    let mut kept = Vec::new();
+    let stretch = |point: &(f64, f64)| (turned(*point).0 / within).floor();
+    for chunk in points.chunk_by(|a, b| stretch(a) == stretch(b)) {
+        let (first, last) = (0, chunk.len() - 1);
+        let across = |place: &usize| turned(chunk[*place]).1;
+        let by = |a: &usize, b: &usize| across(a).total_cmp(&across(b));
+        let low = (first..=last).min_by(by).unwrap_or(first);
+        let high = (first..=last).max_by(by).unwrap_or(first);
+        let mut places = [first, low.min(high), low.max(high), last].to_vec();
+        places.dedup();
+        kept.extend(places.into_iter().map(|place| chunk[place]));
     }
-    if piece.len() > 1 {
-        pieces.push(piece);
-    }
-    pieces
+    kept
 }
 
 #[cfg(test)]
@@ -105,16 +83,23 @@ mod tests {
         assert_eq!(thinned(&[(1.0, 2.0)]), [(1.0, 2.0)]);
     }
 
+    /// A peak of one sample among thousands stays.
     #[test]
-    fn dashes_keep_their_rhythm_over_corners() {
-        let pieces = dashes(&[(0.0, 0.0), (4.0, 0.0), (4.0, 20.0)], 6.0, 4.0);
-        assert_eq!(
-            pieces,
-            [
-                vec![(0.0, 0.0), (4.0, 0.0), (4.0, 2.0)],
-                vec![(4.0, 6.0), (4.0, 12.0)],
-                vec![(4.0, 16.0), (4.0, 20.0)],
-            ]
-        );
+    fn an_envelope_keeps_every_peak() {
+        let point = |i: i32| {
+            (
+                f64::from(i) * 1e-3,
+                f64::from(i % 7) + if i == 4321 { 50.0 } else { 0.0 },
+            )
+        };
+        let curve: Vec<_> = (0..10_000).map(point).collect();
+        let kept = envelope(&curve, 0.1, false);
+        assert!(kept.len() <= 4 * 101, "{}", kept.len());
+        assert!(kept.contains(&point(4321)));
+        assert!(kept.windows(2).all(|pair| pair[0].0 < pair[1].0));
+        assert_eq!((kept[0], kept[kept.len() - 1]), (point(0), point(9999)));
+        let turned =
+            |points: &[(f64, f64)]| -> Vec<_> { points.iter().map(|(x, y)| (*y, *x)).collect() };
+        assert_eq!(envelope(&turned(&curve), 0.1, true), turned(&kept));
     }
 }

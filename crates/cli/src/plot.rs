@@ -1,0 +1,209 @@
+//! `wholestring plot`: the pictures of a run, of two on the same axes, or of a sweep, as files.
+
+use std::path::{Path, PathBuf};
+
+use wholestring_report::{Plot, Report, Run, Spectrum, common_operations, plots, sweep_plots};
+use wholestring_results::{ResultsError, ResultsFolder, Summary, Table};
+use wholestring_units::UnitSet;
+
+use crate::{
+    args::PlotArgs,
+    column::{numbers, words},
+    failure::Failure,
+    folder_name::file_name,
+    report::{Tables, gather, table},
+    say,
+    sweep::report as sweep,
+};
+
+/// Dots per inch that printers and journals ask for.
+const DOTS_PER_INCH: f64 = 300.0;
+
+pub(crate) fn plot(args: &PlotArgs) -> Result<(), Failure> {
+    let are_sweeps = sweeps(&args.folders);
+    let plots = match (&args.folders[..], &are_sweeps[..]) {
+        ([folder], [true]) => {
+            let sweep = sweep::gather(folder, args.units).map_err(bad)?;
+            sweep_plots(&sweep, &sweep.units)
+        }
+        ([first, second], [a, b]) if a != b => {
+            let (sweep, run) = if *a { (first, second) } else { (second, first) };
+            return Err(bad(format!(
+                "nothing to overlay: {} is a sweep, {} is a run",
+                sweep.display(),
+                run.display()
+            )));
+        }
+        (_, [true, ..]) => {
+            return Err(bad(
+                "two sweeps cannot be overlaid: vary in one what tells them apart",
+            ));
+        }
+        (folders, _) => {
+            let runs = folders.iter().map(|folder| Drawn::read(folder, args.units));
+            drawn(&runs.collect::<Result<Vec<_>, _>>()?)?
+        }
+    };
+    if plots.is_empty() {
+        let place = args.folders[0].display();
+        return Err(bad(format!("nothing was solved in {place}")));
+    }
+    let output = args
+        .output
+        .clone()
+        .unwrap_or_else(|| default(&args.folders));
+    let folder = ResultsFolder::create(output)?;
+    for plot in &plots {
+        write(&folder, plot, args.png)?;
+    }
+    let place = folder.path().display();
+    say(&format!("{} pictures in {place}\n", plots.len()))
+}
+
+/// Which of the folders are sweeps.
+fn sweeps(folders: &[PathBuf]) -> Vec<bool> {
+    let folders = folders.iter();
+    folders
+        .map(|folder| sweep::is_sweep(folder) && !folder.join("summary.json").is_file())
+        .collect()
+}
+
+/// Where pictures go by themselves: those of two runs do not take the place of the first one's own.
+fn default(folders: &[PathBuf]) -> PathBuf {
+    let name = match folders.get(1).and_then(|second| second.file_name()) {
+        Some(second) => format!("plots-{}", file_name(&second.to_string_lossy())),
+        None if folders.len() > 1 => "plots-both".to_owned(),
+        None => "plots".to_owned(),
+    };
+    folders[0].join(name)
+}
+
+fn write(folder: &ResultsFolder, plot: &Plot, png: bool) -> Result<(), Failure> {
+    let drawing = plot.figure.drawing();
+    folder.write_file(&format!("{}.svg", plot.name), drawing.svg().as_bytes())?;
+    let painted = format!("{}.png", plot.name);
+    if png {
+        folder.write_file(&painted, &drawing.png(DOTS_PER_INCH))?;
+    } else {
+        // One that was painted before is not of what was drawn now.
+        folder.remove(&painted)?;
+    }
+    Ok(())
+}
+
+/// A run that is to be drawn.
+struct Drawn {
+    folder: PathBuf,
+    report: Report,
+    spectra: Vec<Spectrum>,
+}
+
+fn bad(reason: impl std::fmt::Display) -> Failure {
+    Failure::BadInput(format!("error: {reason}"))
+}
+
+impl Drawn {
+    fn read(folder: &Path, units: Option<UnitSet>) -> Result<Self, Failure> {
+        let place = folder.display();
+        let path = folder.join("summary.json");
+        if !path.is_file() {
+            return Err(bad(format!(
+                "{place} is no folder of a run or a sweep: it holds neither summary.json nor sweep.csv"
+            )));
+        }
+        let summary = Summary::read(&path).map_err(bad)?;
+        if summary.operations.is_empty() {
+            return Err(bad(format!("nothing was solved in {place}")));
+        }
+        let dynamic = summary.operations.iter().any(|of| of.statistics.is_some());
+        let needed = if dynamic {
+            &["nodes", "time", "wear", "contact"][..]
+        } else {
+            &["nodes"]
+        };
+        let missing: Vec<String> = needed
+            .iter()
+            .map(|name| format!("{name}.parquet"))
+            .filter(|name| !folder.join(name).is_file())
+            .collect();
+        if !missing.is_empty() {
+            return Err(bad(format!(
+                "{place} lacks {}: run the case again",
+                missing.join(", ")
+            )));
+        }
+        let tables = Tables::read(folder).map_err(bad)?;
+        Ok(Self {
+            folder: folder.to_owned(),
+            report: gather(&tables, &summary, units),
+            spectra: spectra(folder).map_err(bad)?,
+        })
+    }
+}
+
+/// Every picture of one run or two.
+fn drawn(runs: &[Drawn]) -> Result<Vec<Plot>, Failure> {
+    let first = &runs[0].report;
+    let alike = runs[1..].iter().any(|run| run.report.title == first.title);
+    let names: Vec<String> = runs
+        .iter()
+        .map(|run| match alike {
+            // Two runs of one case are told apart by where they lie.
+            true => run.folder.display().to_string(),
+            false => run.report.title.clone(),
+        })
+        .collect();
+    let runs: Vec<Run<'_>> = runs
+        .iter()
+        .zip(&names)
+        .map(|(run, name)| Run {
+            name,
+            report: &run.report,
+            spectra: &run.spectra,
+        })
+        .collect();
+    if common_operations(&runs).is_empty() {
+        let solved = |run: &Run<'_>| {
+            let operations = common_operations(std::slice::from_ref(run));
+            operations.join(", ").replace('_', " ")
+        };
+        return Err(bad(format!(
+            "nothing to overlay: {} solved {}, {} solved {}",
+            names[0],
+            solved(&runs[0]),
+            names[1],
+            solved(&runs[1])
+        )));
+    }
+    Ok(plots(&runs, &first.units))
+}
+
+/// The power spectral densities in a folder.
+fn spectra(folder: &Path) -> Result<Vec<Spectrum>, ResultsError> {
+    let table: Table = table(folder, "spectra")?;
+    let text = |name: &str, row: usize| words(&table, name).get(row).cloned().unwrap_or_default();
+    let number = |name: &str, row: usize| numbers(&table, name).get(row).copied().flatten();
+    let mut spectra: Vec<Spectrum> = Vec::new();
+    for row in 0..table.rows() {
+        let (operation, signal) = (text("operation", row), text("signal", row));
+        let md_m = number("md_m", row);
+        let same =
+            |of: &Spectrum| of.operation == operation && of.signal == signal && of.md_m == md_m;
+        if !spectra.last().is_some_and(same) {
+            spectra.push(Spectrum {
+                operation,
+                signal,
+                md_m,
+                unit: text("unit", row),
+                frequency_Hz: Vec::new(),
+                density: Vec::new(),
+            });
+        }
+        if let Some(of) = spectra.last_mut() {
+            of.frequency_Hz
+                .push(number("frequency_Hz", row).unwrap_or(f64::NAN));
+            of.density.push(number("density", row).unwrap_or(f64::NAN));
+        }
+    }
+    Ok(spectra)
+}

@@ -1,0 +1,189 @@
+//! What is on a page, before it is written or painted.
+
+use super::Ink;
+
+/// A finished picture: it can be written as SVG, or painted as PNG.
+#[derive(Debug, Clone)]
+pub struct Drawing {
+    /// What it is, for those who cannot see it.
+    pub(super) title: String,
+    /// Its size, points.
+    pub(super) width: f64,
+    pub(super) height: f64,
+    pub(super) items: Vec<Item>,
+    /// What is drawn now is cut off at its edges.
+    clip: Option<Box>,
+}
+
+/// A rectangle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Box {
+    pub(crate) left: f64,
+    pub(crate) top: f64,
+    pub(crate) width: f64,
+    pub(crate) height: f64,
+}
+
+impl Box {
+    pub(crate) fn right(&self) -> f64 {
+        self.left + self.width
+    }
+
+    pub(crate) fn bottom(&self) -> f64 {
+        self.top + self.height
+    }
+
+    pub(crate) fn corners(&self) -> [(f64, f64); 4] {
+        let (right, bottom) = (self.right(), self.bottom());
+        [
+            (self.left, self.top),
+            (right, self.top),
+            (right, bottom),
+            (self.left, bottom),
+        ]
+    }
+}
+
+/// What a line is drawn with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Pen {
+    pub(crate) ink: Ink,
+    /// Points.
+    pub(crate) width: f64,
+    /// Lengths of dash and gap; none of a full line.
+    pub(crate) dash: Option<[f64; 2]>,
+}
+
+impl Pen {
+    /// A full line.
+    pub(crate) fn new(ink: Ink, width: f64) -> Self {
+        Self {
+            ink,
+            width,
+            dash: None,
+        }
+    }
+}
+
+/// On which side of its place a text stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+/// A picture of pixels, row after row from the top.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Image {
+    pub(crate) columns: usize,
+    pub(crate) pixels: Vec<[u8; 3]>,
+}
+
+#[derive(Debug, Clone)]
+pub(super) enum Item {
+    Path {
+        lines: Vec<Vec<(f64, f64)>>,
+        closed: bool,
+        /// Colour, and how much of what lies below it hides.
+        fill: Option<(Ink, f64)>,
+        pen: Option<Pen>,
+        clip: Option<Box>,
+    },
+    Text {
+        text: String,
+        /// The place of its middle in height.
+        at: (f64, f64),
+        size: f64,
+        ink: Ink,
+        anchor: Anchor,
+        /// Whether it reads from the bottom up.
+        upright: bool,
+    },
+    Image {
+        image: Image,
+        place: Box,
+    },
+}
+
+impl Drawing {
+    /// A blank page.
+    pub(crate) fn new(title: &str, width: f64, height: f64) -> Self {
+        Self {
+            title: title.to_owned(),
+            width,
+            height,
+            items: Vec::new(),
+            clip: None,
+        }
+    }
+
+    /// Width and height, points.
+    pub fn size(&self) -> (f64, f64) {
+        (self.width, self.height)
+    }
+
+    /// Draws what is cut off at the edges of a rectangle.
+    pub(crate) fn within(&mut self, edges: Box, draw: impl FnOnce(&mut Self)) {
+        self.clip = Some(edges);
+        draw(self);
+        self.clip = None;
+    }
+
+    pub(crate) fn line(&mut self, points: &[(f64, f64)], pen: Pen) {
+        self.path(vec![points.to_vec()], false, None, Some(pen));
+    }
+
+    pub(crate) fn frame(&mut self, edges: Box, pen: Pen) {
+        self.path(vec![edges.corners().to_vec()], true, None, Some(pen));
+    }
+
+    /// An area; `opacity` is how much of what lies below it hides.
+    pub(crate) fn fill(&mut self, corners: Vec<(f64, f64)>, ink: Ink, opacity: f64) {
+        self.path(vec![corners], true, Some((ink, opacity)), None);
+    }
+
+    pub(crate) fn path(
+        &mut self,
+        lines: Vec<Vec<(f64, f64)>>,
+        closed: bool,
+        fill: Option<(Ink, f64)>,
+        pen: Option<Pen>,
+    ) {
+        let clip = self.clip;
+        self.items.push(Item::Path {
+            lines,
+            closed,
+            fill,
+            pen,
+            clip,
+        });
+    }
+
+    pub(crate) fn text(&mut self, text: &str, at: (f64, f64), size: f64, ink: Ink, anchor: Anchor) {
+        self.items.push(Item::Text {
+            text: text.to_owned(),
+            at,
+            size,
+            ink,
+            anchor,
+            upright: false,
+        });
+    }
+
+    /// Text that reads from the bottom up, centred on its place.
+    pub(crate) fn upright(&mut self, text: &str, at: (f64, f64), size: f64, ink: Ink) {
+        self.items.push(Item::Text {
+            text: text.to_owned(),
+            at,
+            size,
+            ink,
+            anchor: Anchor::Middle,
+            upright: true,
+        });
+    }
+
+    pub(crate) fn image(&mut self, image: Image, place: Box) {
+        self.items.push(Item::Image { image, place });
+    }
+}

@@ -1,0 +1,197 @@
+//! A drawing as SVG.
+
+use std::fmt::Write;
+
+use base64::{Engine, engine::general_purpose::STANDARD};
+
+use super::{
+    Anchor, Box, Drawing, Ink, Pen,
+    drawing::Item,
+    font::{FAMILIES, HALF_CAPITAL},
+    png,
+};
+
+impl Drawing {
+    /// The drawing as the text of an SVG file: its text is text, its lines are lines.
+    pub fn svg(&self) -> String {
+        let millimetres = |points: f64| number(points * 25.4 / 72.0);
+        format!(
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" \
+             width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {} {}\">\n\
+             <rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n{}</svg>\n",
+            millimetres(self.width),
+            millimetres(self.height),
+            number(self.width),
+            number(self.height),
+            self.content("clip"),
+        )
+    }
+
+    /// The drawing as an element of a page, whose colours follow the page's. `name` differs from that of every other.
+    pub(crate) fn element(&self, name: &str) -> String {
+        format!(
+            "<svg class=\"figure\" role=\"img\" viewBox=\"0 0 {} {}\" style=\"width:{}px\">\n{}</svg>",
+            number(self.width),
+            number(self.height),
+            number(self.width * 2.0),
+            self.content(name),
+        )
+    }
+
+    fn content(&self, name: &str) -> String {
+        let mut clips: Vec<Box> = Vec::new();
+        let mut body = String::new();
+        for item in &self.items {
+            let written = match item {
+                Item::Path {
+                    lines,
+                    closed,
+                    fill,
+                    pen,
+                    clip,
+                } => {
+                    let clip = clip.map(|clip| {
+                        let known = clips.iter().position(|other| *other == clip);
+                        known.unwrap_or_else(|| {
+                            clips.push(clip);
+                            clips.len() - 1
+                        })
+                    });
+                    let clip = clip.map_or(String::new(), |index| {
+                        format!(" clip-path=\"url(#{name}-{index})\"")
+                    });
+                    writeln!(
+                        body,
+                        "<path{}{clip} d=\"{}\"/>",
+                        look(*fill, *pen),
+                        data(lines, *closed)
+                    )
+                }
+                Item::Text {
+                    text,
+                    at,
+                    size,
+                    ink,
+                    anchor,
+                    upright,
+                } => {
+                    let (x, y) = *at;
+                    let drop = HALF_CAPITAL * size;
+                    let place = if *upright {
+                        format!(
+                            "transform=\"translate({} {}) rotate(-90)\"",
+                            number(x + drop),
+                            number(y)
+                        )
+                    } else {
+                        format!("x=\"{}\" y=\"{}\"", number(x), number(y + drop))
+                    };
+                    writeln!(
+                        body,
+                        "<text {place} font-size=\"{}\"{}{}>{}</text>",
+                        number(*size),
+                        match anchor {
+                            Anchor::Start => "",
+                            Anchor::Middle => " text-anchor=\"middle\"",
+                            Anchor::End => " text-anchor=\"end\"",
+                        },
+                        look(Some((*ink, 1.0)), None),
+                        escaped(text)
+                    )
+                }
+                Item::Image { image, place } => writeln!(
+                    body,
+                    "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" \
+                     style=\"image-rendering:pixelated\" href=\"data:image/png;base64,{}\"/>",
+                    number(place.left),
+                    number(place.top),
+                    number(place.width),
+                    number(place.height),
+                    STANDARD.encode(png::encoded(image)),
+                ),
+            };
+            debug_assert!(written.is_ok(), "writing to memory does not fail");
+        }
+        let mut defined = String::new();
+        for (index, clip) in clips.iter().enumerate() {
+            defined += &format!(
+                "<clipPath id=\"{name}-{index}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>\n",
+                number(clip.left),
+                number(clip.top),
+                number(clip.width),
+                number(clip.height),
+            );
+        }
+        format!(
+            "<title>{}</title>\n<defs>\n{defined}</defs>\n<g font-family=\"{FAMILIES}\">\n{body}</g>\n",
+            escaped(&self.title)
+        )
+    }
+}
+
+fn hex(ink: Ink) -> String {
+    let [r, g, b] = ink.rgb();
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+/// Attributes for fill and line, and classes by which a page gives them its own colours.
+fn look(fill: Option<(Ink, f64)>, pen: Option<Pen>) -> String {
+    let mut classes = Vec::new();
+    let mut attributes = String::new();
+    match fill {
+        None => attributes += " fill=\"none\"",
+        Some((ink, opacity)) => {
+            classes.push(format!("fill-{}", ink.name()));
+            attributes += &format!(" fill=\"{}\"", hex(ink));
+            if opacity < 1.0 {
+                attributes += &format!(" fill-opacity=\"{}\"", number(opacity));
+            }
+        }
+    }
+    if let Some(pen) = pen {
+        classes.push(format!("stroke-{}", pen.ink.name()));
+        attributes += &format!(
+            " stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"",
+            hex(pen.ink),
+            number(pen.width)
+        );
+        if let Some([dash, gap]) = pen.dash {
+            attributes += &format!(" stroke-dasharray=\"{} {}\"", number(dash), number(gap));
+        }
+    }
+    format!(" class=\"{}\"{attributes}", classes.join(" "))
+}
+
+fn data(lines: &[Vec<(f64, f64)>], closed: bool) -> String {
+    let mut data = String::new();
+    for line in lines {
+        for (i, (x, y)) in line.iter().enumerate() {
+            data.push(if i == 0 { 'M' } else { 'L' });
+            data += &number(*x);
+            data.push(' ');
+            data += &number(*y);
+        }
+        if closed {
+            data.push('Z');
+        }
+    }
+    data
+}
+
+/// A number to a hundredth of a point.
+fn number(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0" } else { text }.to_owned()
+}
+
+fn escaped(text: &str) -> String {
+    // XML has no place for most control characters, escaped or not.
+    let text: String = text
+        .chars()
+        .map(|letter| if letter.is_control() { ' ' } else { letter })
+        .collect();
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+}

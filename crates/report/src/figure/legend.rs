@@ -1,0 +1,63 @@
+//! What colours, strokes and shapes mean.
+
+use super::{
+    Key, Sample,
+    marks::{BAND, pen, shape},
+};
+use crate::draw::{Anchor, Drawing, Ink, text_width};
+
+/// A legend in aligned columns.
+pub(super) struct Legend<'a> {
+    keys: &'a [Key],
+    width: f64,
+    columns: usize,
+}
+
+const SIZE: f64 = 7.5;
+const ROW: f64 = 11.5;
+/// Length of a sample, and of the space up to its name.
+const SAMPLE: f64 = 17.0;
+const NAME: f64 = 21.0;
+/// Between two entries.
+const APART: f64 = 12.0;
+
+impl<'a> Legend<'a> {
+    pub(super) fn of(keys: &'a [Key], room: f64) -> Self {
+        let names = keys.iter().map(|key| text_width(&key.name, SIZE));
+        let width = NAME + names.fold(0.0, f64::max);
+        Self {
+            keys,
+            width: width + APART,
+            columns: (((room + APART) / (width + APART)).floor() as usize)
+                .clamp(1, keys.len().max(1)),
+        }
+    }
+
+    pub(super) fn height(&self) -> f64 {
+        ROW * self.keys.len().div_ceil(self.columns) as f64
+    }
+
+    /// Draws it with its upper left corner there.
+    pub(super) fn draw(&self, on: &mut Drawing, left: f64, top: f64) {
+        for (index, key) in self.keys.iter().enumerate() {
+            let x = left + self.width * (index % self.columns) as f64;
+            let y = top + ROW * (0.5 + (index / self.columns) as f64);
+            let across = [(x, y), (x + SAMPLE, y)];
+            let block = |half: f64| {
+                vec![
+                    (x, y - half),
+                    (x + SAMPLE, y - half),
+                    (x + SAMPLE, y + half),
+                    (x, y + half),
+                ]
+            };
+            match key.sample {
+                Sample::Line(ink, stroke) => on.line(&across, pen(ink, stroke)),
+                Sample::Band(ink) => on.fill(block(3.0), ink, BAND),
+                Sample::Area(ink) => on.fill(block(3.0), ink, 1.0),
+                Sample::Point(ink, of) => shape(on, of, (x + SAMPLE / 2.0, y), ink),
+            }
+            on.text(&key.name, (x + NAME, y), SIZE, Ink::Text, Anchor::Start);
+        }
+    }
+}

@@ -1,0 +1,202 @@
+//! What is drawn in a panel.
+
+use super::{Map, Mark, Shape, Stroke, panel::Place};
+use crate::draw::{
+    Anchor, Box, ColourScale, Drawing, Hue, Image, Ink, Pen, envelope, text_width, thinned,
+};
+
+/// Width of a curve, points.
+const CURVE: f64 = 0.9;
+
+/// How much of what lies below it a band hides.
+pub(super) const BAND: f64 = 0.22;
+
+/// Points closer than this along a curve cannot be told apart.
+const CLOSE: f64 = 0.12;
+
+pub(super) fn pen(ink: Ink, stroke: Stroke) -> Pen {
+    let dash = match stroke {
+        Stroke::Solid => None,
+        Stroke::Dashed => Some([4.0, 2.2]),
+        Stroke::Dotted => Some([1.1, 1.5]),
+    };
+    Pen {
+        dash,
+        ..Pen::new(ink, CURVE)
+    }
+}
+
+/// A single point.
+pub(super) fn shape(on: &mut Drawing, shape: Shape, (x, y): (f64, f64), ink: Ink) {
+    let corners = |count: usize, radius: f64, turn: f64| -> Vec<(f64, f64)> {
+        (0..count)
+            .map(|i| {
+                let angle = turn + std::f64::consts::TAU * i as f64 / count as f64;
+                (x + radius * angle.sin(), y - radius * angle.cos())
+            })
+            .collect()
+    };
+    let half_turn = std::f64::consts::PI;
+    let outline = match shape {
+        Shape::Circle => corners(12, 1.7, 0.0),
+        Shape::Square => corners(4, 2.2, half_turn / 4.0),
+        Shape::Triangle => corners(3, 2.3, 0.0),
+        Shape::Diamond => corners(4, 2.3, 0.0),
+        Shape::Tip => corners(3, 2.3, half_turn),
+    };
+    on.path(
+        vec![outline],
+        true,
+        Some((ink, 1.0)),
+        Some(Pen::new(Ink::Paper, 0.4)),
+    );
+}
+
+/// Draws a mark where it is to be seen.
+pub(super) fn draw(on: &mut Drawing, mark: &Mark, place: &Place) {
+    match mark {
+        Mark::Curve {
+            ink,
+            stroke,
+            points,
+        } => {
+            let pieces = pieces(points, place);
+            let pieces = pieces.into_iter().filter(|piece| piece.len() > 1);
+            on.path(pieces.collect(), false, None, Some(pen(*ink, *stroke)));
+        }
+        Mark::Band { ink, points } => {
+            for piece in points.split(|(shared, low, high)| !(shared + low + high).is_finite()) {
+                band(on, piece, (*ink, BAND), place);
+            }
+        }
+        Mark::Sides { points } => {
+            for (ink, keep) in [
+                (Ink::HighSide, f64::max as fn(f64, f64) -> f64),
+                (Ink::LowSide, f64::min),
+            ] {
+                let area = points
+                    .iter()
+                    .map(|(shared, own)| (*shared, 0.0, keep(*own, 0.0)));
+                for piece in area
+                    .collect::<Vec<_>>()
+                    .split(|(shared, _, own)| !(shared + own).is_finite())
+                {
+                    band(on, piece, (ink, 1.0), place);
+                }
+            }
+        }
+        Mark::Points {
+            ink,
+            shape: of,
+            points,
+        } => {
+            for point in points {
+                let at = place.of(*point);
+                if (at.0 + at.1).is_finite() {
+                    shape(on, *of, at, *ink);
+                }
+            }
+        }
+        Mark::SharedRule { at, label } => rule(on, place.shared_line(*at), label),
+        Mark::OwnRule { at, label } => rule(on, place.own_line(*at), label),
+        Mark::Shade { from, to } => {
+            let [a, b] = place.shared_line(*from);
+            let [d, c] = place.shared_line(*to);
+            on.fill(vec![a, b, c, d], Ink::Settling, 1.0);
+        }
+        Mark::Map(map) => on.image(image(map, place), place.frame),
+    }
+}
+
+/// The curve in pieces of finite points, with no more of them than can be seen.
+fn pieces(points: &[(f64, f64)], place: &Place) -> Vec<Vec<(f64, f64)>> {
+    let on_page: Vec<_> = points.iter().map(|point| place.of(*point)).collect();
+    on_page
+        .split(|(x, y)| !(x + y).is_finite())
+        .map(|piece| thinned(&envelope(piece, CLOSE, place.down)))
+        .collect()
+}
+
+/// The area between two curves.
+fn band(on: &mut Drawing, points: &[(f64, f64, f64)], (ink, opacity): (Ink, f64), place: &Place) {
+    let edge = |own: fn(&(f64, f64, f64)) -> f64| {
+        let points: Vec<_> = points.iter().map(|point| (point.0, own(point))).collect();
+        pieces(&points, place).concat()
+    };
+    let mut outline = edge(|point| point.1);
+    outline.extend(edge(|point| point.2).into_iter().rev());
+    if outline.len() > 3 {
+        on.fill(outline, ink, opacity);
+    }
+}
+
+/// A dashed line with its name, on a ground of paper: it may lie on a map.
+fn rule(on: &mut Drawing, line: [(f64, f64); 2], label: &str) {
+    const SIZE: f64 = 6.5;
+    on.line(&line, Pen::new(Ink::Paper, 1.4));
+    on.line(
+        &line,
+        Pen {
+            dash: Some([2.0, 1.6]),
+            ..Pen::new(Ink::Note, 0.6)
+        },
+    );
+    if label.is_empty() {
+        return;
+    }
+    let width = text_width(label, SIZE);
+    let [(left, y), (right, other)] = line;
+    let (left, y) = if y == other {
+        (right - width - 4.0, y - 6.5)
+    } else {
+        (left + 3.5, y.min(other) + 7.0)
+    };
+    let ground = Box {
+        left: left - 1.5,
+        top: y - 4.0,
+        width: width + 3.0,
+        height: 8.0,
+    };
+    on.fill(ground.corners().to_vec(), Ink::Paper, 0.75);
+    on.text(label, (left, y), SIZE, Ink::Text, Anchor::Start);
+}
+
+/// Colours as pixels: as many as there are values where those are few, and no more than print.
+fn image(map: &Map, place: &Place) -> Image {
+    /// Pixels of a point on the page.
+    const FINE: f64 = 3.0;
+    let Box { width, height, .. } = place.frame;
+    let [columns, rows] = [width, height].map(|points| (points * FINE).ceil().max(1.0) as usize);
+    let scale = ColourScale::new(map.hue);
+    let stretches = map.middles.len();
+    let pixels = (0..rows).flat_map(|row| {
+        let own = place.own_at((row as f64 + 0.5) / rows as f64);
+        let nearest = nearest(&map.middles, own);
+        let scale = &scale;
+        (0..columns).map(move |column| {
+            let shared = place.shared_at((column as f64 + 0.5) / columns as f64);
+            let moment = map.ends.partition_point(|end| *end < shared);
+            let value = map.values.get(moment * stretches + nearest);
+            let value = value.copied().filter(|value| value.is_finite());
+            let part = value.unwrap_or(0.0) / map.largest;
+            scale.at(match map.hue {
+                Hue::Side => 0.5 + 0.5 * part,
+                Hue::Amount => part,
+            })
+        })
+    });
+    Image {
+        columns,
+        pixels: pixels.collect(),
+    }
+}
+
+/// The place of the nearest of some growing values.
+fn nearest(values: &[f64], to: f64) -> usize {
+    let above = values.partition_point(|value| *value < to);
+    let below = above.saturating_sub(1);
+    match values.get(above) {
+        Some(value) if value - to < to - values[below] => above,
+        _ => below,
+    }
+}

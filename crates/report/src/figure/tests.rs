@@ -1,0 +1,200 @@
+//! Figures as they are written.
+
+use super::*;
+
+fn curve(ink: usize, stroke: Stroke) -> Mark {
+    Mark::Curve {
+        ink: Ink::Line(ink),
+        stroke,
+        points: (0..100)
+            .map(|i| (f64::from(i) * 40.0, f64::from(i) - 20.0))
+            .collect(),
+    }
+}
+
+fn figure(direction: Direction, columns: usize) -> Figure {
+    let panel = |label: &str| Panel {
+        axis: Axis {
+            sides: Some(["low side".into(), "high side".into()]),
+            ..Axis::new(label, Range::Zero)
+        },
+        marks: vec![curve(0, Stroke::Dashed), curve(1, Stroke::Solid)],
+        keys: Vec::new(),
+    };
+    let key = |(index, name): (usize, &&str)| Key {
+        name: (*name).into(),
+        sample: Sample::Line(Ink::Line(index), Stroke::Solid),
+    };
+    let names = [
+        "trip out",
+        "trip in",
+        "rotate off bottom",
+        "drill",
+        "slide",
+        "back-ream",
+    ];
+    let labels = [
+        "Effective tension, klbf",
+        "Torque, ft·lbf",
+        "Side force, lbf/ft",
+        "Wear work on the hole, ft·lbf/ft",
+        "Dogleg severity, °/100 ft",
+    ];
+    let down = direction == Direction::Down;
+    let interval = |from, to, cased, label: &str| Interval {
+        from,
+        to,
+        cased,
+        shoe: cased,
+        label: label.into(),
+    };
+    Figure {
+        title: "A <well> & its \"string\"".into(),
+        subtitle: "friction 0.3 ".repeat(40),
+        keys: names.iter().enumerate().map(key).collect(),
+        layout: Layout {
+            direction,
+            columns,
+            width_mm: 180.0,
+            panel_mm: 100.0,
+        },
+        shared: Axis {
+            down,
+            ..Axis::new("Measured depth, ft", Range::Tight)
+        },
+        panels: labels.map(panel).to_vec(),
+        hole: if down {
+            vec![
+                interval(0.0, 3000.0, true, "casing"),
+                interval(3000.0, 3900.0, false, "open hole"),
+            ]
+        } else {
+            Vec::new()
+        },
+    }
+}
+
+/// Left, top, right, bottom of every text, with its own.
+fn boxes(svg: &str) -> Vec<([f64; 4], String)> {
+    let mut boxes = Vec::new();
+    for element in svg.split("<text ").skip(1) {
+        let (tag, rest) = element.split_once('>').unwrap();
+        let value = |key: &str| {
+            let (_, after) = tag.split_once(&format!("{key}=\""))?;
+            Some(after.split_once('"')?.0)
+        };
+        let text = rest.split_once("</text>").unwrap().0.to_owned();
+        if text.is_empty() {
+            continue;
+        }
+        let number = |text: &str| text.parse::<f64>().unwrap();
+        let size = number(value("font-size").unwrap());
+        let width = crate::draw::text_width(&text, size);
+        let rise = 0.72 * size;
+        boxes.push(match value("transform") {
+            Some(transform) => {
+                let (_, place) = transform.split_once("translate(").unwrap();
+                let (place, _) = place.split_once(')').unwrap();
+                let (x, y) = place.split_once(' ').unwrap();
+                let (x, y) = (number(x), number(y));
+                ([x - rise, y - width / 2.0, x, y + width / 2.0], text)
+            }
+            None => {
+                let (x, y) = (number(value("x").unwrap()), number(value(" y").unwrap()));
+                let left = match value("text-anchor") {
+                    Some("middle") => x - width / 2.0,
+                    Some("end") => x - width,
+                    _ => x,
+                };
+                ([left, y - rise, left + width, y], text)
+            }
+        });
+    }
+    boxes
+}
+
+#[test]
+fn no_text_overlaps_another_or_leaves_the_page() {
+    for (direction, columns) in [
+        (Direction::Down, 5),
+        (Direction::Down, 3),
+        (Direction::Across, 1),
+        (Direction::Across, 2),
+    ] {
+        let drawing = figure(direction, columns).drawing();
+        let boxes = boxes(&drawing.svg());
+        assert!(boxes.len() > 30, "{}", boxes.len());
+        let (width, height) = drawing.size();
+        for (index, (a, text)) in boxes.iter().enumerate() {
+            assert!(
+                a[0] >= 0.0 && a[2] <= width && a[1] >= 0.0 && a[3] <= height,
+                "{text} leaves the page"
+            );
+            for (b, other) in &boxes[..index] {
+                let apart = a[0] >= b[2] || b[0] >= a[2] || a[1] >= b[3] || b[1] >= a[3];
+                assert!(apart, "`{text}` overlaps `{other}`");
+            }
+        }
+    }
+}
+
+#[test]
+fn names_are_escaped() {
+    let svg = figure(Direction::Down, 5).drawing().svg();
+    assert!(svg.contains("A &lt;well&gt; &amp; its"), "{svg:.600}");
+}
+
+/// The ends of a line across a panel lie at its frame, whichever way depth points.
+#[test]
+fn depth_points_down() {
+    let svg = |down: bool| {
+        let mut figure = figure(Direction::Across, 1);
+        figure.panels.truncate(1);
+        figure.panels[0].axis = Axis {
+            down,
+            ..Axis::new("Depth, m", Range::Fixed(0.0, 100.0))
+        };
+        figure.drawing().svg()
+    };
+    let height_of = |svg: &str, tick: &str| {
+        let text = boxes(svg).into_iter().find(|(_, text)| text == tick);
+        text.expect("a tick").0[1]
+    };
+    assert!(height_of(&svg(true), "100") > height_of(&svg(true), "0"));
+    assert!(height_of(&svg(false), "100") < height_of(&svg(false), "0"));
+}
+
+#[test]
+fn empty_and_broken_curves_are_drawn() {
+    let mut broken = figure(Direction::Down, 5);
+    if let Mark::Curve { points, .. } = &mut broken.panels[0].marks[0] {
+        points.clear();
+    }
+    let pieces = |figure: &Figure| {
+        let svg = figure.drawing().svg();
+        assert!(svg.ends_with("</svg>\n") && !svg.contains("NaN"));
+        svg.matches('M').count()
+    };
+    let whole = pieces(&broken);
+    if let Mark::Curve { points, .. } = &mut broken.panels[0].marks[1] {
+        points[50].1 = f64::NAN;
+    }
+    // The gap makes two pieces of one.
+    assert_eq!(pieces(&broken), whole + 1);
+    broken.panels.clear();
+    broken.hole.clear();
+    pieces(&broken);
+}
+
+/// What is painted is as large as it is to be printed, and is not blank.
+#[test]
+fn a_picture_of_pixels_has_the_size_that_was_asked_for() {
+    let drawing = figure(Direction::Down, 5).drawing();
+    let bytes = drawing.png(300.0);
+    let pixels = tiny_skia::Pixmap::decode_png(&bytes).expect("a PNG file");
+    // 180 mm at 300 dots per inch.
+    assert_eq!(pixels.width(), 2126);
+    let inked = pixels.pixels().iter().filter(|pixel| pixel.red() < 250);
+    let share = inked.count() as f64 / pixels.pixels().len() as f64;
+    assert!((0.01..0.5).contains(&share), "{share} of it is inked");
+}

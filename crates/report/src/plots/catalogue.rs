@@ -1,0 +1,223 @@
+//! What is drawn of a run: one list for the page and for the files.
+
+use serde::Serialize;
+
+/// A quantity against measured depth.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(crate) struct Track {
+    /// Name of its file.
+    #[serde(skip)]
+    pub(crate) name: &'static str,
+    pub(crate) title: &'static str,
+    pub(crate) dimension: &'static str,
+    /// Column of its table.
+    pub(crate) column: &'static str,
+    /// Columns of the 5th and the 95th percentile.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) band: Option<[&'static str; 2]>,
+    pub(crate) from: Source,
+    /// Whether the axis goes to zero.
+    pub(crate) zero: bool,
+    /// Whether its sign is a side of the hole.
+    pub(crate) sides: bool,
+    /// Whether joints touch and what lies between them does not.
+    pub(crate) touches: bool,
+    /// Whether it swings from joint to joint.
+    pub(crate) swings: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) range: Option<[f64; 2]>,
+}
+
+/// The table that a track is a column of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum Source {
+    Profile,
+    Wear,
+    Well,
+}
+
+const TRACK: Track = Track {
+    name: "",
+    title: "",
+    dimension: "",
+    column: "",
+    band: None,
+    from: Source::Profile,
+    zero: false,
+    sides: false,
+    touches: false,
+    swings: false,
+    range: None,
+};
+
+pub(crate) const TRACKS: &[Track] = &[
+    Track {
+        name: "tension",
+        title: "Effective tension",
+        dimension: "force",
+        column: "tension_N",
+        band: Some(["tension_p05_N", "tension_p95_N"]),
+        zero: true,
+        ..TRACK
+    },
+    Track {
+        name: "torque",
+        title: "Torque",
+        dimension: "torque",
+        column: "torque_N_m",
+        band: Some(["torque_p05_N_m", "torque_p95_N_m"]),
+        ..TRACK
+    },
+    Track {
+        name: "side-force",
+        title: "Side force",
+        dimension: "force per length",
+        column: "side_force_N_per_m",
+        zero: true,
+        sides: true,
+        ..TRACK
+    },
+    Track {
+        name: "contact",
+        title: "In contact",
+        dimension: "percent",
+        column: "contact_fraction",
+        touches: true,
+        range: Some([0.0, 1.04]),
+        ..TRACK
+    },
+    Track {
+        name: "bending-moment",
+        title: "Bending moment",
+        dimension: "torque",
+        column: "bending_moment_N_m",
+        band: Some(["bending_moment_p05_N_m", "bending_moment_p95_N_m"]),
+        swings: true,
+        ..TRACK
+    },
+    Track {
+        name: "wear",
+        title: "Wear work, hole",
+        dimension: "work per length",
+        column: "wear_work_J_per_m",
+        from: Source::Wear,
+        ..TRACK
+    },
+    Track {
+        name: "inclination",
+        title: "Inclination",
+        dimension: "angle",
+        column: "inclination_rad",
+        from: Source::Well,
+        zero: true,
+        ..TRACK
+    },
+    Track {
+        name: "dogleg-severity",
+        title: "Dogleg severity",
+        dimension: "dogleg severity",
+        column: "dogleg_rad_per_m",
+        from: Source::Well,
+        zero: true,
+        ..TRACK
+    },
+];
+
+/// Quantities against time.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(crate) struct TimePlot {
+    /// Name of its file.
+    #[serde(skip)]
+    pub(crate) name: &'static str,
+    pub(crate) title: &'static str,
+    pub(crate) dimension: &'static str,
+    /// Columns of the history, and what each is called.
+    pub(crate) columns: &'static [[&'static str; 2]],
+    /// Column of the soft string's profile whose value at the surface stands beside them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) soft: Option<&'static str>,
+    /// Whether it is single points, on an axis that grows down: depths.
+    pub(crate) points: bool,
+}
+
+const TIME_PLOT: TimePlot = TimePlot {
+    name: "",
+    title: "",
+    dimension: "",
+    columns: &[],
+    soft: None,
+    points: false,
+};
+
+pub(crate) const TIME_PLOTS: &[TimePlot] = &[
+    TimePlot {
+        name: "time-hook-load",
+        title: "Hook load",
+        dimension: "force",
+        columns: &[["hook_load_N", "hook load"]],
+        soft: Some("tension_N"),
+        ..TIME_PLOT
+    },
+    TimePlot {
+        name: "time-torque",
+        title: "Torque",
+        dimension: "torque",
+        columns: &[
+            ["surface_torque_N_m", "surface"],
+            ["friction_torque_N_m", "friction"],
+            ["bit_torque_N_m", "bit"],
+        ],
+        soft: Some("torque_N_m"),
+        ..TIME_PLOT
+    },
+    TimePlot {
+        name: "time-weight-on-bit",
+        title: "Weight on bit",
+        dimension: "force",
+        columns: &[
+            ["weight_on_bit_N", "on bit"],
+            ["weight_on_bit_set_N", "set"],
+        ],
+        ..TIME_PLOT
+    },
+    TimePlot {
+        name: "time-rotary-speed",
+        title: "Rotary speed",
+        dimension: "rotary speed",
+        columns: &[
+            ["rotary_speed_rad_per_s", "top"],
+            ["bit_rotary_speed_rad_per_s", "bit"],
+            ["rotary_speed_set_rad_per_s", "set"],
+        ],
+        ..TIME_PLOT
+    },
+    TimePlot {
+        name: "time-block-velocity",
+        title: "Block velocity, down",
+        dimension: "speed",
+        columns: &[
+            ["block_velocity_m_per_s", "block"],
+            ["block_velocity_set_m_per_s", "set"],
+        ],
+        ..TIME_PLOT
+    },
+    TimePlot {
+        name: "time-axial-friction",
+        title: "Axial friction",
+        dimension: "force",
+        columns: &[["axial_friction_N", "along the string"]],
+        ..TIME_PLOT
+    },
+    TimePlot {
+        name: "time-depths",
+        title: "Neutral point and cut-off depth",
+        dimension: "length",
+        columns: &[
+            ["neutral_point_m", "neutral point"],
+            ["cutoff_depth_m", "cut-off depth"],
+        ],
+        points: true,
+        ..TIME_PLOT
+    },
+];

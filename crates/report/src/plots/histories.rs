@@ -1,0 +1,212 @@
+//! Quantities against time.
+
+use super::{
+    Plot, Run,
+    catalogue::{TIME_PLOTS, TimePlot},
+    shown::Shown,
+};
+use crate::{
+    TimeRun,
+    figure::{
+        Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke,
+    },
+};
+
+/// Each history in a figure of its own, and all in one.
+pub(super) fn plots(
+    runs: &[Run<'_>],
+    operation: &str,
+    shown: Shown<'_>,
+    subtitle: &str,
+    suffix: &str,
+) -> Vec<Plot> {
+    let timed: Vec<(usize, &TimeRun)> = runs
+        .iter()
+        .enumerate()
+        .filter_map(|(place, run)| {
+            let mut timed = run.report.runs.iter();
+            Some((place, timed.find(|timed| timed.operation == operation)?))
+        })
+        .collect();
+    let panels: Vec<(&TimePlot, Panel)> = TIME_PLOTS
+        .iter()
+        .filter_map(|plot| Some((plot, panel(plot, runs, &timed, operation, shown)?)))
+        .collect();
+    if panels.is_empty() {
+        return Vec::new();
+    }
+    let figure = |panels: &[(&TimePlot, Panel)], panel_mm| Figure {
+        title: super::title(runs),
+        subtitle: subtitle.to_owned(),
+        keys: run_keys(runs),
+        layout: Layout {
+            direction: Direction::Across,
+            columns: 1,
+            width_mm: 180.0,
+            panel_mm,
+        },
+        shared: Axis::new("Time, s", Range::Tight),
+        panels: panels.iter().map(|(_, panel)| panel.clone()).collect(),
+        hole: Vec::new(),
+    };
+    let all = Plot {
+        name: format!("time{suffix}"),
+        figure: figure(&panels, 26.0),
+    };
+    let single = panels.iter().map(|panel| Plot {
+        name: format!("{}{suffix}", panel.0.name),
+        figure: figure(std::slice::from_ref(panel), 55.0),
+    });
+    std::iter::once(all).chain(single).collect()
+}
+
+/// Which colour is whose; nothing of one run.
+pub(super) fn run_keys(runs: &[Run<'_>]) -> Vec<Key> {
+    if runs.len() == 1 {
+        return Vec::new();
+    }
+    let keys = runs.iter().enumerate();
+    keys.map(|(index, run)| Key {
+        name: run.name.to_owned(),
+        sample: Sample::Line(Ink::Line(index), Stroke::Solid),
+    })
+    .collect()
+}
+
+/// How a column looks: of one run columns differ by colour, of two by stroke; what was set is dotted.
+fn look(runs: usize, run: usize, place: usize, name: &str) -> (Ink, Stroke) {
+    let is_set = name == "set";
+    match (runs, is_set) {
+        (1, true) => (Ink::Note, Stroke::Dotted),
+        // The second colour is the soft string's.
+        (1, false) => (Ink::Line([0, 2, 3][place.min(2)]), Stroke::Solid),
+        (_, true) => (Ink::Line(run), Stroke::Dotted),
+        (_, false) => {
+            let strokes = [Stroke::Solid, Stroke::Dashed, Stroke::Dotted];
+            (Ink::Line(run), strokes[place.min(2)])
+        }
+    }
+}
+
+fn panel(
+    plot: &TimePlot,
+    runs: &[Run<'_>],
+    timed: &[(usize, &TimeRun)],
+    operation: &str,
+    shown: Shown<'_>,
+) -> Option<Panel> {
+    let mut curves = Vec::new();
+    let mut keys: Vec<Key> = Vec::new();
+    let shapes = [Shape::Circle, Shape::Diamond];
+    for (run, timed) in timed {
+        let times = timed.history.get("time_s")?.values();
+        for (place, [column, name]) in plot.columns.iter().enumerate() {
+            let Some(values) = timed.history.get(*column) else {
+                continue;
+            };
+            let values = shown.values(&values.values(), plot.dimension);
+            let points: Vec<(f64, f64)> = times.iter().copied().zip(values).collect();
+            let (ink, stroke) = look(runs.len(), *run, place, name);
+            let shape = shapes[place.min(1)];
+            let sample_ink = if runs.len() == 1 { ink } else { Ink::Note };
+            let sample = if plot.points {
+                Sample::Point(sample_ink, shape)
+            } else {
+                Sample::Line(sample_ink, stroke)
+            };
+            if !keys.iter().any(|key| key.name == *name) {
+                keys.push(Key {
+                    name: (*name).into(),
+                    sample,
+                });
+            }
+            if plot.points {
+                let [runs, single] = lasting(&points);
+                curves.push(Mark::Curve {
+                    ink,
+                    stroke,
+                    points: runs,
+                });
+                curves.push(Mark::Points {
+                    ink,
+                    shape,
+                    points: single,
+                });
+            } else {
+                curves.push(Mark::Curve {
+                    ink,
+                    stroke,
+                    points,
+                });
+            }
+        }
+    }
+    let moves = |mark: &Mark| match mark {
+        Mark::Curve { points, .. } | Mark::Points { points, .. } => points
+            .iter()
+            .any(|point| point.1 != 0.0 && point.1.is_finite()),
+        _ => false,
+    };
+    if !curves.iter().any(moves) {
+        return None;
+    }
+    if let (Some(column), [run]) = (plot.soft, runs) {
+        let soft = run.report.solved.iter();
+        let mut soft = soft.filter(|of| of.model == "soft" && of.operation == operation);
+        let at_top = soft
+            .next()
+            .and_then(|soft| soft.profile.get(column)?.values().first().copied());
+        if let Some(value) = at_top.filter(|value| value.is_finite()) {
+            let value = shown.value(value, plot.dimension);
+            let end = timed[0].1.history.get("time_s")?.values().last().copied()?;
+            curves.push(Mark::Curve {
+                ink: Ink::Line(1),
+                stroke: Stroke::Dashed,
+                points: vec![(0.0, value), (end, value)],
+            });
+            keys.push(Key {
+                name: "soft string".into(),
+                sample: Sample::Line(Ink::Line(1), Stroke::Dashed),
+            });
+        }
+    }
+    if keys.len() == 1 {
+        keys.clear();
+    }
+    let settling = timed
+        .iter()
+        .map(|(_, run)| run.window_s)
+        .fold(0.0, f64::max);
+    let mut marks = vec![Mark::Shade {
+        from: 0.0,
+        to: settling,
+    }];
+    marks.extend(curves);
+    let title = if plot.points { "Depth" } else { plot.title };
+    Some(Panel {
+        axis: Axis {
+            down: plot.points,
+            ..Axis::new(shown.label(title, plot.dimension), Range::Near)
+        },
+        marks,
+        keys,
+    })
+}
+
+/// The points that last, as a curve with gaps, and those that come and go, few enough not to hide each other.
+fn lasting(points: &[(f64, f64)]) -> [Vec<(f64, f64)>; 2] {
+    /// Samples in a row that make a line.
+    const LASTS: usize = 4;
+    const MOST: usize = 200;
+    let (mut curve, mut single) = (Vec::new(), Vec::new());
+    for piece in points.split(|point| !point.1.is_finite()) {
+        if piece.len() >= LASTS {
+            curve.extend_from_slice(piece);
+            curve.push((f64::NAN, f64::NAN));
+        } else {
+            single.extend_from_slice(piece);
+        }
+    }
+    let step = single.len().div_ceil(MOST).max(1);
+    [curve, single.into_iter().step_by(step).collect()]
+}

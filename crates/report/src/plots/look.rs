@@ -1,0 +1,118 @@
+//! Which colour and stroke a curve has, and what it is called.
+
+use super::Run;
+use crate::{
+    Solved,
+    figure::{Ink, Key, Sample, Stroke},
+};
+
+/// How curves of some operations of one run or two look.
+///
+/// Of one run, operations differ by colour, of two runs the runs do. Models differ by stroke, and by colour too where
+/// nothing else does.
+pub(super) struct Looks<'a> {
+    runs: &'a [Run<'a>],
+    operations: &'a [&'a str],
+    soft: bool,
+    dynamic: bool,
+}
+
+impl<'a> Looks<'a> {
+    pub(super) fn new(runs: &'a [Run<'a>], operations: &'a [&'a str]) -> Self {
+        let has = |model: &str| {
+            runs.iter()
+                .flat_map(|run| &run.report.solved)
+                .any(|of| of.model == model && operations.contains(&of.operation.as_str()))
+        };
+        Self {
+            runs,
+            operations,
+            soft: has("soft"),
+            dynamic: has("dynamic"),
+        }
+    }
+
+    /// What was solved of these operations, with the place of its run.
+    pub(super) fn solved(&self) -> impl Iterator<Item = (usize, &'a Solved)> {
+        let runs = self.runs.iter().enumerate();
+        runs.flat_map(|(place, run)| run.report.solved.iter().map(move |of| (place, of)))
+            .filter(|(_, of)| self.operations.contains(&of.operation.as_str()))
+    }
+
+    /// Whether nothing but the model tells curves apart.
+    fn alone(&self) -> bool {
+        self.runs.len() == 1 && self.operations.len() == 1
+    }
+
+    pub(super) fn of(&self, run: usize, solved: &Solved) -> (Ink, Stroke) {
+        let index = if self.runs.len() > 1 {
+            run
+        } else {
+            let mut operations = self.operations.iter();
+            operations
+                .position(|name| *name == solved.operation)
+                .unwrap_or(0)
+        };
+        match (self.soft && self.dynamic, solved.model.as_str()) {
+            (true, "soft") if self.alone() => (Ink::Line(1), Stroke::Dashed),
+            (true, "soft") => (Ink::Line(index), Stroke::Dashed),
+            _ => (Ink::Line(index), Stroke::Solid),
+        }
+    }
+
+    /// The curve whose sides are filled: that of the only operation, of the better model.
+    pub(super) fn is_first(&self, solved: &Solved) -> bool {
+        self.alone() && (solved.model == "dynamic" || !self.dynamic)
+    }
+
+    /// What colours and strokes mean; nothing where there is one curve alone.
+    pub(super) fn keys(&self) -> Vec<Key> {
+        let line = |name: &str, ink, stroke| Key {
+            name: name.into(),
+            sample: Sample::Line(ink, stroke),
+        };
+        let both = self.soft && self.dynamic;
+        if self.alone() {
+            return if both {
+                vec![
+                    line("dynamics, mean", Ink::Line(0), Stroke::Solid),
+                    line("soft string", Ink::Line(1), Stroke::Dashed),
+                ]
+            } else {
+                Vec::new()
+            };
+        }
+        let names: Vec<String> = if self.runs.len() > 1 {
+            self.runs.iter().map(|run| run.name.to_owned()).collect()
+        } else {
+            self.operations.iter().map(|name| spoken(name)).collect()
+        };
+        let mut keys: Vec<Key> = names
+            .iter()
+            .enumerate()
+            .map(|(index, name)| line(name, Ink::Line(index), Stroke::Solid))
+            .collect();
+        if both {
+            keys.push(line("dynamics, mean", Ink::Note, Stroke::Solid));
+            keys.push(line("soft string", Ink::Note, Stroke::Dashed));
+        }
+        keys
+    }
+
+    /// What a band is.
+    pub(super) fn band_key(&self) -> Key {
+        Key {
+            name: "5–95 % of the time".into(),
+            sample: Sample::Band(if self.alone() {
+                Ink::Line(0)
+            } else {
+                Ink::Note
+            }),
+        }
+    }
+}
+
+/// `trip_out` as people write it.
+pub(crate) fn spoken(operation: &str) -> String {
+    operation.replace('_', " ")
+}

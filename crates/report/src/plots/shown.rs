@@ -1,0 +1,90 @@
+//! Numbers in the reader's units.
+
+use std::collections::BTreeMap;
+
+use crate::{Cell, DisplayUnit, Fact};
+
+/// How the reader sees numbers.
+#[derive(Clone, Copy)]
+pub(crate) struct Shown<'a> {
+    dimensions: &'a BTreeMap<String, [DisplayUnit; 3]>,
+    /// Place of the reader's among the sets of units.
+    set: usize,
+}
+
+/// Sets of units by their place in [`crate::Report::dimensions`].
+pub(crate) const SETS: [&str; 3] = ["si", "metric", "field"];
+
+impl<'a> Shown<'a> {
+    pub(crate) fn new(dimensions: &'a BTreeMap<String, [DisplayUnit; 3]>, units: &str) -> Self {
+        let set = SETS.iter().position(|name| *name == units);
+        Self {
+            dimensions,
+            set: set.unwrap_or(0),
+        }
+    }
+
+    fn unit(&self, dimension: &str) -> Option<&'a DisplayUnit> {
+        Some(&self.dimensions.get(dimension)?[self.set])
+    }
+
+    pub(crate) fn symbol(&self, dimension: &str) -> &'a str {
+        self.unit(dimension).map_or("", |unit| &unit.symbol)
+    }
+
+    pub(crate) fn value(&self, si: f64, dimension: &str) -> f64 {
+        si / self.unit(dimension).map_or(1.0, |unit| unit.factor)
+    }
+
+    /// Values of a column.
+    pub(crate) fn values(&self, si: &[f64], dimension: &str) -> Vec<f64> {
+        si.iter()
+            .map(|value| self.value(*value, dimension))
+            .collect()
+    }
+
+    /// What an axis shows, unit included.
+    pub(crate) fn label(&self, name: &str, dimension: &str) -> String {
+        match self.symbol(dimension) {
+            "" => name.to_owned(),
+            symbol => format!("{name}, {symbol}"),
+        }
+    }
+
+    /// A quantity with its unit, in so many digits as people say it.
+    pub(crate) fn quantity(&self, si: f64, dimension: &str) -> String {
+        let number = plain(self.value(si, dimension));
+        match self.symbol(dimension) {
+            "" => number,
+            symbol => format!("{number} {symbol}"),
+        }
+    }
+
+    /// `bit depth 4305 m`; nothing of a fact that says nothing.
+    pub(crate) fn fact(&self, fact: &Fact) -> Option<String> {
+        let value = match &fact.value {
+            Cell::Quantity {
+                value, dimension, ..
+            } => self.quantity(*value, dimension),
+            Cell::Number(value) => plain(*value),
+            Cell::Text(text) => text.clone(),
+            Cell::Nothing => return None,
+        };
+        Some(format!("{} {value}", fact.label.to_lowercase()))
+    }
+}
+
+/// A number in five digits at most, without zeros at its end.
+fn plain(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return "0".to_owned();
+    }
+    let whole = value.abs().log10().floor() as i32 + 1;
+    let digits = (5 - whole).clamp(0, 8) as usize;
+    let text = format!("{value:.digits$}");
+    let text = match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.'),
+        false => &text,
+    };
+    text.replace('-', "\u{2212}")
+}

@@ -1,0 +1,143 @@
+//! Power spectral densities.
+
+use super::{Plot, Run, histories::run_keys, look::spoken, shown::Shown};
+use crate::{
+    Spectrum,
+    figure::{
+        Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Scale, Stroke,
+    },
+};
+
+/// A figure for each signal; nodes of different depth stand in the same.
+pub(super) fn plots(
+    runs: &[Run<'_>],
+    operation: &str,
+    shown: Shown<'_>,
+    subtitle: &str,
+    suffix: &str,
+) -> Vec<Plot> {
+    let all: Vec<(usize, &Spectrum)> = runs
+        .iter()
+        .enumerate()
+        .flat_map(|(place, run)| run.spectra.iter().map(move |of| (place, of)))
+        .filter(|(_, of)| of.operation == operation)
+        .collect();
+    let mut signals: Vec<(&str, bool)> = Vec::new();
+    for (_, of) in &all {
+        let signal = (of.signal.as_str(), of.md_m.is_some());
+        if !signals.contains(&signal) {
+            signals.push(signal);
+        }
+    }
+    let signals = signals.into_iter();
+    signals
+        .map(|(signal, of_nodes)| {
+            let mine = all
+                .iter()
+                .filter(|(_, of)| of.signal == signal && of.md_m.is_some() == of_nodes);
+            let mine: Vec<&(usize, &Spectrum)> = mine.collect();
+            let node = if of_nodes { "-nodes" } else { "" };
+            Plot {
+                name: format!("spectrum-{}{node}{suffix}", signal.replace('_', "-")),
+                figure: figure(signal, &mine, runs, shown, subtitle),
+            }
+        })
+        .collect()
+}
+
+fn figure(
+    signal: &str,
+    spectra: &[&(usize, &Spectrum)],
+    runs: &[Run<'_>],
+    shown: Shown<'_>,
+    subtitle: &str,
+) -> Figure {
+    let unit = spectra.first().map_or("", |(_, of)| of.unit.as_str());
+    let dimension = dimension(unit, signal);
+    // A density goes with the square of the signal.
+    let factor = dimension.map_or(1.0, |name| shown.value(1.0, name).powi(2));
+    let symbol = dimension.map_or(unit, |name| shown.symbol(name));
+    let squared = match symbol {
+        "" => "1/Hz".to_owned(),
+        simple if simple.chars().all(char::is_alphabetic) => format!("{simple}²/Hz"),
+        other => format!("({other})²/Hz"),
+    };
+    let mut depths: Vec<f64> = spectra.iter().filter_map(|(_, of)| of.md_m).collect();
+    depths.sort_by(f64::total_cmp);
+    depths.dedup();
+    let overlaid = runs.len() > 1;
+    let strokes = [Stroke::Solid, Stroke::Dashed, Stroke::Dotted];
+    let look = |run: usize, md_m: Option<f64>| {
+        let place = md_m.and_then(|md| depths.iter().position(|other| *other == md));
+        let place = place.unwrap_or(0);
+        if overlaid {
+            (Ink::Line(run), strokes[place % strokes.len()])
+        } else {
+            (Ink::Line(place), Stroke::Solid)
+        }
+    };
+    let marks = spectra.iter().map(|(run, of)| {
+        let (ink, stroke) = look(*run, of.md_m);
+        let density = of.density.iter().map(|density| density * factor);
+        // The density at rest is the mean's, which a logarithm has no place for.
+        let points = of.frequency_Hz.iter().copied().zip(density);
+        Mark::Curve {
+            ink,
+            stroke,
+            points: points.filter(|(frequency, _)| *frequency > 0.0).collect(),
+        }
+    });
+    let mut keys = run_keys(runs);
+    if depths.len() > 1 || (overlaid && !depths.is_empty()) {
+        keys.extend(depths.iter().map(|md| {
+            let (ink, stroke) = look(0, Some(*md));
+            Key {
+                name: format!("at {}", shown.quantity(*md, "length")),
+                sample: Sample::Line(if overlaid { Ink::Note } else { ink }, stroke),
+            }
+        }));
+    }
+    let name = spoken(signal);
+    let logarithmic = |label: String, range| Axis {
+        scale: Scale::Logarithmic,
+        ..Axis::new(label, range)
+    };
+    let at = match depths[..] {
+        [md] => format!(" at {}", shown.quantity(md, "length")),
+        _ => String::new(),
+    };
+    Figure {
+        title: super::title(runs),
+        subtitle: subtitle.to_owned(),
+        keys,
+        layout: Layout {
+            direction: Direction::Across,
+            columns: 1,
+            width_mm: 120.0,
+            panel_mm: 70.0,
+        },
+        shared: logarithmic("Frequency, Hz".into(), Range::Tight),
+        panels: vec![Panel {
+            axis: logarithmic(format!("Density of {name}{at}, {squared}"), Range::Near),
+            marks: marks.collect(),
+            keys: Vec::new(),
+        }],
+        hole: Vec::new(),
+    }
+}
+
+/// The dimension of a signal, by its unit and by what it is.
+fn dimension(unit: &str, signal: &str) -> Option<&'static str> {
+    Some(match unit {
+        "N" => "force",
+        "N·m" => "torque",
+        "N/m" => "force per length",
+        "rad/s" => "rotary speed",
+        "rad" => "angle",
+        "m/s" => "lateral speed",
+        "Pa" => "pressure",
+        "m" if signal.starts_with("offset") => "diameter",
+        "m" => "length",
+        _ => return None,
+    })
+}

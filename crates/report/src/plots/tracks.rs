@@ -1,0 +1,257 @@
+//! Quantities against measured depth, which points down.
+
+use super::{
+    Plot, Run,
+    catalogue::{Source, TRACKS, Track},
+    look::Looks,
+    near::{self, JOINT_REACH_M},
+    shown::Shown,
+};
+use crate::{
+    Well,
+    figure::{
+        Axis, Direction, Figure, Ink, Interval, Key, Layout, Mark, Panel, Range, Sample, Stroke,
+    },
+};
+
+/// Where more of the string than this is in view, joints are too many to tell apart, m.
+const FAR_M: f64 = 400.0;
+
+/// Most tracks side by side on a page.
+const IN_A_LINE: usize = 4;
+
+/// All tracks in one figure, then each in one of its own; those with nothing to show are left out.
+pub(super) fn plots(
+    runs: &[Run<'_>],
+    looks: &Looks<'_>,
+    shown: Shown<'_>,
+    subtitle: &str,
+    suffix: &str,
+) -> Vec<Plot> {
+    let tracks: Vec<(&Track, Panel)> = TRACKS
+        .iter()
+        .filter_map(|track| Some((track, panel(track, runs, looks, shown)?)))
+        .collect();
+    let figure = |tracks: &[(&Track, Panel)], columns, width_mm, panel_mm| Figure {
+        title: super::title(runs),
+        subtitle: subtitle.to_owned(),
+        keys: keys(tracks, looks),
+        layout: Layout {
+            direction: Direction::Down,
+            columns,
+            width_mm,
+            panel_mm,
+        },
+        shared: Axis {
+            down: true,
+            ..Axis::new(shown.label("Measured depth", "length"), Range::Tight)
+        },
+        panels: tracks.iter().map(|(_, panel)| panel.clone()).collect(),
+        hole: hole(runs, shown),
+    };
+    if tracks.is_empty() {
+        return Vec::new();
+    }
+    let lines = tracks.len().div_ceil(IN_A_LINE);
+    let columns = tracks.len().div_ceil(lines);
+    let height = if lines > 1 { 92.0 } else { 150.0 };
+    let all = Plot {
+        name: format!("profile{suffix}"),
+        figure: figure(&tracks, columns, 180.0, height),
+    };
+    let single = tracks.iter().map(|track| Plot {
+        name: format!("{}{suffix}", track.0.name),
+        figure: figure(std::slice::from_ref(track), 1, 85.0, 100.0),
+    });
+    std::iter::once(all).chain(single).collect()
+}
+
+/// What the curves, bands and areas of these tracks mean.
+fn keys(tracks: &[(&Track, Panel)], looks: &Looks<'_>) -> Vec<Key> {
+    let marks = || tracks.iter().flat_map(|(_, panel)| &panel.marks);
+    let mut keys = if tracks.iter().all(|(track, _)| track.from == Source::Well) {
+        Vec::new()
+    } else {
+        looks.keys()
+    };
+    if marks().any(|mark| matches!(mark, Mark::Band { .. })) {
+        keys.push(looks.band_key());
+    }
+    if marks().any(|mark| matches!(mark, Mark::Sides { .. })) {
+        for (name, ink) in [
+            ("on the high side", Ink::HighSide),
+            ("on the low side", Ink::LowSide),
+        ] {
+            keys.push(Key {
+                name: name.into(),
+                sample: Sample::Area(ink),
+            });
+        }
+    }
+    keys
+}
+
+fn panel(track: &Track, runs: &[Run<'_>], looks: &Looks<'_>, shown: Shown<'_>) -> Option<Panel> {
+    let marks = match track.from {
+        Source::Well => well_marks(track, runs, shown),
+        _ => solved_marks(track, looks, shown),
+    };
+    if marks.is_empty() {
+        return None;
+    }
+    let range = match track.range {
+        Some([from, to]) => {
+            let end = |si| shown.value(si, track.dimension);
+            Range::Fixed(end(from), end(to))
+        }
+        None if track.zero => Range::Zero,
+        None => Range::Near,
+    };
+    Some(Panel {
+        axis: Axis {
+            sides: track
+                .sides
+                .then(|| ["low side".to_owned(), "high side".to_owned()]),
+            ..Axis::new(shown.label(track.title, track.dimension), range)
+        },
+        marks,
+        keys: Vec::new(),
+    })
+}
+
+/// Points of a column in the reader's units.
+fn points(depths: &[f64], values: &[f64], shown: Shown<'_>, dimension: &str) -> Vec<(f64, f64)> {
+    let depths = shown.values(depths, "length");
+    depths
+        .into_iter()
+        .zip(shown.values(values, dimension))
+        .collect()
+}
+
+fn solved_marks(track: &Track, looks: &Looks<'_>, shown: Shown<'_>) -> Vec<Mark> {
+    let (mut areas, mut bands, mut curves) = (Vec::new(), Vec::new(), Vec::new());
+    for (run, solved) in looks.solved() {
+        let table = match track.from {
+            Source::Wear => &solved.wear,
+            _ => &solved.profile,
+        };
+        let column = |name: &str| table.get(name).map(crate::Packed::values);
+        let (Some(depths), Some(mut values)) = (column("md_m"), column(track.column)) else {
+            continue;
+        };
+        let mut band = track
+            .band
+            .and_then(|[low, high]| Some((column(low)?, column(high)?)));
+        let reach = |far_m: f64| match (depths.first(), depths.last()) {
+            (Some(first), Some(last)) => last - first > far_m,
+            _ => false,
+        };
+        if track.touches {
+            values = near::largest(&depths, &values, JOINT_REACH_M);
+        }
+        if track.swings && reach(FAR_M) {
+            // From afar, what it swings about and how far.
+            values = near::mean(&depths, &values, JOINT_REACH_M);
+            band = band.map(|(low, high)| {
+                (
+                    near::smallest(&depths, &low, JOINT_REACH_M),
+                    near::largest(&depths, &high, JOINT_REACH_M),
+                )
+            });
+        }
+        let (ink, stroke) = looks.of(run, solved);
+        let points = |values: &[f64]| points(&depths, values, shown, track.dimension);
+        if let Some((low, high)) = band {
+            let ends = points(&low).into_iter().zip(points(&high));
+            bands.push(Mark::Band {
+                ink,
+                points: ends.map(|((md, low), (_, high))| (md, low, high)).collect(),
+            });
+        }
+        let points = points(&values);
+        if track.sides && looks.is_first(solved) {
+            areas.push(Mark::Sides {
+                points: points.clone(),
+            });
+        }
+        curves.push(Mark::Curve {
+            ink,
+            stroke,
+            points,
+        });
+    }
+    // Dashed lines over full ones, or those would hide them.
+    curves
+        .sort_by_key(|mark| matches!(mark, Mark::Curve { stroke, .. } if *stroke != Stroke::Solid));
+    [areas, bands, curves].concat()
+}
+
+/// A curve of the path: one alone where all runs are on the same.
+fn well_marks(track: &Track, runs: &[Run<'_>], shown: Shown<'_>) -> Vec<Mark> {
+    let column = |well: &Well| {
+        let values = match track.column {
+            "inclination_rad" => &well.inclination_rad,
+            _ => &well.dogleg_rad_per_m,
+        };
+        points(
+            &well.md_m.values(),
+            &values.values(),
+            shown,
+            track.dimension,
+        )
+    };
+    let mut curves: Vec<Vec<(f64, f64)>> =
+        runs.iter().map(|run| column(&run.report.well)).collect();
+    // A longer run on the same well shows all that a shorter one does.
+    curves.retain(|points| !points.is_empty());
+    let same = runs
+        .iter()
+        .all(|run| run.report.well == runs[0].report.well);
+    if same {
+        curves.truncate(1);
+    }
+    let curves = curves.into_iter().enumerate();
+    curves
+        .map(|(index, points)| Mark::Curve {
+            ink: if same { Ink::Text } else { Ink::Line(index) },
+            stroke: Stroke::Solid,
+            points,
+        })
+        .collect()
+}
+
+/// The hole; nothing where the runs differ in it.
+fn hole(runs: &[Run<'_>], shown: Shown<'_>) -> Vec<Interval> {
+    let sections = &runs[0].report.hole;
+    let alike = |other: &[crate::Section]| {
+        other.len() == sections.len()
+            && other.iter().zip(sections).all(|(a, b)| {
+                (a.kind == b.kind) && (a.to_m, a.diameter_m) == (b.to_m, b.diameter_m)
+            })
+    };
+    if !runs.iter().all(|run| alike(&run.report.hole)) {
+        return Vec::new();
+    }
+    let deepest = |run: &Run<'_>| {
+        run.report
+            .string
+            .last()
+            .map_or(f64::INFINITY, |part| part.to_m)
+    };
+    let bit_m = runs.iter().map(deepest).fold(0.0, f64::max);
+    let sections = sections.iter();
+    sections
+        .map(|section| {
+            let cased = section.kind == "casing";
+            let name = if cased { "casing" } else { "open hole" };
+            let diameter = shown.quantity(section.diameter_m, "diameter");
+            Interval {
+                from: shown.value(section.from_m, "length"),
+                to: shown.value(section.to_m.min(bit_m), "length"),
+                cased,
+                shoe: cased && section.to_m <= bit_m,
+                label: format!("{name}, {diameter}"),
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,213 @@
+//! Pictures and tables of sweeps.
+
+use super::*;
+use crate::figure::{Direction, Figure, Mark, Sample, Scale, Stroke};
+
+const MODELS: [&str; 2] = ["soft", "dynamic"];
+
+/// A sweep of two keys by both models, with a number that tells every case.
+fn sweep(keys: [&str; 2], values: [&[&str]; 2]) -> Sweep {
+    let unit = |symbol: &str, factor| DisplayUnit {
+        symbol: symbol.into(),
+        factor,
+    };
+    let mut rows = Vec::new();
+    for (i, first) in values[0].iter().enumerate() {
+        for (k, second) in values[1].iter().enumerate() {
+            for model in MODELS {
+                let load = 1e5 * (1.0 + i as f64 + 10.0 * k as f64);
+                let mut numbers = BTreeMap::from([
+                    ("bit_depth_m".to_owned(), 300.0 * (k + 1) as f64),
+                    ("hook_load_N".to_owned(), load),
+                ]);
+                if model == "dynamic" {
+                    for (end, value) in [("p05", load - 1e3), ("p95", load + 1e3), ("std", 5e2)] {
+                        numbers.insert(format!("hook_load_N_{end}"), value);
+                    }
+                }
+                rows.push(SweepRow {
+                    values: vec![(*first).to_owned(), (*second).to_owned()],
+                    model: model.into(),
+                    operation: "drill".into(),
+                    status: "complete".into(),
+                    numbers,
+                });
+            }
+        }
+    }
+    Sweep {
+        program: "wholestring".into(),
+        title: "A well".into(),
+        units: "si".into(),
+        dimensions: BTreeMap::from([
+            (
+                "force".into(),
+                [unit("kN", 1e3), unit("t", 9806.65), unit("klbf", 4448.2216)],
+            ),
+            (
+                "length".into(),
+                [unit("m", 1.0), unit("m", 1.0), unit("ft", 0.3048)],
+            ),
+        ]),
+        asked: Vec::new(),
+        keys: keys.map(String::from).to_vec(),
+        rows,
+    }
+}
+
+fn figure(sweep: &Sweep, units: &str) -> Figure {
+    let plots = sweep_plots(sweep, units);
+    let names: Vec<&str> = plots.iter().map(|plot| plot.name.as_str()).collect();
+    // Nothing is drawn of quantities that are not there.
+    assert_eq!(names, ["sweep", "hook-load"]);
+    plots[0].figure.clone()
+}
+
+fn curves(figure: &Figure) -> Vec<(Stroke, Vec<(f64, f64)>)> {
+    let marks = figure.panels[0].marks.iter();
+    marks
+        .filter_map(|mark| match mark {
+            Mark::Curve { stroke, points, .. } => Some((*stroke, points.clone())),
+            _ => None,
+        })
+        .collect()
+}
+
+/// Depth points down, in the reader's units; a curve for each friction, dashed for the soft string, and the band of the
+/// dynamics about its mean.
+#[test]
+fn a_broomstick_has_a_curve_for_each_friction() {
+    let sweep = sweep(
+        ["friction", "bit_depth"],
+        [&["0.1", "0.2", "0.3"], &["300m", "600m"]],
+    );
+    let figure = figure(&sweep, "field");
+    assert_eq!(figure.layout.direction, Direction::Down);
+    assert!(figure.shared.down);
+    assert_eq!(figure.shared.label, "Bit depth, ft");
+    assert_eq!(figure.panels[0].axis.label, "Hook load, klbf");
+    let curves = curves(&figure);
+    assert_eq!(curves.len(), 6);
+    let dashed = curves
+        .iter()
+        .filter(|(stroke, _)| *stroke == Stroke::Dashed);
+    assert_eq!(dashed.count(), 3);
+    // Friction 0.2 at 600 m: 100 kN (1 + 1 + 10).
+    let (depth, load) = curves[2].1[1];
+    assert!((depth - 600.0 / 0.3048).abs() < 1e-9, "{depth} ft");
+    assert!((load - 1.2e6 / 4448.2216).abs() < 1e-9, "{load} klbf");
+    let names: Vec<&str> = figure.keys.iter().map(|key| key.name.as_str()).collect();
+    assert_eq!(
+        names,
+        [
+            "friction 0.1",
+            "friction 0.2",
+            "friction 0.3",
+            "dynamics, mean",
+            "soft string",
+            "5–95 % of the time"
+        ]
+    );
+    let bands = figure.panels[0].marks.iter().filter_map(|mark| match mark {
+        Mark::Band { points, .. } => Some(points),
+        _ => None,
+    });
+    let widths: Vec<f64> = bands
+        .flatten()
+        .filter(|point| point.1.is_finite())
+        .map(|(_, low, high)| high - low)
+        .collect();
+    assert_eq!(widths.len(), 6);
+    assert!(
+        widths
+            .iter()
+            .all(|width| (width - 2e3 / 4448.2216).abs() < 1e-9)
+    );
+}
+
+/// Without depth the key with the most values is the axis: as numbers where they are numbers of one unit.
+#[test]
+fn any_key_can_be_the_axis() {
+    let numbers = sweep(["rpm", "wob"], [&["60", "90"], &["2tf", "4tf", "6tf"]]);
+    let numbers = figure(&numbers, "si");
+    assert_eq!(numbers.layout.direction, Direction::Across);
+    assert_eq!(numbers.shared.label, "Weight on bit, tf");
+    let at: Vec<f64> = curves(&numbers)[0].1.iter().map(|point| point.0).collect();
+    assert_eq!(at, [2.0, 4.0, 6.0]);
+    assert!(matches!(numbers.keys[0].sample, Sample::Line(..)));
+    assert_eq!(numbers.keys[0].name, "rotary speed 60");
+    let words = sweep(
+        ["dynamics.friction_law", "dynamics.seed"],
+        [&["vector", "independent"], &["1"]],
+    );
+    let words = figure(&words, "si");
+    assert_eq!(words.shared.label, "Friction law");
+    assert_eq!(
+        words.shared.scale,
+        Scale::Words(vec!["vector".into(), "independent".into()])
+    );
+}
+
+#[test]
+fn values_are_read_with_their_unit() {
+    use super::figures::split;
+    for (text, expected) in [
+        ("0.2", Some((0.2, ""))),
+        ("1e-3", Some((1e-3, ""))),
+        ("300m", Some((300.0, "m"))),
+        ("-2.5 deg/30m", Some((-2.5, "deg/30m"))),
+        ("vector", None),
+        ("nan", None),
+        ("", None),
+    ] {
+        assert_eq!(split(text), expected, "{text}");
+    }
+}
+
+/// The table has every case, and says which failed.
+#[test]
+fn the_table_has_every_case() {
+    let mut sweep = sweep(["friction", "bit_depth"], [&["0.1", "0.2"], &["300m"]]);
+    let sheet = sweep.sheet();
+    assert_eq!(
+        sheet.heads,
+        ["friction", "bit_depth", "Model", "Operation", "Hook load"]
+    );
+    assert_eq!(sheet.rows.len(), 4);
+    assert_eq!(
+        sheet.rows[1][4],
+        Cell::Quantity {
+            value: 1e5,
+            dimension: "force".into(),
+            std: Some(5e2)
+        }
+    );
+    sweep.rows[0] = SweepRow {
+        values: sweep.rows[0].values.clone(),
+        model: String::new(),
+        operation: String::new(),
+        status: "failed".into(),
+        numbers: BTreeMap::new(),
+    };
+    let sheet = sweep.sheet();
+    assert_eq!(sheet.heads.last().map(String::as_str), Some("Status"));
+    assert_eq!(sheet.rows[0].last(), Some(&Cell::Text("failed".into())));
+}
+
+/// A page holds the figure in every set of units, and no name ends its element.
+#[test]
+fn the_page_of_a_sweep_is_whole() {
+    let nasty = "</template><script>alert(1)</script> & \"x\"";
+    let mut sweep = sweep(
+        ["friction", "bit_depth"],
+        [&["0.1", nasty], &["300m", "600m"]],
+    );
+    sweep.title = nasty.into();
+    let page = crate::sweep_html(&sweep);
+    assert_eq!(page.matches("<svg class=\"figure\"").count(), 3);
+    assert_eq!(page.matches("</template").count(), 3);
+    assert_eq!(page.matches("</script").count(), 2);
+    for label in ["Hook load", "klbf", "kN"] {
+        assert!(page.contains(label), "{label}");
+    }
+}
