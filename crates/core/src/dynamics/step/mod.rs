@@ -250,16 +250,18 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
     let mut losses = Losses::none();
     let (mut strains, mut flight) = (Strains::none(), Flight::none());
     // The last row of elements pulls at the first row of nodes, too: it and the first come before all nodes.
-    let mut last = Pull::none();
-    let mut pulls = [last; 3];
-    let mut both = [(rows - 1, &mut last, strains), (0, &mut pulls[0], strains)];
-    let alone = rows == 1;
-    let both = if alone { &mut both[..1] } else { &mut both[..] };
-    pull::<N>(both, element_blocks, states, input, &mut losses);
-    if alone {
-        pulls[0] = last;
-    }
-    pulls[2] = last;
+    let mut outermost = [Outermost::at(rows - 1), Outermost::at(0)];
+    let different = rows.min(2);
+    pull::<N>(
+        &mut outermost[..different],
+        element_blocks,
+        states,
+        input,
+        &mut losses,
+    );
+    let last = outermost[0].pull;
+    let first = outermost[different - 1].pull;
+    let mut pulls = [first, Pull::none(), last];
     pulls[2].go_on();
 
     for (row, n) in node_blocks.iter_mut().enumerate() {
@@ -323,36 +325,53 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
     }
 }
 
+/// A row of elements at an end of the strands, and what it does.
+struct Outermost<R: Real> {
+    row: usize,
+    pull: Pull<R>,
+    strains: Strains<R>,
+}
+
+impl<R: Real> Outermost<R> {
+    fn at(row: usize) -> Self {
+        Self {
+            row,
+            pull: Pull::none(),
+            strains: Strains::none(),
+        }
+    }
+}
+
 /// Rows of elements from their chords to what they do to their ends, side by side: one does not wait for the other.
 #[inline(always)]
 fn pull<N: Number>(
-    pulled: &mut [(usize, &mut Pull<N::Real>, Strains<N::Real>)],
+    rows: &mut [Outermost<N::Real>],
     element_blocks: &mut [ElementBlock<N::Real>],
     states: &[StateBlock<N::Real>],
     input: &StepInput,
     losses: &mut Losses<N::Real>,
 ) {
     for lane in lanes::<N>() {
-        for (row, _, strains) in pulled.iter_mut() {
+        for Outermost { row, strains, .. } in rows.iter_mut() {
             chord::<N>(strains, &element_blocks[*row], ends(states, *row), lane);
         }
     }
     for lane in lanes::<N>() {
-        for (row, out, strains) in pulled.iter_mut() {
+        for Outermost { row, pull, strains } in rows.iter_mut() {
             let e = &mut element_blocks[*row];
-            twist::<N>(out, strains, e, ends(states, *row), input, losses, lane);
+            twist::<N>(pull, strains, e, ends(states, *row), input, losses, lane);
         }
     }
     for lane in lanes::<N>() {
-        for (row, _, strains) in pulled.iter_mut() {
+        for Outermost { row, strains, .. } in rows.iter_mut() {
             let e = &mut element_blocks[*row];
             strain::<N>(strains, e, ends(states, *row), input, losses, lane);
         }
     }
     for lane in lanes::<N>() {
-        for (row, out, strains) in pulled.iter_mut() {
+        for Outermost { row, pull, strains } in rows.iter_mut() {
             let e = &element_blocks[*row];
-            bend::<N>(out, strains, e, ends(states, *row), lane);
+            bend::<N>(pull, strains, e, ends(states, *row), lane);
         }
     }
 }
