@@ -46,14 +46,20 @@ fn recorded(depth_m: u32) -> Swing {
     }
 }
 
-/// Means over the record's bins of 0.1 s.
+/// Means over the record's bins of 0.1 s; samples are whole steps apart, and bins hold ten or eleven.
 fn binned(series: &TimeSeries, values: &[f64], settle_s: f64) -> Vec<f64> {
-    let from = series.time_s.iter().position(|t| *t >= settle_s).unwrap();
-    let per_bin = (0.1 / (series.time_s[1] - series.time_s[0])).round() as usize;
-    values[from..]
-        .chunks_exact(per_bin)
-        .map(|bin| bin.iter().sum::<f64>() / per_bin as f64)
-        .collect()
+    let mut bins: Vec<(f64, f64)> = Vec::new();
+    for (time_s, value) in series.time_s.iter().zip(values) {
+        if *time_s >= settle_s {
+            let bin = ((time_s - settle_s) / 0.1) as usize;
+            bins.resize(bins.len().max(bin + 1), (0.0, 0.0));
+            bins[bin].0 += value;
+            bins[bin].1 += 1.0;
+        }
+    }
+    // The last one is cut short.
+    bins.pop();
+    bins.iter().map(|(sum, samples)| sum / samples).collect()
 }
 
 /// The delay at which the torque repeats itself best, s; the record's 3.9 s is found so, too.

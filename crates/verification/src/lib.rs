@@ -33,7 +33,9 @@ pub enum Tolerance {
     Relative(f64),
     /// By this much, in the quantity's unit; what an expected zero needs.
     Absolute(f64),
-    /// By anything: a prediction that is reported as it comes.
+    /// Upwards by anything, downwards not at all: a bound, positive.
+    AtLeast,
+    /// By anything: a prediction, or a published number that is missed, reported as it comes.
     Any,
 }
 
@@ -67,6 +69,10 @@ impl Row<'_> {
         match self.tolerance {
             Tolerance::Any if self.computed.is_finite() => 0.0,
             Tolerance::Any => f64::NAN,
+            // An infinite one is a division by zero somewhere, and no proof of anything.
+            Tolerance::AtLeast if self.computed.is_infinite() => f64::NAN,
+            Tolerance::AtLeast if self.computed <= 0.0 => f64::INFINITY,
+            Tolerance::AtLeast => self.expected / self.computed,
             // An error of zero meets a tolerance of zero.
             Tolerance::Relative(_) | Tolerance::Absolute(_) if self.error() == 0.0 => 0.0,
             Tolerance::Relative(most) | Tolerance::Absolute(most) => self.error() / most,
@@ -91,13 +97,14 @@ impl Row<'_> {
     }
 }
 
-/// How far `computed` lies from `expected`: in the unit of the tolerance.
+/// How far `computed` lies from `expected`: in the unit of the tolerance, a part of the expected value where
+/// that has none.
 pub fn error(expected: f64, computed: f64, tolerance: Tolerance) -> f64 {
     let apart = (computed - expected).abs();
     match tolerance {
         Tolerance::Absolute(_) => apart,
-        Tolerance::Relative(_) | Tolerance::Any if apart == 0.0 => 0.0,
-        Tolerance::Relative(_) | Tolerance::Any => apart / expected.abs(),
+        _ if apart == 0.0 => 0.0,
+        Tolerance::Relative(_) | Tolerance::AtLeast | Tolerance::Any => apart / expected.abs(),
     }
 }
 
@@ -206,6 +213,8 @@ mod tests {
             (0.0, 0.1, Tolerance::Absolute(0.1)),
             (3.0, 3.0, Tolerance::Relative(0.0)),
             (0.0, 0.0, Tolerance::Relative(1e-9)),
+            (0.3, 0.3, Tolerance::AtLeast),
+            (0.3, 7.0, Tolerance::AtLeast),
             (1.0, 7.0, Tolerance::Any),
         ] {
             row(expected, computed, tolerance).check();
@@ -221,6 +230,10 @@ mod tests {
             (0.0, -0.11, Tolerance::Absolute(0.1)),
             (1.0, f64::NAN, Tolerance::Relative(1e-3)),
             (1.0, f64::NAN, Tolerance::Any),
+            (0.3, 0.29, Tolerance::AtLeast),
+            (0.3, -7.0, Tolerance::AtLeast),
+            (0.3, f64::INFINITY, Tolerance::AtLeast),
+            (0.3, f64::NAN, Tolerance::AtLeast),
             (f64::INFINITY, 1.0, Tolerance::Relative(1e-3)),
         ] {
             let row = row(expected, computed, tolerance);

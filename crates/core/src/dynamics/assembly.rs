@@ -223,21 +223,22 @@ impl Surroundings {
     }
 
     /// Moves the anchors of nodes that slid beyond their reach, the chords between them, and the nodes' high
-    /// sides.
+    /// sides; whether there were any.
     pub fn follow(
         &self,
         chain: &mut Chain<impl Real>,
         anchors: &mut [Anchor],
         high: &mut [Rows<f64>],
-    ) {
+    ) -> bool {
         // A hundredth shorter: the sum of three products is rounded otherwise.
         if !chain.slid(0.99 * self.reach_m) {
-            return;
+            return false;
         }
-        let mut moved_above = false;
+        let (mut moved_above, mut any) = (false, false);
         for index in 0..chain.nodes() {
             let along = chain.tangent(index).dot(chain.displacement(index));
-            let moved = along.abs() > self.reach_m;
+            // All that will be there soon go at once: looking for them takes longer than moving them.
+            let moved = along.abs() > 0.8 * self.reach_m;
             if moved {
                 let md = anchors[index].md_m + along;
                 self.anchor(chain, anchors, index, md);
@@ -247,7 +248,9 @@ impl Surroundings {
                 span(chain, anchors, index - 1);
             }
             moved_above = moved;
+            any |= moved;
         }
+        any
     }
 }
 

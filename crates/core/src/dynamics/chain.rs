@@ -6,298 +6,23 @@
 //! last element reach for the first node of the next lane. A whole string of thousands of metres fits in the
 //! second-level cache. Positions are displacements from each node's own anchor on the hole's axis.
 
+mod blocks;
+mod numbers;
+mod rows;
+
 use serde::{Deserialize, Serialize};
 
 use super::layout::{Layout, Strands};
 use crate::rod::{
     element::{Pose, Stiffness},
-    lanes::DOUBLES,
     number::Real,
     vector::Vector,
 };
 
-/// One number for each lane.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-#[repr(C, align(64))]
-#[serde(bound = "")]
-pub struct Row<R: Real>(pub R::Lanes);
-
-impl<R: Real> Row<R> {
-    /// The same number in every lane.
-    pub fn filled(value: f64) -> Self {
-        Self(R::from_f64(value).in_every_lane())
-    }
-
-    /// Moves every number one lane up; zero comes in.
-    pub fn go_on(&mut self) {
-        self.0.as_mut().copy_within(..R::LANES - 1, 1);
-        self.0[0] = R::default();
-    }
-
-    /// The part of the row that stands beside a block of doubles: [`Layout`].
-    #[inline(always)]
-    pub fn part(&self, part: usize) -> &[R; DOUBLES] {
-        &self.0.as_ref().as_chunks().0[part]
-    }
-}
-
-/// A vector for each lane.
-pub type Rows<R> = [Row<R>; 3];
-
-/// What takes over the numbers of a lane from rows of another kind of number.
-trait CopyLane<Rows> {
-    fn copy_lane(&mut self, lane: usize, from: &Rows, from_lane: usize);
-}
-
-impl<R: Real, S: Real> CopyLane<Row<S>> for Row<R> {
-    fn copy_lane(&mut self, lane: usize, from: &Row<S>, from_lane: usize) {
-        self.0[lane] = R::from_f64(from.0[from_lane].to_f64());
-    }
-}
-
-impl<R: Real, S: Real> CopyLane<Rows<S>> for Rows<R> {
-    fn copy_lane(&mut self, lane: usize, from: &Rows<S>, from_lane: usize) {
-        for (row, from) in self.iter_mut().zip(from) {
-            row.copy_lane(lane, from, from_lane);
-        }
-    }
-}
-
-/// A block of rows.
-macro_rules! block {
-    (
-        $(#[$meta:meta])*
-        pub struct $name:ident<R> {
-            $($(#[$doc:meta])* pub $field:ident: $rows:ty,)*
-        }
-    ) => {
-        $(#[$meta])*
-        #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-        #[repr(C, align(64))]
-        #[serde(bound = "")]
-        pub struct $name<R: Real> {
-            $($(#[$doc])* pub $field: $rows,)*
-        }
-
-        impl<R: Real, S: Real> CopyLane<$name<S>> for $name<R> {
-            fn copy_lane(&mut self, lane: usize, from: &$name<S>, from_lane: usize) {
-                $(self.$field.copy_lane(lane, &from.$field, from_lane);)*
-            }
-        }
-    };
-}
-
-/// Clearance of a node that no wall is near, m.
-pub const NO_WALL_M: f64 = 1e3;
-
-block! {
-    /// A row of nodes: how they move.
-    pub struct StateBlock<R> {
-        /// Displacement from the anchor, m.
-        pub u: Rows<R>,
-        /// Velocity, m/s, half a step behind the displacement.
-        pub v: Rows<R>,
-        /// Director.
-        pub d: Rows<R>,
-        /// Angular velocity across the director, rad/s.
-        pub w: Rows<R>,
-        /// Spin about the director, rad/s.
-        pub spin: Row<R>,
-    }
-}
-
-impl<R: Real> StateBlock<R> {
-    fn at_rest() -> Self {
-        let (zero, one) = (Row::filled(0.0), Row::filled(1.0));
-        Self {
-            u: [zero; 3],
-            v: [zero; 3],
-            d: [zero, zero, one],
-            w: [zero; 3],
-            spin: zero,
-        }
-    }
-
-    fn rows(&self) -> impl Iterator<Item = &Row<R>> {
-        let Self { u, v, d, w, spin } = self;
-        u.iter()
-            .chain(v)
-            .chain(d)
-            .chain(w)
-            .chain(std::iter::once(spin))
-    }
-
-    fn rows_mut(&mut self) -> impl Iterator<Item = &mut Row<R>> {
-        let Self { u, v, d, w, spin } = self;
-        u.iter_mut()
-            .chain(v)
-            .chain(d)
-            .chain(w)
-            .chain(std::iter::once(spin))
-    }
-}
-
-block! {
-    /// A row of nodes: what they are, then what is summed up between samples.
-    pub struct NodeBlock<R> {
-        /// Tangent of the hole's axis at the anchor.
-        pub tangent: Rows<R>,
-        /// Curvature vector of the hole's axis at the anchor, 1/m.
-        pub curvature: Rows<R>,
-        /// Buoyed weight, N.
-        pub weight: Rows<R>,
-        /// Inertia along the hole, kg: steel.
-        pub mass_axial: Row<R>,
-        /// Inertia across the hole, kg: steel, mud inside and mud carried along outside.
-        pub mass_lateral: Row<R>,
-        /// Moment of inertia about the director, kg·m².
-        pub polar: Row<R>,
-        /// Inverse of `mass_axial`; zero where the motion is prescribed.
-        pub inv_mass_axial: Row<R>,
-        /// Inverse of `mass_lateral`; zero where the motion is prescribed.
-        pub inv_mass_lateral: Row<R>,
-        /// Inverse of `polar`; zero where the spin is prescribed.
-        pub inv_polar: Row<R>,
-        /// Inverse of the moment of inertia across the director; zero where it may not turn.
-        pub inv_rotary: Row<R>,
-        /// `polar` over the moment of inertia across the director.
-        pub gyroscopic: Row<R>,
-        /// Clearance `R − r` between pipe and hole at the anchor, m.
-        pub clearance: Row<R>,
-        /// What the clearance gains per metre below the anchor.
-        pub clearance_slope: Row<R>,
-        /// Contact radius `r`, m.
-        pub radius: Row<R>,
-        /// Kinetic friction coefficient.
-        pub friction: Row<R>,
-        /// What the friction coefficient gains at rest.
-        pub friction_rise: Row<R>,
-        /// Friction around the hole over friction along it.
-        pub friction_around: Row<R>,
-        /// Contact stiffness, N/m or N/m^1.5.
-        pub stiffness: Row<R>,
-        /// Contact damping of the linear law, N·s/m.
-        pub damping: Row<R>,
-        /// Linear lateral drag, N·s/m.
-        pub drag_linear: Row<R>,
-        /// Quadratic lateral drag, N·s²/m².
-        pub drag_quadratic: Row<R>,
-        /// Viscous drag of the mud along the hole, N·s/m.
-        pub mud_axial: Row<R>,
-        /// Viscous drag of the mud about the axis, N·m·s.
-        pub mud_spin: Row<R>,
-        /// Sum over steps of the contact force, N.
-        pub sum_normal: Row<R>,
-        /// Sum over steps of the axial friction on the wall, N, along the hole.
-        pub sum_axial: Row<R>,
-        /// Sum over steps of the friction torque, N·m.
-        pub sum_torque: Row<R>,
-        /// Work that friction has done, J: force times sliding distance.
-        pub sum_wear: Row<R>,
-    }
-}
-
-block! {
-    /// A row of elements; element `i` lies between nodes `i` and `i + 1`.
-    pub struct ElementBlock<R> {
-        /// Twist, rad.
-        pub twist: Row<R>,
-        /// Chord between the anchors of the two ends, m.
-        pub chord: Rows<R>,
-        /// Square of that chord less the square of the rest length, m².
-        pub excess: Row<R>,
-        /// Stiffness, in the order of [`Stiffness`].
-        pub length: Row<R>,
-        /// `1/L`.
-        pub inverse_length: Row<R>,
-        /// `EA/L`.
-        pub axial: Row<R>,
-        /// `A₀ EI/L`.
-        pub bending_near: Row<R>,
-        /// `B₀ EI/L`.
-        pub bending_far: Row<R>,
-        /// `a L`.
-        pub bow_near: Row<R>,
-        /// `b L`.
-        pub bow_far: Row<R>,
-        /// `GJ/L`.
-        pub torsion: Row<R>,
-        /// `EI/L`.
-        pub bending: Row<R>,
-        /// Effective tension at the last step, N.
-        pub tension: Row<R>,
-        /// Torque `M` at the last step, N·m: negative while the top leads the bit.
-        pub torque: Row<R>,
-    }
-}
-
-impl<R: Real> NodeBlock<R> {
-    /// Clears what is summed up between samples.
-    pub fn clear_sums(&mut self) {
-        let zero = Row::filled(0.0);
-        (self.sum_normal, self.sum_axial) = (zero, zero);
-        (self.sum_torque, self.sum_wear) = (zero, zero);
-    }
-
-    /// Nodes that fill the last lane: no force moves them, they move nothing and have no energy. Real nodes begin as
-    /// these.
-    fn idle() -> Self {
-        let row = Row::filled;
-        let (zero, one) = (row(0.0), row(1.0));
-        Self {
-            tangent: [zero, zero, one],
-            curvature: [zero; 3],
-            weight: [zero; 3],
-            mass_axial: zero,
-            mass_lateral: zero,
-            polar: zero,
-            inv_mass_axial: zero,
-            inv_mass_lateral: zero,
-            inv_polar: zero,
-            inv_rotary: zero,
-            gyroscopic: zero,
-            clearance: row(NO_WALL_M),
-            clearance_slope: zero,
-            radius: zero,
-            friction: zero,
-            friction_rise: zero,
-            friction_around: one,
-            stiffness: zero,
-            damping: zero,
-            drag_linear: zero,
-            drag_quadratic: zero,
-            mud_axial: zero,
-            mud_spin: zero,
-            sum_normal: zero,
-            sum_axial: zero,
-            sum_torque: zero,
-            sum_wear: zero,
-        }
-    }
-}
-
-impl<R: Real> ElementBlock<R> {
-    fn idle() -> Self {
-        let row = Row::filled;
-        let (zero, one) = (row(0.0), row(1.0));
-        Self {
-            twist: zero,
-            chord: [zero, zero, one],
-            excess: zero,
-            length: one,
-            inverse_length: one,
-            axial: zero,
-            bending_near: zero,
-            bending_far: zero,
-            bow_near: zero,
-            bow_far: zero,
-            torsion: zero,
-            bending: zero,
-            tension: zero,
-            torque: zero,
-        }
-    }
-}
+pub use blocks::{ElementBlock, NO_WALL_M, NodeBlock, StateBlock};
+pub(crate) use numbers::{element, node, number};
+use rows::CopyLane;
+pub use rows::{Row, Rows};
 
 /// The whole chain.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -315,44 +40,6 @@ pub struct Chain<R: Real = f64> {
     /// Elements, as many rows as nodes have.
     pub element_blocks: Vec<ElementBlock<R>>,
 }
-
-/// One number of a node by the name of its field: `node!(chain, index, radius)` reads it,
-/// `node!(chain, index, radius = r)` and `+=` write it.
-macro_rules! node {
-    ($chain:expr, $index:expr, spin $($write:tt)*) => {
-        $crate::dynamics::chain::number!($chain, $index, states, spin $($write)*)
-    };
-    ($chain:expr, $index:expr, $field:ident $($write:tt)*) => {
-        $crate::dynamics::chain::number!($chain, $index, node_blocks, $field $($write)*)
-    };
-}
-
-/// One number of an element by the name of its field, read and written like that of a [`node!`].
-macro_rules! element {
-    ($chain:expr, $index:expr, $field:ident $($write:tt)*) => {
-        $crate::dynamics::chain::number!($chain, $index, element_blocks, $field $($write)*)
-    };
-}
-
-/// One number of a row: read, or written with an assignment.
-macro_rules! number {
-    ($chain:expr, $index:expr, $blocks:ident, $field:ident) => {{
-        let (row, lane) = $chain.place($index);
-        $crate::rod::number::Real::to_f64($chain.$blocks[row].$field.0[lane])
-    }};
-    ($chain:expr, $index:expr, $blocks:ident, $field:ident = $value:expr) => {{
-        let value: f64 = $value;
-        let (row, lane) = $chain.place($index);
-        $chain.$blocks[row].$field.0[lane] = $crate::rod::number::Real::from_f64(value);
-    }};
-    ($chain:expr, $index:expr, $blocks:ident, $field:ident $assign:tt $value:expr) => {{
-        let value: f64 = $value;
-        let mut number: f64 = $crate::dynamics::chain::number!($chain, $index, $blocks, $field);
-        number $assign value;
-        $crate::dynamics::chain::number!($chain, $index, $blocks, $field = number);
-    }};
-}
-pub(crate) use {element, node, number};
 
 macro_rules! vector_access {
     ($($get:ident, $set:ident, $blocks:ident, $field:ident, $what:literal;)*) => {$(
@@ -430,20 +117,10 @@ impl<R: Real> Chain<R> {
         }
     }
 
-    /// How the lower ends of a row of elements move. The last lane ends in itself. After a step the row that closes
-    /// the states is that of the step's beginning.
-    pub fn ends(&self, row: usize) -> StateBlock<R> {
-        let rows = self.node_blocks.len();
-        if row + 1 < rows {
-            return self.states[row + 1];
-        }
-        let (mut ends, last) = (self.states[0], &self.states[rows - 1]);
-        for (row, last) in ends.rows_mut().zip(last.rows()) {
-            let end = R::LANES - 1;
-            row.0.as_mut().copy_within(1.., 0);
-            row.0[end] = last.0[end];
-        }
-        ends
+    /// How the lower ends of a row of elements move, if the states were closed since: after a step the row that
+    /// [closes](Self::close) them is that of the step's beginning.
+    pub fn ends(&self, row: usize) -> &StateBlock<R> {
+        &self.states[row + 1]
     }
 
     /// Whether a node has slid further along the hole than `reach_m` from its anchor.
@@ -459,6 +136,24 @@ impl<R: Real> Chain<R> {
             }
         }
         slid
+    }
+
+    /// Effective tension of each element at the last step, from the top down, N.
+    pub fn tensions_N(&self) -> impl Iterator<Item = f64> {
+        let along = |lane| {
+            let blocks = self.element_blocks.iter();
+            blocks.map(move |block: &ElementBlock<R>| block.tension.0[lane].to_f64())
+        };
+        (0..R::LANES).flat_map(along).take(self.elements())
+    }
+
+    /// Work that friction has done at each node since the last sample, from the top down, J.
+    pub fn wear_J(&self) -> impl Iterator<Item = f64> {
+        let along = |lane| {
+            let blocks = self.node_blocks.iter();
+            blocks.map(move |block: &NodeBlock<R>| block.sum_wear.0[lane].to_f64())
+        };
+        (0..R::LANES).flat_map(along).take(self.nodes)
     }
 
     /// Number of nodes.
@@ -486,11 +181,9 @@ impl<R: Real> Chain<R> {
     pub fn set_stiffness(&mut self, index: usize, k: &Stiffness<f64>) {
         self.lengths_m[index] = k.length;
         element!(self, index, length = k.length);
-        element!(self, index, inverse_length = k.inverse_length);
         element!(self, index, axial = k.axial);
-        element!(self, index, bending_near = k.bending_near);
         element!(self, index, bending_far = k.bending_far);
-        element!(self, index, bow_near = k.bow_near);
+        element!(self, index, half_bow_near = k.half_bow_near);
         element!(self, index, bow_far = k.bow_far);
         element!(self, index, torsion = k.twist);
         element!(self, index, bending = k.bending);
@@ -500,11 +193,9 @@ impl<R: Real> Chain<R> {
     pub fn stiffness(&self, index: usize) -> Stiffness<f64> {
         Stiffness {
             length: element!(self, index, length),
-            inverse_length: element!(self, index, inverse_length),
             axial: element!(self, index, axial),
-            bending_near: element!(self, index, bending_near),
             bending_far: element!(self, index, bending_far),
-            bow_near: element!(self, index, bow_near),
+            half_bow_near: element!(self, index, half_bow_near),
             bow_far: element!(self, index, bow_far),
             twist: element!(self, index, torsion),
             bending: element!(self, index, bending),

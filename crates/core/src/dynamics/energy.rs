@@ -182,10 +182,19 @@ impl Ledger {
         sum.hoist_work_J += work.hoist;
         sum.bit_work_J += work.bit;
         sum.bend_work_J += work.body;
-        sum.friction_loss_J += losses.friction;
         sum.contact_loss_J += losses.contact;
         sum.mud_loss_J += losses.mud;
         sum.damping_loss_J += losses.damping;
+    }
+
+    /// Books what friction took, J.
+    pub fn book_friction(&mut self, taken: f64) {
+        self.booked.friction_loss_J += taken;
+    }
+
+    /// Books what mass-proportional damping took, J.
+    pub fn book_calming(&mut self, taken: f64) {
+        self.booked.mud_loss_J += taken;
     }
 
     /// The balance and its residual over the largest of work, losses, change of energy and kinetic energy; none where a

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::{
-    assembly::Surroundings,
+    assembly::{Anchor, Surroundings},
     chain::{Chain, node},
     energy::StepWork,
     frame::{self, Frame},
@@ -12,7 +12,7 @@ use super::{
     schedule::{HoistNow, HoistSetPoint},
     settings::{DynamicsSettings, HoistControl, Start},
     setup::Basis,
-    step::{Abilities, StepInput, Stepper},
+    step::{Abilities, Calming, StepInput, Stepper},
     summary,
     viscous::Viscous,
 };
@@ -20,7 +20,7 @@ use crate::{
     model::{Model, MudColumn},
     operation::Operation,
     rod::{
-        mesh::{Mesh, MeshNode},
+        mesh::{Mesh, MeshElement, MeshNode},
         number::Real,
         stability::StepPlan,
     },
@@ -41,7 +41,7 @@ use state::State;
 /// Extra damping of the first seconds of a prepared start, relative to the rigid motion, 1/s.
 const FADING_DAMPING_PER_S: f64 = 4.0;
 
-/// Steps after which anchors follow their nodes: at 3.2 m elements some 10 ms.
+/// Steps after which anchors follow their nodes and mass-proportional damping acts: at 3.2 m elements some 10 ms.
 const FOLLOW_STEPS: u64 = 16;
 
 /// Steps after which directors are squared up.
@@ -170,13 +170,16 @@ impl<R: Real> Run<R> {
                 if self.state.steps.is_multiple_of(FOLLOW_STEPS) {
                     // Nothing follows a node to where no number is.
                     self.check_numbers()?;
+                    self.calm(FOLLOW_STEPS);
                     self.follow();
                 }
                 if self.state.steps.is_multiple_of(SQUARE_UP_STEPS) {
                     self.chain.square_up();
                 }
             }
-            self.check_numbers()?;
+            if !self.state.steps.is_multiple_of(FOLLOW_STEPS) {
+                self.check_numbers()?;
+            }
             self.sample();
         }
         Ok(())
@@ -185,8 +188,12 @@ impl<R: Real> Run<R> {
     /// Takes the hole and the mud along to where the nodes have slid.
     fn follow(&mut self) {
         let (chain, anchors) = (&mut self.chain, &mut self.state.anchors);
-        self.surroundings
-            .follow(chain, anchors, &mut self.state.high);
+        if self
+            .surroundings
+            .follow(chain, anchors, &mut self.state.high)
+        {
+            self.state.squeezed_m = squeezed_m(&self.mesh, self.mud, anchors);
+        }
         if let Some(mud) = &mut self.state.viscous {
             mud.update(chain, anchors, &self.surroundings, self.plan.dt_s);
         }
@@ -197,7 +204,7 @@ impl<R: Real> Run<R> {
         let dt = self.plan.dt_s;
         let ramp = self.settings.start_ramp(time);
         let rotation = ramp * self.follow_schedule(time);
-        let input = self.step_input(time, rotation);
+        let input = self.step_input();
         self.state.top_drive.prescribe(&mut self.chain, rotation);
         let last = self.chain.nodes() - 1;
         let top_before = self.chain.velocity(0).dot(self.chain.tangent(0));
@@ -286,19 +293,34 @@ impl<R: Real> Run<R> {
         chain.set_director(0, along);
     }
 
-    fn step_input(&self, time: f64, rotation: f64) -> StepInput {
+    /// Calms the string by what mass-proportional damping takes in `steps`.
+    fn calm(&mut self, steps: u64) {
+        let time = self.time_s();
         let fading = match self.settings.start {
             Start::Prepared if time < self.state.fading_s => {
                 FADING_DAMPING_PER_S * (1.0 - time / self.state.fading_s).powi(2)
             }
             _ => 0.0,
         };
+        let rate_per_s = self.settings.damping.mass_per_s + fading;
+        if rate_per_s == 0.0 {
+            return;
+        }
+        let rotation =
+            self.settings.start_ramp(time) * self.state.set_points.rotary_speed_rad_per_s(time);
+        let calming = Calming {
+            left: (-rate_per_s * steps as f64 * self.plan.dt_s).exp(),
+            rigid_velocity: self.state.rigid_velocity_m_per_s,
+            rigid_spin: self.state.top_drive.rigid_spin(&self.chain, rotation),
+        };
+        let taken = self.stepper.calm(&mut self.chain, &calming);
+        self.state.ledger.book_calming(taken);
+    }
+
+    fn step_input(&self) -> StepInput {
         StepInput {
             dt: self.plan.dt_s,
             stiffness_damping: self.settings.damping.stiffness_s,
-            mass_damping: self.settings.damping.mass_per_s + fading,
-            rigid_velocity: self.state.rigid_velocity_m_per_s,
-            rigid_spin: self.state.top_drive.rigid_spin(&self.chain, rotation),
             dissipation: self.settings.contact_law.dissipation_s_per_m(),
             stribeck_speed: self.settings.stribeck_speed_m_per_s,
         }
@@ -345,6 +367,15 @@ impl<R: Real> Run<R> {
             instructions: self.stepper.instructions,
         })
     }
+}
+
+/// What the pressure of mud at rest shortens a string with these anchors against the unloaded one, m.
+fn squeezed_m(mesh: &Mesh, mud: MudColumn, anchors: &[Anchor]) -> f64 {
+    let squeeze = |(i, e): (usize, &MeshElement)| {
+        let tvd = 0.5 * (anchors[i].position_m.z + anchors[i + 1].position_m.z);
+        e.length_m * e.section.pressure_strain_per_Pa * mud.pressure_Pa(tvd)
+    };
+    mesh.elements.iter().enumerate().map(squeeze).sum()
 }
 
 #[cfg(test)]

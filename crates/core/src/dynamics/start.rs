@@ -11,7 +11,7 @@ use super::{
     body::Body,
     chain::{Chain, NO_WALL_M, element, node},
     settings::{DynamicsSettings, FrictionLaw, Start},
-    step::{StepInput, Stepper},
+    step::{Calming, StepInput, Stepper},
     viscous::Viscous,
 };
 use crate::{
@@ -25,6 +25,9 @@ use crate::{
 /// Lateral settling of a prepared start, s, and its damping, 1/s: near critical for a joint's span.
 pub const SETTLING_S: f64 = 2.0;
 const SETTLING_DAMPING_PER_S: f64 = 15.0;
+
+/// Steps after which that damping acts.
+const CALM_STEPS: usize = 4;
 
 /// Side force at which the string is laid halfway to the wall, N/m: where less presses it there, it
 /// hangs nearer to the axis.
@@ -73,6 +76,8 @@ pub struct Scene<'a> {
     pub stepper: &'a Stepper,
     /// The step, and the rigid motion that the string is to have.
     pub input: &'a StepInput,
+    /// Axial velocity of the whole string, m/s.
+    pub velocity_m_per_s: f64,
 }
 
 /// What `operation` is at time zero by the motion of the string, and whether it is at rest.
@@ -145,7 +150,7 @@ pub fn lay(
         string.set_motion(0.0, operation.rotation_rad_per_s());
         string.settle(scene.stepper, scene.input, operation);
         string.stretch_in_place();
-        string.set_motion(scene.input.rigid_velocity, operation.rotation_rad_per_s());
+        string.set_motion(scene.velocity_m_per_s, operation.rotation_rad_per_s());
         for index in 0..mesh.elements.len() {
             element!(
                 string.chain,
@@ -376,11 +381,10 @@ impl Laying<'_> {
 
     /// Lets the string find its place across the hole, axial motion and spin held.
     fn settle(&mut self, stepper: &Stepper, input: &StepInput, operation: &Operation) {
-        let input = StepInput {
-            mass_damping: SETTLING_DAMPING_PER_S,
+        let calming = Calming {
+            left: (-SETTLING_DAMPING_PER_S * CALM_STEPS as f64 * input.dt).exp(),
             rigid_velocity: 0.0,
             rigid_spin: operation.rotation_rad_per_s(),
-            ..*input
         };
         assembly::hold(&mut self.chain);
         if !operation.kind.rotates() {
@@ -401,9 +405,12 @@ impl Laying<'_> {
         let steps = (SETTLING_S / input.dt).ceil() as usize;
         for step in 0..steps {
             let grown = (step + 1) as f64 / (GROWING * steps as f64);
-            self.body.push(&mut self.chain, &input, grown.min(1.0));
-            stepper.step(&mut self.chain, &input);
+            self.body.push(&mut self.chain, input, grown.min(1.0));
+            stepper.step(&mut self.chain, input);
             self.body.follow(&mut self.chain, input.dt);
+            if step % CALM_STEPS == 0 {
+                stepper.calm(&mut self.chain, &calming);
+            }
         }
         assembly::release(&mut self.chain);
         for i in 0..self.mesh.nodes.len() {

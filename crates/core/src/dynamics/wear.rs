@@ -1,9 +1,6 @@
 //! Where friction works: along the string and along the hole.
 
-use super::{
-    carry::LONGEST_REACH_M,
-    chain::{Chain, node},
-};
+use super::{carry::LONGEST_REACH_M, chain::Chain};
 use crate::rod::number::Real;
 
 /// Length of hole that one number of the profile stands for, m.
@@ -45,17 +42,20 @@ impl Wear {
         self.bit_md_m = bit_md_m;
     }
 
-    /// Takes up what the chain has summed since its last sample, before that is cleared. `md_m` gives the
-    /// measured depth of a node.
-    pub fn sample(&mut self, chain: &Chain<impl Real>, md_m: impl Fn(usize) -> f64) {
-        for (index, work) in self.string_J.iter_mut().enumerate() {
-            *work += node!(chain, index, sum_wear);
+    /// Takes up what the chain has summed since its last sample, before that is cleared; all of it, J. `md_m` gives
+    /// the measured depth of a node.
+    pub fn sample(&mut self, chain: &Chain<impl Real>, md_m: impl Fn(usize) -> f64) -> f64 {
+        let mut all = 0.0;
+        for (work, rubbed) in self.string_J.iter_mut().zip(chain.wear_J()) {
+            *work += rubbed;
+            all += rubbed;
         }
         let bit_md_m = md_m(self.string_J.len() - 1);
         if (bit_md_m - self.bit_md_m).abs() >= HOLE_STEP_M {
             self.lay(md_m);
             self.bit_md_m = bit_md_m;
         }
+        all
     }
 
     /// Work of friction at a node, J.
@@ -115,6 +115,7 @@ impl Wear {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::chain::node;
 
     /// Nothing is lost wherever the string goes, and a string that works evenly while it moves works evenly on
     /// the hole: 40 nodes of 4 J each, 3.2 m apart, over 30 m.

@@ -18,28 +18,21 @@ const SLACK: f64 = 1e-3;
 /// point: its tension reaches zero at the bit, but does not pass it. Nor has a string that lies
 /// slack in a horizontal hole: tensions below a thousandth of the largest one are passed over.
 pub fn neutral_point_m(md_m: &[f64], tension_N: &[f64]) -> Option<f64> {
-    let count = md_m.len().min(tension_N.len());
     let largest_N = tension_N
         .iter()
         .fold(0.0_f64, |largest, tension| largest.max(tension.abs()));
-    neutral_point_among(
-        count,
-        largest_N,
-        |index| md_m[index],
-        |index| tension_N[index],
-    )
+    let tensions_N = tension_N.iter().copied().take(md_m.len());
+    neutral_point_among(tensions_N, largest_N, |index| md_m[index])
 }
 
 /// [`neutral_point_m`] of a profile that is read place by place and whose largest magnitude is known.
 pub(crate) fn neutral_point_among(
-    count: usize,
+    tension_N: impl Iterator<Item = f64>,
     largest_N: f64,
     md_m: impl Fn(usize) -> f64,
-    tension_N: impl Fn(usize) -> f64,
 ) -> Option<f64> {
     let mut previous: Option<(usize, f64)> = None;
-    for index in 0..count {
-        let tension = tension_N(index);
+    for (index, tension) in tension_N.enumerate() {
         if tension.abs() <= SLACK * largest_N {
             continue;
         }

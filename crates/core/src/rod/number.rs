@@ -15,6 +15,8 @@ use super::wide::x86;
 pub trait Real: Number<Real = Self> + Default + PartialOrd + Debug + Send + Sync + 'static {
     /// How many of them are in a row of nodes or elements.
     const LANES: usize;
+    /// Whether the difference of two lengths of metres keeps the digits of a strain.
+    const FINE: bool;
     /// So many of them.
     type Lanes: IndexMut<usize, Output = Self>
         + AsRef<[Self]>
@@ -46,6 +48,7 @@ pub trait Real: Number<Real = Self> + Default + PartialOrd + Debug + Send + Sync
 
 impl Real for f64 {
     const LANES: usize = DOUBLES;
+    const FINE: bool = true;
     type Lanes = [Self; DOUBLES];
     type Fused = Fused<f64>;
     #[cfg(target_arch = "x86_64")]
@@ -70,6 +73,7 @@ impl Real for f64 {
 
 impl Real for f32 {
     const LANES: usize = SINGLES;
+    const FINE: bool = false;
     type Lanes = [Self; SINGLES];
     type Fused = Fused<f32>;
     #[cfg(target_arch = "x86_64")]

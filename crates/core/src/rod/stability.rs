@@ -4,7 +4,7 @@ use super::{element::Stiffness, mesh::Mesh};
 
 /// Part of the stability limit that is used: the rest is for what the elements' own frequencies do
 /// not know (tension, large rotation).
-pub(crate) const SAFETY: f64 = 0.98;
+pub(crate) const SAFETY: f64 = 0.99;
 
 /// Largest part of the string's axial mass that short elements may be lent in sum.
 const MOST_ADDED_MASS: f64 = 0.003;
@@ -127,7 +127,7 @@ fn lend(k: &Stiffness<f64>, bare: &ElementInertia, limit: f64) -> Option<Element
     let axial_kg = bare.axial_kg.max(4.0 * k.axial / square);
     let lateral_kg = bare.lateral_kg.max(axial_kg);
     // Both ends turned alike against a turning chord, and against one another.
-    let shear = 2.0 * (k.bending_near + k.bending_far);
+    let shear = 2.0 * (k.bending_near() + k.bending_far);
     let budget = square / shear - 4.0 * over_length * over_length / lateral_kg;
     if budget <= 0.0 {
         return None;
@@ -135,7 +135,7 @@ fn lend(k: &Stiffness<f64>, bare: &ElementInertia, limit: f64) -> Option<Element
     let rotary_kg_m2 = bare
         .rotary_kg_m2
         .max(0.5 / budget)
-        .max((k.bending_near - k.bending_far) / square);
+        .max((k.bending_near() - k.bending_far) / square);
     Some(ElementInertia {
         axial_kg,
         lateral_kg,

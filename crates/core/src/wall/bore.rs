@@ -6,8 +6,8 @@ use crate::well::{Hole, HoleSection, Path, PathPoint, Relief, Roughness};
 const SLOPE: f64 = 0.01;
 
 /// Longest way over which a smooth wall is known well enough from one of its points, m. The path is then
-/// known to the third order in it: for a dogleg that changes by 3 deg/30 m within 30 m, to 1e-10 m.
-const REACH_M: f64 = 0.02;
+/// known to the third order in it: for a dogleg that changes by 3 deg/30 m within 30 m, to 2e-9 m.
+const REACH_M: f64 = 0.05;
 
 /// Part of a wave that may be lost on the way from one point to the next. It sets the ways over which a
 /// rough wall is known from one of its points: the radius to second order, `(k z)²/2` of a wave; the axis to third,

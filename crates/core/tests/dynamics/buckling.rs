@@ -9,12 +9,12 @@ use wholestring::{
 };
 
 use crate::{
-    common::{assert_close, operation, path, verification},
+    common::{Row, Tolerance, operation, path, report, report_worst, verification},
     wells::{Case, each, go, model, section},
 };
 
-/// One row of C01.
-struct Row {
+/// The string of one of C01's cases.
+struct Pushed {
     case: Case,
     /// Dawson and Paslay's `2 √(EI w sin i/r)`, N.
     critical_N: f64,
@@ -25,7 +25,7 @@ struct Row {
 }
 
 /// The row of 5 in pipe in an 8-1/2 in hole at an inclination, frictionless, `waves` wavelengths long.
-fn row(inclination_deg: f64, waves: f64) -> Row {
+fn row(inclination_deg: f64, waves: f64) -> Pushed {
     let file = verification("C01_straight_hole_critical_loads.json");
     let rows = file["cases"].as_array().expect("a list of cases");
     let row = rows
@@ -75,7 +75,7 @@ fn row(inclination_deg: f64, waves: f64) -> Row {
         rate_of_penetration_m_per_s: 1e-9,
         ..operation(OperationKind::Slide, length_m)
     };
-    Row {
+    Pushed {
         case: Case::new(model, slide),
         critical_N: expected("F_sin_DawsonPaslay_N"),
         wavelength_m,
@@ -97,7 +97,7 @@ struct Shape {
 
 /// The shape under `load` times the critical load at the lower end, `seconds` after the start. `ends` wavelengths at either
 /// end are left out.
-fn shape(row: &Row, load: f64, seconds: f64, ends: f64) -> Shape {
+fn shape(row: &Pushed, load: f64, seconds: f64, ends: f64) -> Shape {
     let mut case = row.case.clone();
     let length_m = case.operation.bit_depth_m;
     let pushed_N = load * row.critical_N;
@@ -112,13 +112,17 @@ fn shape(row: &Row, load: f64, seconds: f64, ends: f64) -> Shape {
     let outcome = simulation.outcome();
     let nodes = &outcome.nodes;
     let near = ends * row.wavelength_m;
-    let lying: Vec<(f64, f64)> = nodes
+    let inner = nodes
         .md_m
         .iter()
         .zip(&nodes.climb_rad)
-        .filter(|(md, _)| **md > near && **md < length_m - near)
+        .filter(|(md, _)| **md > near && **md < length_m - near);
+    let lying: Vec<(f64, f64)> = inner
+        .clone()
         .filter_map(|(md, climb)| climb.map(|climb| (*md, climb)))
         .collect();
+    // What touches nothing has no angle, and would pass for straight.
+    assert_eq!(lying.len(), inner.count(), "it lies on the wall");
     let crossings: Vec<f64> = lying
         .windows(2)
         .filter(|pair| pair[0].1 * pair[1].1 < 0.0)
@@ -163,7 +167,8 @@ const ENDS: f64 = 4.0;
 const STRAIGHT_RAD: f64 = 2e-5;
 
 /// At 0.9 of Dawson and Paslay's load the string lies straight on the low side, at 1.25 it snakes, with waves as long as
-/// the critical one (5 %: a whole number of them, and shorter ones under more load).
+/// the critical one within 10 %: the wave that grows fastest is shorter by `1/√1.25`, that of the least energy 1 % longer,
+/// and one wave more or less between the held ends is 6 %.
 ///
 /// The load stands at the bit. In a hole of 60 degrees it falls by 120 N per metre upwards, so that the lower 316 m,
 /// 12 waves, are above the critical load when the bit is at 1.25 of it; at 0.9 no part is.
@@ -176,13 +181,51 @@ fn straight_below_the_critical_load_and_buckled_above() {
     });
     for ((inclination, load), (shape, wavelength_m)) in cases.iter().zip(&shapes) {
         assert!((shape.load / load - 1.0).abs() < 1e-3, "{shape:?}");
+        let at = format!("hole of {inclination}° at {load} of the load");
         if *load < 1.0 {
-            assert!(shape.largest_rad < STRAIGHT_RAD, "{inclination}: {shape:?}");
+            report(&straight(&format!("{at}: largest angle, rad"), shape));
         } else {
-            assert!(shape.largest_rad > 0.3, "{inclination}: {shape:?}");
-            let waves = shape.wavelength_m / wavelength_m;
-            assert!((waves - 1.0).abs() < 0.1, "{inclination}: {shape:?}");
+            report(&Row {
+                case: "C01",
+                quantity: &format!("{at}: largest angle, rad"),
+                expected: 0.3,
+                computed: shape.largest_rad,
+                tolerance: Tolerance::AtLeast,
+                reason: "buckled: half of the 0.61 rad of an endless snake under that load",
+            });
+            report(&Row {
+                case: "C01",
+                quantity: &format!("{at}: length of a wave, m"),
+                expected: *wavelength_m,
+                computed: shape.wavelength_m,
+                tolerance: Tolerance::Relative(0.1),
+                reason: "the fastest-growing wave is shorter by 1/√1.25, and one wave more or less is 6 %",
+            });
         }
+    }
+}
+
+/// The row of a string that has not buckled.
+fn straight<'a>(quantity: &'a str, shape: &Shape) -> Row<'a> {
+    Row {
+        case: "C01",
+        quantity,
+        expected: 0.0,
+        computed: shape.largest_rad,
+        tolerance: Tolerance::Absolute(STRAIGHT_RAD),
+        reason: "the seeded disturbance of a micrometre, which must not have grown",
+    }
+}
+
+/// The row of a string that has.
+fn snaking<'a>(quantity: &'a str, shape: &Shape) -> Row<'a> {
+    Row {
+        case: "C01",
+        quantity,
+        expected: 0.1,
+        computed: shape.largest_rad,
+        tolerance: Tolerance::AtLeast,
+        reason: "an endless snake has 0.17 rad at 1.02 of the load, and more above",
     }
 }
 
@@ -199,19 +242,25 @@ fn the_onset_and_the_amplitude_of_snaking() {
         .iter()
         .zip(each(&loads, |load| shape(&row, *load, 20.0, ENDS)))
     {
+        let at = format!("hole of 90° at {load} of the load");
         if *load <= 1.0 {
-            assert!(shape.largest_rad < STRAIGHT_RAD, "{load}: {shape:?}");
+            report(&straight(&format!("{at}: largest angle, rad"), &shape));
         } else {
-            let expected = amplitude_rad(*load);
-            let found = std::f64::consts::SQRT_2 * shape.spread_rad;
-            assert_close("amplitude", found, expected, 0.02);
+            report(&Row {
+                case: "C01",
+                quantity: &format!("{at}: amplitude of the snake, rad"),
+                expected: amplitude_rad(*load),
+                computed: std::f64::consts::SQRT_2 * shape.spread_rad,
+                tolerance: Tolerance::Relative(0.02),
+                reason: "the source's, for more than ten waves; right to the fourth power of the amplitude",
+            });
         }
     }
 }
 
 /// The effect of length and mesh: strings of 12, 24 and 48 waves and elements of 1.6 and 3.2 m buckle between 0.99 and
-/// 1.02 of the load; with the load at the bit of a 60 degree hole, four waves have to be above the critical load before the
-/// string snakes four waves up.
+/// 1.02 of the load. In a hole of 60 degrees two and a half waves are above the critical load with 1.05 of it at the bit, which
+/// leaves the string straight, and five with 1.10, which buckles it.
 #[test]
 #[ignore = "minutes: run by cargo xtask verify"]
 fn the_onset_hardly_depends_on_length_and_mesh() {
@@ -223,28 +272,37 @@ fn the_onset_hardly_depends_on_length_and_mesh() {
             }
         }
     }
-    for ((waves, element_m, load), shape) in
-        cases.iter().zip(each(&cases, |(waves, element_m, load)| {
-            let mut row = row(90.0, *waves);
-            row.case.settings.element_length_m = *element_m;
-            shape(&row, *load, 30.0, ENDS)
-        }))
-    {
-        let snakes = shape.largest_rad > 0.1;
-        assert_eq!(
-            snakes,
-            *load > 1.0,
-            "{waves} waves, {element_m} m: {shape:?}"
-        );
-    }
+    let shapes = each(&cases, |(waves, element_m, load)| {
+        let mut row = row(90.0, *waves);
+        row.case.settings.element_length_m = *element_m;
+        shape(&row, *load, 30.0, ENDS)
+    });
+    let below = cases.iter().zip(&shapes).filter(|(case, _)| case.2 < 1.0);
+    report_worst(below.map(|(_, shape)| {
+        straight(
+            "12 to 48 waves at 0.99 of the load: largest angle, rad",
+            shape,
+        )
+    }));
+    let above = cases.iter().zip(&shapes).filter(|(case, _)| case.2 > 1.0);
+    report_worst(above.map(|(_, shape)| {
+        snaking(
+            "12 to 48 waves at 1.02 of the load: largest angle, rad",
+            shape,
+        )
+    }));
     let row = row(60.0, 24.0);
     let loads = [1.02, 1.05, 1.1, 1.15, 1.25];
     for (load, shape) in loads
         .iter()
         .zip(each(&loads, |load| shape(&row, *load, 30.0, 0.5)))
     {
-        if *load >= 1.15 {
-            assert!(shape.largest_rad > 0.1, "{load}: {shape:?}");
+        let quantity =
+            format!("hole of 60° at {load} of the load with 24 waves: largest angle, rad");
+        if *load <= 1.05 {
+            report(&straight(&quantity, &shape));
+        } else {
+            report(&snaking(&quantity, &shape));
         }
     }
 }

@@ -10,7 +10,7 @@ use wholestring::{
 };
 
 use crate::{
-    common::{operation, path},
+    common::{Row, Tolerance, operation, path, report},
     wells::{Case, go, line, model, moderate, section, tool},
 };
 
@@ -100,14 +100,29 @@ fn an_undamped_string_keeps_its_energy() {
     );
     let worst = change.iter().fold(0.0f64, |w, c| w.max(c.abs())) / peak;
     let drift = line(&time, &change).0 * 60.0 / peak;
-    assert!(
-        worst < 1e-4,
-        "energy moves by {worst:.2e} of the peak kinetic energy {peak} J"
-    );
-    assert!(
-        drift.abs() < 1e-6,
-        "energy drifts by {drift:.2e} of it in 60 s"
-    );
+    for (what, computed, within, reason) in [
+        (
+            "change of energy over the largest kinetic one",
+            worst,
+            1e-4,
+            "the leapfrog's own energy, which differs by (ω dt)² and swings with the motion",
+        ),
+        (
+            "drift of energy over the largest kinetic one in 60 s",
+            drift,
+            1e-6,
+            "a damping of 1e-6 1/s would show; what swings does not add up",
+        ),
+    ] {
+        report(&Row {
+            case: "energy",
+            quantity: &format!("undamped string: {what}"),
+            expected: 0.0,
+            computed,
+            tolerance: Tolerance::Absolute(within),
+            reason,
+        });
+    }
 }
 
 /// A string that starts centred and cold is set turning, reams 18 m down, falls on its wall, bounces and rubs: over 60 s from
@@ -132,7 +147,14 @@ fn what_comes_in_goes_out() {
     go(&mut simulation, 60.0);
     let outcome = simulation.outcome();
     let e = outcome.numerics.energy.expect("the window has begun");
-    assert!(outcome.numerics.energy_residual.abs() < 5e-5, "{e:?}");
+    report(&Row {
+        case: "energy",
+        quantity: "reaming string: residual of the balance over 60 s over the work",
+        expected: 0.0,
+        computed: outcome.numerics.energy_residual,
+        tolerance: Tolerance::Absolute(5e-5),
+        reason: "hoist and bit act after the drag of their step: first order in it; 1 % is asked for",
+    });
     let residual = e.work_J() - e.loss_J() - e.change_J();
     assert_eq!(e.residual_J, residual);
 
@@ -142,15 +164,31 @@ fn what_comes_in_goes_out() {
     let sum = |of: &dyn Fn(usize) -> f64| dt * (1..t.time_s.len()).map(of).sum::<f64>();
     let spin = |i: usize| case.operation.rotary_speed_rad_per_s * (t.time_s[i] - 0.5 * dt).min(1.0);
     let speed = |i: usize| t.block_velocity_m_per_s[i];
-    let close = |what: &str, found: f64, expected: f64, tolerance: f64| {
-        crate::common::assert_close(what, found, expected, tolerance);
+    let close = |what: &str, computed: f64, expected: f64, within: f64, reason: &str| {
+        report(&Row {
+            case: "energy",
+            quantity: &format!("reaming string: {what}, J"),
+            expected,
+            computed,
+            tolerance: Tolerance::Relative(within),
+            reason,
+        });
     };
     let hoist = sum(&|i| -t.hook_load_N[i] * speed(i));
-    close("hoist", e.hoist_work_J, hoist, 1e-3);
+    let line = "what the line stores and loses, 4 kJ in 7 MJ";
+    close("work of the hoist", e.hoist_work_J, hoist, 1e-3, line);
     let drive = sum(&|i| t.surface_torque_N_m[i] * spin(i));
-    close("top drive", e.top_drive_work_J, drive, 2e-4);
+    let samples = "samples against steps in the second of the start";
+    close(
+        "work of the top drive",
+        e.top_drive_work_J,
+        drive,
+        2e-4,
+        samples,
+    );
     let friction = sum(&|i| t.friction_torque_N_m[i] * spin(i) - t.axial_friction_N[i] * speed(i));
-    close("friction", e.friction_loss_J, friction, 0.01);
+    let moves = "in the first seconds the string does not yet move as its top does";
+    close("loss by friction", e.friction_loss_J, friction, 0.01, moves);
 
     let string = &case.model.string;
     let (first, last) = (t.bit_depth_m[0], t.bit_depth_m[t.bit_depth_m.len() - 1]);
@@ -166,7 +204,14 @@ fn what_comes_in_goes_out() {
             cell_m * weight * (tvd(first - from_bit_m) - tvd(last - from_bit_m))
         })
         .sum();
-    close("gravity", e.gravity_change_J, gained, 2e-3);
+    let fall = "the fall on the wall left out: 0.04 m of 18";
+    close(
+        "change of potential energy",
+        e.gravity_change_J,
+        gained,
+        2e-3,
+        fall,
+    );
     // What has no independent estimate has its sign.
     assert!(e.contact_loss_J > 0.0 && e.mud_loss_J > 0.0 && e.damping_loss_J > 0.0);
     // The bit is off bottom; what holds it to the axis takes part in the fall.

@@ -90,8 +90,7 @@ fn with_friction_it_is_found_and_holds() {
 /// Nothing to tune for, a weight that the string does not have, and somebody who asks to stop.
 #[test]
 fn what_cannot_be_tuned_says_so() {
-    let mut case = drilling(0.0);
-    (case.settings.settle_s, case.settings.duration_s) = (0.0, 0.2);
+    let case = drilling(0.0);
     let off = operation(OperationKind::RotateOffBottom, LENGTH_M);
     let tuned = |operation: &Operation, goes_on: bool| {
         tune_lift(&case.model, operation, &case.settings, |_, _| goes_on).map(|(lift, _)| lift)

@@ -3,7 +3,7 @@
 use serde_json::Value;
 use wholestring::wall::contact::{contact_modulus_Pa, hertz, hertz_stiffness, linear};
 
-use crate::common::{Row, Tolerance, assert_close, report, verification};
+use crate::common::{Row, Tolerance, assert_close, report, report_worst, verification};
 
 fn number(value: &Value) -> f64 {
     value.as_f64().expect("a number")
@@ -38,27 +38,35 @@ fn hertz_constants_of_pipe_and_hole() {
                 reason: "digits of the source",
             });
         }
-        for point in row["table"].as_array().expect("a table") {
+        let table = row["table"].as_array().expect("a table");
+        for (what, unit, key, law) in [
+            ("force at its penetration", "N", "N", (k, 1.5)),
+            ("slope of the force", "N/m", "tangent_N_m", (1.5 * k, 0.5)),
+        ] {
+            let quantity = format!("{}: {what}, {unit}", name.replace(',', ""));
+            report_worst(table.iter().map(|point| Row {
+                case: "F01",
+                quantity: &quantity,
+                expected: number(&point[key]),
+                computed: law.0 * number(&point["alpha_m"]).powf(law.1),
+                tolerance: Tolerance::Relative(1e-6),
+                reason: "digits of the source",
+            }));
+        }
+        for point in table {
             let force = number(&point["N"]);
             let alpha = number(&point["alpha_m"]);
-            assert_close(name, k * alpha.powf(1.5), force, 1e-6);
-            assert_close(
-                name,
-                1.5 * k * alpha.sqrt(),
-                number(&point["tangent_N_m"]),
-                1e-6,
-            );
             // At rest under that force: the step would end deeper by what the force takes away. The
-            // force is that of the law's end of the step, to the solution's 1e-6.
+            // force is that of the law's end of the step, to the fit's 3e-6.
             for inertia in [150.0 / 3e-7, 30.0 / 1e-8, 1e12] {
                 let found = hertz(alpha + force / inertia, 0.0, k, 0.5, 1.0 / inertia);
-                assert_close(name, found, force, 2e-6);
+                assert_close(name, found, force, 3e-6);
             }
         }
     }
 }
 
-/// The law's cubic, solved by bisection, over all stiffnesses: 1e-6 below `r = 60`, as its documentation
+/// The law's cubic, solved by bisection, over all stiffnesses: 3e-6 below `r = 60`, as its documentation
 /// says; beyond, where all of the force is the penetration's, between zero and that.
 #[test]
 fn hertz_is_within_its_stated_error() {
@@ -83,7 +91,7 @@ fn hertz_is_within_its_stated_error() {
             worst = worst.max(error)
         }
     }
-    assert!(worst < 1e-6, "{worst:e}");
+    assert!(worst < 3e-6, "{worst:e}");
 }
 
 /// What a blow gave.
@@ -112,8 +120,8 @@ fn blow(m: f64, speed: f64, k: f64, dissipation: f64, dt: f64, phase: f64) -> Bl
             contact_s += dt;
         }
         let after = energy(x, v);
-        // The force is right to 1e-6, and so is what it takes.
-        let rounding = 1e-6 * force * dt * speed;
+        // The force is right to 3e-6, and so is what it takes.
+        let rounding = 3e-6 * force * dt * speed;
         assert!(
             after <= before * (1.0 + 1e-12) + rounding,
             "energy grew: {before} {after}"
@@ -244,7 +252,16 @@ fn at_the_default_step_a_blow_hardly_rebounds() {
                 .sum::<f64>()
                 / f64::from(PHASES);
             let exact = implicit_restitution(m, v, k, d, dt);
-            assert!((found - exact).abs() < 1e-4, "{found} {exact}");
+            report(&Row {
+                case: "E06",
+                quantity: &format!(
+                    "restitution at the step of a string: 120 kg at {v} m/s with a dissipation of {d} s/m"
+                ),
+                expected: exact,
+                computed: found,
+                tolerance: Tolerance::Absolute(5e-6),
+                reason: "the error of the force, 3e-6, in the few steps of a blow; expected is the implicit law by bisection",
+            });
             assert!(found < 0.55);
         }
     }

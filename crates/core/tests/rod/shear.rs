@@ -1,7 +1,7 @@
 //! D04's large load: the rod against the equations of rods that shear, shot from one end.
 
 use crate::{
-    common::{assert_close, verification},
+    common::{Row, Tolerance, assert_close, report, verification},
     plane::{Plane, order, section},
 };
 
@@ -126,17 +126,51 @@ fn a_deep_cantilever_bends_far_by_bending_and_shear() {
         let [across, along, _] = plane.at(parts);
         [-along, across]
     });
-    for (i, apart) in [1.18e-3, 3.6e-4].into_iter().enumerate() {
+    for (i, what) in ["shortening", "deflection"].into_iter().enumerate() {
         let value = |which: &str| large[which][i].as_f64().expect("a number");
-        assert_close("oracle", reissner[1][i], value("oracle"), 1e-8);
-        assert_close("published", reissner[1][i], value("published"), 1e-6);
         let gaps = answers.map(|answer| answer[i] - own[1][i]);
         assert!((order(gaps[1], gaps[2]) - 2.0).abs() < 0.05, "{gaps:?}");
         let second = |coarse: usize| (4.0 * answers[coarse + 1][i] - answers[coarse][i]) / 3.0;
         let limit = (16.0 * second(1) - second(0)) / 15.0;
-        println!("D04 large {i}: {:.1e}", limit / own[1][i] - 1.0);
-        assert_close("the rod", limit, own[1][i], 1e-6);
-        let off = (limit / value("oracle") - 1.0).abs();
-        assert!((off / apart - 1.0).abs() < 0.02, "{off:e}");
+        let digits = "the digits of the source";
+        for (whose, expected, computed, tolerance, reason) in [
+            (
+                "of Simo and Reissner's rod",
+                value("oracle"),
+                reissner[1][i],
+                Tolerance::Relative(1e-8),
+                "the steps of either's shooting, 2e-9",
+            ),
+            (
+                "of Simo and Reissner's rod as published",
+                value("published"),
+                reissner[1][i],
+                Tolerance::Relative(1e-6),
+                digits,
+            ),
+            (
+                "of the engine's rod by its own equations",
+                own[1][i],
+                limit,
+                Tolerance::Relative(1e-6),
+                "the source's; extrapolated from 16, 32 and 64 elements",
+            ),
+            (
+                "of the engine's rod for Simo and Reissner's",
+                value("oracle"),
+                limit,
+                Tolerance::Any,
+                "missed: its tension is along the axis, and its bending loses the cos² of the shear angle",
+            ),
+        ] {
+            report(&Row {
+                case: "D04",
+                quantity: &format!("{what} under the large load {whose}, m"),
+                expected,
+                computed,
+                tolerance,
+                reason,
+            });
+        }
     }
 }

@@ -276,9 +276,9 @@ fn a_rough_wall_is_known_less_far_ahead() {
         r.shortest_m = 1.0;
     });
     assert!((bent - expected).abs() < 1e-12);
-    assert_eq!(reach(|r| r.shortest_m = 20.0), 0.02);
+    assert_eq!(reach(|r| (r.shortest_m, r.longest_m) = (30.0, 60.0)), 0.05);
     let smooth = |r: &mut Roughness| (r.radius_rms_m, r.tortuosity_rms_m) = (0.0, 0.0);
-    assert_eq!(reach(smooth), 0.02);
+    assert_eq!(reach(smooth), 0.05);
 }
 
 #[test]

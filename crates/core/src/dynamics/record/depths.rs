@@ -6,11 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::Record;
 use crate::rod::number::Real;
 use crate::{
-    dynamics::{
-        assembly::Anchor,
-        carry,
-        chain::{Chain, element},
-    },
+    dynamics::{assembly::Anchor, carry, chain::Chain},
     outcome,
     rod::mesh::Mesh,
     well::Path,
@@ -53,9 +49,7 @@ pub fn neutral_point_m(
         let along = |i: usize| chain.displacement(i).dot(chain.tangent(i));
         0.5 * (anchors[i].md_m + along(i) + anchors[i + 1].md_m + along(i + 1))
     };
-    outcome::neutral_point_among(chain.elements(), largest_N, md_m, |i| {
-        element!(chain, i, tension)
-    })
+    outcome::neutral_point_among(chain.tensions_N(), largest_N, md_m)
 }
 
 impl Record {

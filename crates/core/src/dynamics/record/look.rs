@@ -23,6 +23,10 @@ pub struct Look {
     pub tension: Lane,
     /// Torque of the element below, N·m, in the sign of the chain.
     pub torque: Lane,
+    /// Twist of the element below, rad, in the sign of the chain.
+    pub twist: Lane,
+    /// What its tension lengthens the element below, m.
+    pub longer: Lane,
     /// Bending moment, N·m.
     pub bending: Lane,
     /// Von Mises stress of the weakest body around, Pa.
@@ -53,13 +57,15 @@ struct Stretch<'a, R> {
     u2: [&'a [R; DOUBLES]; 3],
     d2: [&'a [R; DOUBLES]; 3],
     chord: [&'a [R; DOUBLES]; 3],
-    inverse_length: &'a [R; DOUBLES],
+    length: &'a [R; DOUBLES],
     tension: &'a [R; DOUBLES],
     torque: &'a [R; DOUBLES],
-    bending_near: &'a [R; DOUBLES],
+    twist: &'a [R; DOUBLES],
+    axial: &'a [R; DOUBLES],
     bending_far: &'a [R; DOUBLES],
-    bow_near: &'a [R; DOUBLES],
+    half_bow_near: &'a [R; DOUBLES],
     bow_far: &'a [R; DOUBLES],
+    bending: &'a [R; DOUBLES],
     metal: &'a Metal,
 }
 
@@ -67,6 +73,8 @@ impl Look {
     const EMPTY: Self = Self {
         tension: NONE,
         torque: NONE,
+        twist: NONE,
+        longer: NONE,
         bending: NONE,
         stress: NONE,
         normal: NONE,
@@ -158,13 +166,15 @@ impl Look {
             u2: parts(&ends.u, part),
             d2: parts(&ends.d, part),
             chord: parts(&elements.chord, part),
-            inverse_length: elements.inverse_length.part(part),
+            length: elements.length.part(part),
             tension: elements.tension.part(part),
             torque: elements.torque.part(part),
-            bending_near: elements.bending_near.part(part),
+            twist: elements.twist.part(part),
+            axial: elements.axial.part(part),
             bending_far: elements.bending_far.part(part),
-            bow_near: elements.bow_near.part(part),
+            half_bow_near: elements.half_bow_near.part(part),
             bow_far: elements.bow_far.part(part),
+            bending: elements.bending.part(part),
             metal: strength.block(block),
         };
         let d1 = parts(&state.d, part);
@@ -190,17 +200,24 @@ impl Look {
         let chord = of(stretch.chord, lane) + (u2 - u1);
         // Newton's step from the rest length to the inverse of the chord's: a stretch of 1e-3 leaves
         // 1.5e-6, and no root is drawn.
-        let rest = number(stretch.inverse_length);
+        let rest = 1.0 / number(stretch.length);
         let t = chord.scaled(rest * (1.5 - 0.5 * chord.dot(chord) * rest * rest));
         let (tension, torque) = (number(stretch.tension), number(stretch.torque));
         // The gradient of the element's energy on its upper director: `rod::element`.
-        let near = number(stretch.bending_near) + number(stretch.bow_near) * tension;
-        let far = number(stretch.bending_far) - number(stretch.bow_far) * tension;
+        let bending_far = number(stretch.bending_far);
+        let bending_near = bending_far + 2.0 * number(stretch.bending);
+        let near = bending_near + 2.0 * number(stretch.half_bow_near) * tension;
+        let far = bending_far - number(stretch.bow_far) * tension;
         let pull = near * t.dot(d1) + far * t.dot(d2);
         let moment = d2.scaled(far).minus(t, pull).cross(d1);
         let bending = moment.dot(moment).sqrt();
         self.tension[lane] = tension;
         self.torque[lane] = torque;
+        // Below the bit there is no element, whatever its rows hold.
+        let axial = number(stretch.axial);
+        let there = axial > 0.0;
+        self.twist[lane] = if there { number(stretch.twist) } else { 0.0 };
+        self.longer[lane] = if there { tension / axial } else { 0.0 };
         self.bending[lane] = bending;
         self.stress[lane] = stretch.metal.stress_Pa(lane, tension, bending, torque);
     }

@@ -120,6 +120,10 @@ pub struct Totals {
     pub penetration_m: f64,
     /// Largest magnitude of the tension, N.
     pub tension_N: f64,
+    /// Twist of all elements, rad, in the sign of the chain.
+    pub twist_rad: f64,
+    /// What the tension lengthens the string, m.
+    pub longer_m: f64,
 }
 
 /// The same, lane by lane.
@@ -130,6 +134,8 @@ pub struct TotalBlock {
     torque: Lane,
     penetration: Lane,
     tension: Lane,
+    twist: Lane,
+    longer: Lane,
 }
 
 impl TotalBlock {
@@ -139,6 +145,8 @@ impl TotalBlock {
         torque: NONE,
         penetration: NONE,
         tension: NONE,
+        twist: NONE,
+        longer: NONE,
     };
 
     #[inline(always)]
@@ -147,6 +155,8 @@ impl TotalBlock {
             self.normal[lane] += look.normal[lane];
             self.axial[lane] += look.axial[lane];
             self.torque[lane] += look.rub[lane];
+            self.twist[lane] += look.twist[lane];
+            self.longer[lane] += look.longer[lane];
             self.penetration[lane] = larger(self.penetration[lane], look.penetration[lane]);
             self.tension[lane] = larger(self.tension[lane], look.tension[lane].abs());
         }
@@ -160,6 +170,8 @@ impl TotalBlock {
             torque_N_m: self.torque.iter().sum(),
             penetration_m: self.penetration.iter().copied().fold(0.0, larger),
             tension_N: self.tension.iter().copied().fold(0.0, larger),
+            twist_rad: self.twist.iter().sum(),
+            longer_m: self.longer.iter().sum(),
         }
     }
 }

@@ -125,6 +125,7 @@ fn whirl_goes_round_at_its_rate() {
                 chain.set_displacement(index + 1, *place);
                 chain.set_velocity(index + 1, *velocity);
             }
+            chain.close();
             record.sample(&chain, &high, &Body::default(), 1);
         }
         let [rolls, turns, swings] = [1, 2, 3].map(|i| record.circling(i));
@@ -164,6 +165,7 @@ fn moment_and_stress_of_a_circle() {
         element!(chain, index, torque = TORQUE_N_M);
     }
     let mut record = Record::new(&model, &mesh, chain.layout());
+    chain.close();
     record.sample(&chain, &high, &Body::default(), 1);
     let middle = |from_bit_m: f64| {
         let off = |i: &usize| (mesh.nodes[*i].from_bit_m - from_bit_m).abs();
@@ -253,6 +255,7 @@ fn contact_is_averaged_and_signed() {
             node!(chain, index, sum_normal = normal);
             node!(chain, index, sum_torque = 0.1 * normal);
         }
+        chain.close();
         let totals = record.sample(&chain, &high, &Body::default(), 20);
         assert!(
             (totals.normal_N - 2.0 * normal / 20.0).abs() < 1e-12,

@@ -1,6 +1,6 @@
 //! The beginning of a run.
 
-use super::{Run, sampling::SinceSample, state::State};
+use super::{Run, sampling::SinceSample, squeezed_m, state::State};
 use crate::{
     dynamics::{
         assembly,
@@ -51,9 +51,6 @@ impl<R: Real> Run<R> {
         let input = StepInput {
             dt,
             stiffness_damping: settings.damping.stiffness_s,
-            mass_damping: settings.damping.mass_per_s,
-            rigid_velocity: velocity,
-            rigid_spin: first.rotation_rad_per_s(),
             dissipation: settings.contact_law.dissipation_s_per_m(),
             stribeck_speed: settings.stribeck_speed_m_per_s,
         };
@@ -70,6 +67,7 @@ impl<R: Real> Run<R> {
             viscous: viscous.as_ref(),
             stepper: &laying,
             input: &input,
+            velocity_m_per_s: velocity,
         };
         let initial = start::lay(&scene, chain, Body::new(model, mesh), bit_md_m)?;
         let (mut chain, anchors) = (initial.chain.converted(), initial.anchors);
@@ -119,6 +117,7 @@ impl<R: Real> Run<R> {
             assembly::note_high_side(&mut high, layout.place(index), anchor);
         }
         let state = State {
+            squeezed_m: squeezed_m(mesh, model.mud_column(), &anchors),
             anchors,
             set_points: SetPoints::new(&first, &settings.schedule),
             top_drive,

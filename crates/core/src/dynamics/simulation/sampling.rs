@@ -4,13 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Run;
 use crate::{
-    dynamics::{
-        chain::{element, node},
-        energy::Ledger,
-        record,
-        settings::HoistControl,
-        viscous::Viscous,
-    },
+    dynamics::{chain::node, energy::Ledger, record, settings::HoistControl, viscous::Viscous},
     rod::number::Real,
 };
 
@@ -31,10 +25,11 @@ impl<R: Real> Run<R> {
         let time = self.time_s();
         let interval_s = self.sample_interval_s();
         let run_samples = (self.end_time_s() / interval_s).round() as u64;
-        if !self.state.window_open && time >= self.settings.settle_s {
+        let opens = !self.state.window_open && time >= self.settings.settle_s;
+        if opens {
             self.open_window();
         }
-        let elongation = self.elongation_m();
+        self.chain.close();
         let (chain, state) = (&self.chain, &mut self.state);
         let (anchors, record) = (&state.anchors, &mut state.record);
         if let Some(mud) = &mut state.viscous {
@@ -42,15 +37,15 @@ impl<R: Real> Run<R> {
             let pressures = mud.pressures();
             record.press(|node| pressures.difference_Pa(node));
         }
-        state.wear.sample(chain, |i| anchors[i].md_m);
+        let rubbed_J = state.wear.sample(chain, |i| anchors[i].md_m);
+        if !opens {
+            state.ledger.book_friction(rubbed_J);
+        }
         let sums = std::mem::take(&mut state.since_sample);
         let totals = record.sample(chain, &state.high, &state.body, sums.steps);
         record.map_contact(anchors, time, run_samples);
         let n = sums.steps as f64;
         let last = chain.nodes() - 1;
-        let twist = -(0..chain.elements())
-            .map(|i| element!(chain, i, twist))
-            .sum::<f64>();
         let neutral_point_m = record::neutral_point_m(chain, anchors, totals.tension_N);
         let path = &self.model.well.path;
         let cutoff_depth_m = record.cutoff_depth_m(&self.mesh, path, anchors, interval_s);
@@ -73,8 +68,11 @@ impl<R: Real> Run<R> {
         series.weight_on_bit_N.push(sums.weight_on_bit / n);
         series.bit_torque_N_m.push(sums.bit_torque / n);
         series.depth_of_cut_m.push(sums.depth_of_cut / n);
-        series.twist_rad.push(twist);
-        series.stretch_m.push(elongation);
+        series.twist_rad.push(-totals.twist_rad);
+        series.stretch_m.push(
+            totals.longer_m - state.squeezed_m
+                + state.viscous.as_ref().map_or(0.0, Viscous::stretch_m),
+        );
         let block_now = state.hoist.velocity_m_per_s();
         series.block_velocity_m_per_s.push(block_now);
         let bit_spin = node!(chain, last, spin);
@@ -116,20 +114,5 @@ impl<R: Real> Run<R> {
         if let Some(mud) = &mut state.viscous {
             mud.open_window();
         }
-    }
-
-    /// Elongation against the unloaded string, m: by effective tension, less what the mud's pressure
-    /// takes, `(1 − 2ν)p/E`, and by what its flow adds to the pressure.
-    fn elongation_m(&self) -> f64 {
-        let (mud, anchors) = (self.mud, &self.state.anchors);
-        let mut sum = 0.0;
-        for (i, e) in self.mesh.elements.iter().enumerate() {
-            let tvd = 0.5 * (anchors[i].position_m.z + anchors[i + 1].position_m.z);
-            let section = &e.section;
-            let squeeze = section.pressure_strain_per_Pa * mud.pressure_Pa(tvd);
-            sum += e.length_m
-                * (element!(self.chain, i, tension) / section.axial_stiffness_N - squeeze);
-        }
-        sum + self.state.viscous.as_ref().map_or(0.0, Viscous::stretch_m)
     }
 }

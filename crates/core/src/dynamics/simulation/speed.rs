@@ -36,8 +36,7 @@ impl<R: Real> Run<R> {
     }
 
     fn hold_top(&mut self) -> StepInput {
-        let spin = node!(self.chain, 0, spin);
         node!(self.chain, 0, inv_mass_axial = 0.0);
-        self.step_input(self.time_s(), spin)
+        self.step_input()
     }
 }

@@ -174,11 +174,9 @@ pub(super) fn bend<N: Number>(
 fn stiffness<N: Number>(e: &ElementBlock<N::Real>, lane: usize) -> Stiffness<N> {
     Stiffness {
         length: at(&e.length, lane),
-        inverse_length: at(&e.inverse_length, lane),
         axial: at(&e.axial, lane),
-        bending_near: at(&e.bending_near, lane),
         bending_far: at(&e.bending_far, lane),
-        bow_near: at(&e.bow_near, lane),
+        half_bow_near: at(&e.half_bow_near, lane),
         bow_far: at(&e.bow_far, lane),
         twist: at(&e.torsion, lane),
         bending: at(&e.bending, lane),

@@ -14,6 +14,7 @@
 //! Directors move on the sphere by Cayley's rotation, which keeps their length and the right angle
 //! to their angular velocity to rounding.
 
+mod calm;
 mod elements;
 mod lane;
 mod nodes;
@@ -26,6 +27,7 @@ use crate::rod::{
     peak,
     wide::Pair,
 };
+pub use calm::Calming;
 use elements::{Pull, Strains, bend, chord, strain, twist};
 use lane::lanes;
 use nodes::{Flight, fly, land, reach, rub, slow, turn};
@@ -38,26 +40,18 @@ pub struct StepInput {
     pub dt: f64,
     /// Stiffness-proportional damping, s.
     pub stiffness_damping: f64,
-    /// Mass-proportional damping, 1/s.
-    pub mass_damping: f64,
-    /// Axial velocity of the rigid motion that mass-proportional damping leaves alone, m/s.
-    pub rigid_velocity: f64,
-    /// Spin of that motion, rad/s.
-    pub rigid_spin: f64,
     /// Hunt-Crossley dissipation of the Hertz law, s/m.
     pub dissipation: f64,
     /// Sliding speed at which the friction at rest has half decayed to the kinetic one, m/s.
     pub stribeck_speed: f64,
 }
 
-/// Energies that left the string in a step, J.
+/// Energies that left the string in a step, J. What friction on the wall took is summed with the nodes.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct StepLosses {
-    /// To friction on the wall.
-    pub friction: f64,
     /// To the wall's contact forces.
     pub contact: f64,
-    /// To the mud and to mass-proportional damping.
+    /// To the mud; mass-proportional damping is booked with it.
     pub mud: f64,
     /// To stiffness-proportional damping.
     pub damping: f64,
@@ -79,6 +73,7 @@ pub struct Abilities {
 #[derive(Clone, Copy)]
 pub struct Stepper<R: Real = f64> {
     step: unsafe fn(&mut Chain<R>, &StepInput) -> StepLosses,
+    calm: unsafe fn(&mut Chain<R>, &Calming) -> f64,
     peak: unsafe fn(usize) -> u64,
     /// Name of the instruction set in use.
     pub instructions: &'static str,
@@ -93,13 +88,18 @@ impl<R: Real> std::fmt::Debug for Stepper<R> {
 }
 
 macro_rules! compiled_for {
-    ($name:ident, $peak:ident, $number:ty, $work:ident $(, $features:literal)?) => {
+    ($name:ident, $calm:ident, $peak:ident, $number:ty, $work:ident $(, $features:literal)?) => {
         $(#[target_feature(enable = $features)])?
         fn $name<R: Real, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
             chain: &mut Chain<R>,
             input: &StepInput,
         ) -> StepLosses {
             sweep::<$number, HERTZ, VECTOR, FULL>(chain, input)
+        }
+
+        $(#[target_feature(enable = $features)])?
+        fn $calm<R: Real>(chain: &mut Chain<R>, calming: &Calming) -> f64 {
+            calm::calm::<$number>(chain, calming)
         }
 
         $(#[target_feature(enable = $features)])?
@@ -112,19 +112,20 @@ macro_rules! compiled_for {
 #[cfg(target_arch = "x86_64")]
 compiled_for!(
     avx512,
+    avx512_calm,
     avx512_peak,
     R::Zmm,
     work,
     "avx512f,avx512dq,avx512vl,avx2,fma"
 );
 #[cfg(target_arch = "x86_64")]
-compiled_for!(avx2, avx2_peak, R::Ymm, work, "avx2,fma");
+compiled_for!(avx2, avx2_calm, avx2_peak, R::Ymm, work, "avx2,fma");
 #[cfg(target_arch = "x86_64")]
-compiled_for!(baseline, baseline_peak, R::Xmm, work_apart);
+compiled_for!(baseline, baseline_calm, baseline_peak, R::Xmm, work_apart);
 #[cfg(target_arch = "aarch64")]
-compiled_for!(baseline, baseline_peak, Pair<R::Fused>, work);
+compiled_for!(baseline, baseline_calm, baseline_peak, Pair<R::Fused>, work);
 #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
-compiled_for!(baseline, baseline_peak, Pair<R>, work_apart);
+compiled_for!(baseline, baseline_calm, baseline_peak, Pair<R>, work_apart);
 
 fn counting<R: Real, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
     chain: &mut Chain<R>,
@@ -158,9 +159,10 @@ impl<R: Real> Stepper<R> {
     /// Every code that this processor can run, the fastest first; the baseline always is the last.
     pub fn all(abilities: Abilities) -> Vec<Self> {
         macro_rules! choose {
-            ($function:ident, $peak:ident, $name:literal) => {
+            ($function:ident, $calm:ident, $peak:ident, $name:literal) => {
                 Self {
                     step: with_laws!($function, abilities),
+                    calm: $calm::<R>,
                     peak: $peak::<R>,
                     instructions: $name,
                 }
@@ -175,13 +177,13 @@ impl<R: Real> Stepper<R> {
                 && is_x86_feature_detected!("avx512dq")
                 && is_x86_feature_detected!("avx512vl")
             {
-                all.push(choose!(avx512, avx512_peak, "AVX-512"));
+                all.push(choose!(avx512, avx512_calm, avx512_peak, "AVX-512"));
             }
             if fma {
-                all.push(choose!(avx2, avx2_peak, "AVX2"));
+                all.push(choose!(avx2, avx2_calm, avx2_peak, "AVX2"));
             }
         }
-        all.push(choose!(baseline, baseline_peak, "baseline"));
+        all.push(choose!(baseline, baseline_calm, baseline_peak, "baseline"));
         all
     }
 
@@ -200,6 +202,12 @@ impl<R: Real> Stepper<R> {
         unsafe { (self.peak)(rounds) }
     }
 
+    /// Takes what mass-proportional damping takes; how much, J.
+    pub fn calm(&self, chain: &mut Chain<R>, calming: &Calming) -> f64 {
+        // SAFETY: as for a step.
+        unsafe { (self.calm)(chain, calming) }
+    }
+
     /// Advances the chain by one step.
     pub fn step(&self, chain: &mut Chain<R>, input: &StepInput) -> StepLosses {
         // SAFETY: `all` lists only code whose instructions the processor was found to have.
@@ -207,10 +215,9 @@ impl<R: Real> Stepper<R> {
     }
 }
 
-/// Energy lost by each lane: friction's in J, the contact's over half the step, twice the mud's in J, the damping's
+/// Energy lost by each lane: the contact's over half the step, twice the mud's in J, the damping's
 /// power in W.
 struct Losses<R: Real> {
-    friction: Row<R>,
     contact: Row<R>,
     mud: Row<R>,
     damping: Row<R>,
@@ -220,7 +227,6 @@ impl<R: Real> Losses<R> {
     fn none() -> Self {
         let zero = Row::filled(0.0);
         Self {
-            friction: zero,
             contact: zero,
             mud: zero,
             damping: zero,
@@ -244,17 +250,17 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
     let mut losses = Losses::none();
     let (mut strains, mut flight) = (Strains::none(), Flight::none());
     // The last row of elements pulls at the first row of nodes, too: it and the first come before all nodes.
-    let (mut first, mut last) = (Pull::none(), Pull::none());
-    let e = &mut element_blocks[rows - 1];
-    let under = ends(states, rows - 1);
-    pull::<N>(&mut last, &mut strains, e, under, input, &mut losses);
-    if rows > 1 {
-        let e = &mut element_blocks[0];
-        let under = ends(states, 0);
-        pull::<N>(&mut first, &mut strains, e, under, input, &mut losses);
-    } else {
-        first = last;
-    }
+    let mut outermost = [Outermost::at(rows - 1), Outermost::at(0)];
+    let different = rows.min(2);
+    pull::<N>(
+        &mut outermost[..different],
+        element_blocks,
+        states,
+        input,
+        &mut losses,
+    );
+    let last = outermost[0].pull;
+    let first = outermost[different - 1].pull;
     let mut pulls = [first, Pull::none(), last];
     pulls[2].go_on();
 
@@ -305,7 +311,7 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
             }
         }
         for lane in lanes::<N>() {
-            land::<N>(&flight, n, state, input, &mut losses, lane);
+            land::<N, FULL>(&flight, n, state, input, &mut losses, lane);
         }
         for lane in lanes::<N>() {
             turn::<N>(n, state, above, below, input, lane);
@@ -313,34 +319,60 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
     }
     let sum = |row: Row<N::Real>| row.0.as_ref().iter().map(|x| x.to_f64()).sum::<f64>();
     StepLosses {
-        friction: sum(losses.friction),
         contact: sum(losses.contact) * 0.5 * input.dt,
         mud: sum(losses.mud) * 0.5,
         damping: sum(losses.damping) * input.dt,
     }
 }
 
-/// A row of elements from its chords to what it does to its ends.
+/// A row of elements at an end of the strands, and what it does.
+struct Outermost<R: Real> {
+    row: usize,
+    pull: Pull<R>,
+    strains: Strains<R>,
+}
+
+impl<R: Real> Outermost<R> {
+    fn at(row: usize) -> Self {
+        Self {
+            row,
+            pull: Pull::none(),
+            strains: Strains::none(),
+        }
+    }
+}
+
+/// Rows of elements from their chords to what they do to their ends, side by side: one does not wait for the other.
 #[inline(always)]
 fn pull<N: Number>(
-    out: &mut Pull<N::Real>,
-    strains: &mut Strains<N::Real>,
-    e: &mut ElementBlock<N::Real>,
-    ends: &[StateBlock<N::Real>; 2],
+    rows: &mut [Outermost<N::Real>],
+    element_blocks: &mut [ElementBlock<N::Real>],
+    states: &[StateBlock<N::Real>],
     input: &StepInput,
     losses: &mut Losses<N::Real>,
 ) {
     for lane in lanes::<N>() {
-        chord::<N>(strains, e, ends, lane);
+        for Outermost { row, strains, .. } in rows.iter_mut() {
+            chord::<N>(strains, &element_blocks[*row], ends(states, *row), lane);
+        }
     }
     for lane in lanes::<N>() {
-        twist::<N>(out, strains, e, ends, input, losses, lane);
+        for Outermost { row, pull, strains } in rows.iter_mut() {
+            let e = &mut element_blocks[*row];
+            twist::<N>(pull, strains, e, ends(states, *row), input, losses, lane);
+        }
     }
     for lane in lanes::<N>() {
-        strain::<N>(strains, e, ends, input, losses, lane);
+        for Outermost { row, strains, .. } in rows.iter_mut() {
+            let e = &mut element_blocks[*row];
+            strain::<N>(strains, e, ends(states, *row), input, losses, lane);
+        }
     }
     for lane in lanes::<N>() {
-        bend::<N>(out, strains, e, ends, lane);
+        for Outermost { row, pull, strains } in rows.iter_mut() {
+            let e = &element_blocks[*row];
+            bend::<N>(pull, strains, e, ends(states, *row), lane);
+        }
     }
 }
 

@@ -25,9 +25,9 @@ pub(super) struct Flight<R: Real> {
     give_spin: Row<R>,
     /// Velocity along the hole at the step's beginning.
     axial0: Row<R>,
-    /// What mud drag and mass-proportional damping take on the way: the part of the velocity across the hole, the
-    /// velocity along it, and the spin.
+    /// What mud drag takes on the way: the part of the velocity across the hole, the velocity along it, and the spin.
     slowed: Row<R>,
+    /// (These two with viscous mud alone.)
     slowed_axial: Row<R>,
     slowed_spin: Row<R>,
     /// Velocity, its part along the hole, and spin, before the wall acts.
@@ -75,7 +75,7 @@ impl<R: Real> Flight<R> {
     }
 }
 
-/// What the mud and mass-proportional damping take of the velocity across the hole.
+/// What the mud takes of the velocity across the hole.
 #[inline(always)]
 pub(super) fn slow<N: Number>(
     flight: &mut Flight<N::Real>,
@@ -85,7 +85,6 @@ pub(super) fn slow<N: Number>(
     lane: usize,
 ) {
     let (half, dt) = (N::splat(0.5), N::splat(input.dt));
-    let alpha = N::splat(input.mass_damping * input.dt);
     let th = at3::<N>(&n.tangent, lane);
     let v0 = at3::<N>(&state.v, lane);
     let axial0 = th.dot(v0);
@@ -95,11 +94,7 @@ pub(super) fn slow<N: Number>(
     let give = dt * at(&n.inv_mass_lateral, lane);
     put(&mut flight.give, lane, give);
     put(&mut flight.axial0, lane, axial0);
-    put(
-        &mut flight.slowed,
-        lane,
-        give.mul_add(drag, alpha).min(half),
-    );
+    put(&mut flight.slowed, lane, (give * drag).min(half));
 }
 
 /// Kicks a row of nodes: how they would fly without a wall.
@@ -115,38 +110,33 @@ pub(super) fn fly<N: Number, const FULL: bool>(
 ) {
     let splat = N::splat;
     let (half, one, dt) = (splat(0.5), splat(1.0), splat(input.dt));
-    let fade = splat((input.mass_damping * input.dt).min(0.5));
-    let (rigid_v, rigid_s) = (splat(input.rigid_velocity), splat(input.rigid_spin));
-    // Drag and damping act on the velocity that the node came with. The kick of rod and
+    // Drag acts on the velocity that the node came with. The kick of rod and
     // gravity is left whole: a wall or a hoist that takes it back within the step must feel all of it.
     let th = at3::<N>(&n.tangent, lane);
     let give = at::<N>(&flight.give, lane);
     let give_axial = dt * at(&n.inv_mass_axial, lane);
-    let per_j = at::<N>(&n.inv_polar, lane);
-    let give_spin = dt * per_j;
+    let give_spin = dt * at(&n.inv_polar, lane);
     let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));
     let axial0 = at::<N>(&flight.axial0, lane);
     let force = at3::<N>(&above.force, lane) - at3(&below.force, lane) + at3(&n.weight, lane);
     let along = th.dot(force);
-    let mut slowed_axial = fade * (axial0 - rigid_v);
-    let mut slowed_spin = per_j.if_positive(fade, N::zero()) * (s0 - rigid_s);
+    let (mut kept_axial, mut kept_spin) = (axial0, s0);
     if FULL {
-        let part = (give_axial * at(&n.mud_axial, lane)).min(half);
-        slowed_axial = part.mul_add(axial0, slowed_axial);
-        let part = (give_spin * at(&n.mud_spin, lane)).min(half);
-        slowed_spin = part.mul_add(s0, slowed_spin);
+        let slowed_axial = (give_axial * at(&n.mud_axial, lane)).min(half) * axial0;
+        let slowed_spin = (give_spin * at(&n.mud_spin, lane)).min(half) * s0;
+        (kept_axial, kept_spin) = (axial0 - slowed_axial, s0 - slowed_spin);
+        put(&mut flight.slowed_axial, lane, slowed_axial);
+        put(&mut flight.slowed_spin, lane, slowed_spin);
     }
     let kept = one - at(&flight.slowed, lane);
-    let axial = give_axial.mul_add(along, axial0 - slowed_axial);
+    let axial = give_axial.mul_add(along, kept_axial);
     // What the mass across the hole makes of the part along it is replaced.
     let instead = give.neg_mul_add(along, kept.neg_mul_add(axial0, axial));
     let v = v0.scaled(kept).plus(force, give).plus(th, instead);
     let torque = at::<N>(&below.torque, lane) - at(&above.torque, lane);
-    let spin = give_spin.mul_add(torque, s0 - slowed_spin);
+    let spin = give_spin.mul_add(torque, kept_spin);
     put(&mut flight.give_axial, lane, give_axial);
     put(&mut flight.give_spin, lane, give_spin);
-    put(&mut flight.slowed_axial, lane, slowed_axial);
-    put(&mut flight.slowed_spin, lane, slowed_spin);
     put3(&mut flight.v, lane, v);
     put(&mut flight.axial, lane, axial);
     put(&mut flight.spin, lane, spin);
@@ -236,7 +226,7 @@ pub(super) fn rub<N: Number, const VECTOR: bool, const FULL: bool>(
 
 /// Moves a row of nodes to where the step ends.
 #[inline(always)]
-pub(super) fn land<N: Number>(
+pub(super) fn land<N: Number, const FULL: bool>(
     flight: &Flight<N::Real>,
     n: &mut NodeBlock<N::Real>,
     state: &mut StateBlock<N::Real>,
@@ -276,13 +266,13 @@ pub(super) fn land<N: Number>(
     let slid = radius.mul_add(both_spin, around.dot(both));
     let rubbed = half_dt * along.mul_add(both_axial, across * slid);
     let drag = at::<N>(&n.mass_lateral, lane) * at(&flight.slowed, lane);
-    let drag_axial = at::<N>(&n.mass_axial, lane) * at(&flight.slowed_axial, lane);
-    let drag_spin = at::<N>(&n.polar, lane) * at(&flight.slowed_spin, lane);
     let across0 = axial0.neg_mul_add(both_axial, v0.dot(both));
-    let slowed = drag.mul_add(
-        across0,
-        drag_axial.mul_add(both_axial, drag_spin * both_spin),
-    );
+    let mut slowed = drag * across0;
+    if FULL {
+        let drag_axial = at::<N>(&n.mass_axial, lane) * at(&flight.slowed_axial, lane);
+        let drag_spin = at::<N>(&n.polar, lane) * at(&flight.slowed_spin, lane);
+        slowed = drag_axial.mul_add(both_axial, drag_spin.mul_add(both_spin, slowed));
+    }
 
     let u0 = at3::<N>(&state.u, lane);
     put3(&mut state.u, lane, u0.plus(v3, dt));
@@ -292,7 +282,6 @@ pub(super) fn land<N: Number>(
     add(&mut n.sum_axial, lane, along);
     add(&mut n.sum_torque, lane, torque);
     add(&mut n.sum_wear, lane, rubbed);
-    add(&mut losses.friction, lane, rubbed);
     add(&mut losses.contact, lane, contact);
     add(&mut losses.mud, lane, slowed);
 }
@@ -310,8 +299,6 @@ pub(super) fn turn<N: Number>(
     let splat = N::splat;
     let (one, dt, half_dt) = (splat(1.0), splat(input.dt), splat(0.5 * input.dt));
     let quarter_dt2 = splat(0.25 * input.dt * input.dt);
-    // The energy of lateral rotation is a millionth of the whole: its damping is not booked.
-    let calm = splat(1.0 - (input.dt * input.mass_damping).min(0.5));
     let (d0, w0) = (at3::<N>(&state.d, lane), at3::<N>(&state.w, lane));
     let moment = across(
         at3::<N>(&above.bend2, lane) + at3(&below.bend1, lane),
@@ -319,7 +306,7 @@ pub(super) fn turn<N: Number>(
         d0,
     );
     let kick = moment.scaled(half_dt * at(&n.inv_rotary, lane));
-    let halfway = w0.scaled(calm) + kick;
+    let halfway = w0 + kick;
     let p = half_dt * at(&n.gyroscopic, lane) * at(&state.spin, lane);
     // Cayley's rotation by the precession: (1 − p²)/(1 + p²) and 2p/(1 + p²), to the fifth power of p, half
     // the precession in a step; what is left out brakes by 2p⁶.
@@ -330,11 +317,10 @@ pub(super) fn turn<N: Number>(
     // quarter of the precession times the angle by which the step advances the whirl.
     let turning = halfway.scaled(cosine).minus(halfway.cross(d0), sine) + kick;
     let q = quarter_dt2 * turning.dot(turning);
-    // 1/(1 + q) to rounding: q is the square of half the turn in a step.
-    let q2 = q * q;
-    let shrink = (one - q).mul_add(one + q2, q2 * q2);
+    // 1/(1 + q), but for q⁴: q is the square of half the turn in a step. (1 − q)/(1 + q) is twice that less one.
+    let shrink = (one - q) * q.mul_add(q, one);
     let turned = d0
-        .scaled((one - q) * shrink)
+        .scaled(shrink + shrink - one)
         .plus(turning.cross(d0), dt * shrink);
     put3(&mut state.d, lane, turned);
     put3(&mut state.w, lane, turning);

@@ -5,7 +5,7 @@ use crate::{
         assembly,
         body::Body,
         chain::{Chain, node},
-        step::{Abilities, StepInput, StepLosses, Stepper},
+        step::{Abilities, Calming, StepInput, StepLosses, Stepper},
     },
     model::Model,
     mud::Mud,
@@ -81,6 +81,8 @@ pub struct Bench {
     pub mesh: Mesh,
     pub plan: StepPlan,
     pub input: StepInput,
+    /// Mass-proportional damping to rest, 1/s: none, unless the test sets it.
+    pub mass_damping_per_s: f64,
     /// What turns with the rod: nothing, unless the test puts it there. Bends are all there from the start.
     pub body: Body,
     pub model: Model,
@@ -169,9 +171,6 @@ impl Bench {
         let input = StepInput {
             dt: plan.dt_s,
             stiffness_damping: stiffness_damping_s,
-            mass_damping: 0.0,
-            rigid_velocity: 0.0,
-            rigid_spin: 0.0,
             dissipation: 0.0,
             stribeck_speed: 0.1,
         };
@@ -182,6 +181,7 @@ impl Bench {
             mesh,
             plan,
             input,
+            mass_damping_per_s: 0.0,
             body: Body::default(),
             stepper: Stepper::new(Abilities {
                 hertz: true,
@@ -222,7 +222,7 @@ impl Bench {
             }
             bench.support(i, Support::FREE);
         }
-        let (near, far, rotary) = (k.bending_near, k.bending_far, inertia.rotary_kg_m2);
+        let (near, far, rotary) = (k.bending_near(), k.bending_far, inertia.rotary_kg_m2);
         let chord = 4.0 / (length * length * inertia.lateral_kg);
         let square = [
             4.0 * k.axial / inertia.axial_kg,
@@ -282,8 +282,16 @@ impl Bench {
     /// Goes on by a step; what the rod lost in it.
     pub fn step(&mut self) -> StepLosses {
         self.body.push(&mut self.chain, &self.input, 1.0);
-        let losses = self.stepper.step(&mut self.chain, &self.input);
+        let mut losses = self.stepper.step(&mut self.chain, &self.input);
         self.body.follow(&mut self.chain, self.input.dt);
+        if self.mass_damping_per_s > 0.0 {
+            let calming = Calming {
+                left: (-self.mass_damping_per_s * self.input.dt).exp(),
+                rigid_velocity: 0.0,
+                rigid_spin: 0.0,
+            };
+            losses.mud += self.stepper.calm(&mut self.chain, &calming);
+        }
         losses
     }
 

@@ -157,7 +157,7 @@ fn mud_takes_part_in_lateral_motion_only() {
         let last = bench.chain.nodes() - 1;
         bench.support(0, Support::PINNED);
         bench.support(last, Support::ROLLER);
-        swing(&mut bench, |z| ((k * z).sin(), k * (k * z).cos()))
+        swing(&mut bench, 2, |z| ((k * z).sin(), k * (k * z).cos()))
     };
     let axial = |mud| {
         let mut bench = rod(mud);

@@ -1,5 +1,7 @@
 //! A pipe that hangs by its upper end and swings.
 
+use wholestring_verification::{Row, Tolerance, report};
+
 use super::{
     beams::swing,
     bench::{Bench, PIPE_M, Support},
@@ -59,7 +61,9 @@ fn hanging(mode: usize, parts: usize, stiff: bool) -> f64 {
         rod.chain.set_displacement(i + 1, Vector(0.0, 0.0, down));
     }
     let zero = ZEROS[mode];
-    swing(&mut rod, |z| {
+    // The stiffness changes the shape by what swings in other modes: longer for more of it.
+    let periods = if stiff { 2 + 2 * mode } else { 2 };
+    swing(&mut rod, periods, |z| {
         let part = ((length - z) / length).max(1e-12);
         let (shape, one) = bessel(zero * part.sqrt());
         (shape, one * zero / (2.0 * length * part.sqrt()))
@@ -68,23 +72,65 @@ fn hanging(mode: usize, parts: usize, stiff: bool) -> f64 {
 
 /// D09: five modes of a pipe that hangs from a pin, as a chain `j₀ₙ/2 √(g/L)` and with its bending stiffness, within the
 /// source's 0.1 % with elements of 3.2 m, the default. Near the free end the waves are short and mass in lumps lowers the
-/// frequencies, by a part that falls with the square of the element's length: 60 elements leave 2 % of the fifth. Extrapolated
-/// from 6.4 and 3.2 m it is within 3e-4, of which 1e-4 is that the pipe stretches by 2e-4 of its length, which the source's does not.
-#[test]
-fn a_hanging_pipe_swings_at_its_frequencies() {
+/// frequencies, by a part that falls with the square of the element's length: the source's 60 elements leave 1 % of the
+/// fifth. Extrapolated from 6.4 and 3.2 m it is within 3e-4, of which 1e-4 is that the pipe stretches by 2e-4 of its
+/// length, which the source's does not.
+fn swings_as(what: &str, modes: impl IntoIterator<Item = usize>) {
     let data = file("D09_linear_frequencies.json");
-    let data = &data["hanging_chain_1000m_Hz"];
-    for (key, stiff) in [
-        ("values", false),
-        ("with_EI_5in_DP_pinned_top_free_bottom_vacuum_Hz", true),
-    ] {
-        for mode in 0..5 {
-            let exact = data[key][mode].as_f64().expect("a frequency");
-            let [coarse, fine] = [156, 312].map(|parts| hanging(mode, parts, stiff) / exact - 1.0);
-            let limit = (4.0 * fine - coarse) / 3.0;
-            assert!(fine.abs() < 1.2e-3, "{key} {mode}: {fine:e}");
-            assert!(limit.abs() < 1e-3, "{key} {mode}: {limit:e}");
-            println!("{key} {mode}: {coarse:.1e} {fine:.1e} {limit:.1e}");
+    let stiff = what == PIPE;
+    let key = match stiff {
+        true => "with_EI_5in_DP_pinned_top_free_bottom_vacuum_Hz",
+        false => "values",
+    };
+    for mode in modes {
+        let row = |mesh: &str, computed: f64, tolerance, reason: &str| {
+            report(&Row {
+                case: "D09",
+                quantity: &format!("sideways mode {} of a {what} {mesh}, Hz", mode + 1),
+                expected: data["hanging_chain_1000m_Hz"][key][mode]
+                    .as_f64()
+                    .expect("a frequency"),
+                computed,
+                tolerance,
+                reason,
+            });
+        };
+        let [coarse, fine] = [156, 312].map(|parts| hanging(mode, parts, stiff));
+        row(
+            "with elements of 3.2 m",
+            fine,
+            Tolerance::Relative(1e-3),
+            "the tolerance of the source",
+        );
+        row(
+            "extrapolated",
+            (4.0 * fine - coarse) / 3.0,
+            Tolerance::Relative(3e-4),
+            "its stretch, 1e-4, and the short waves at its free end",
+        );
+        if mode == 4 {
+            row(
+                "with 60 elements",
+                hanging(mode, 60, stiff),
+                Tolerance::Any,
+                "missed: an element of 17 m is too long for the short waves at the free end",
+            );
         }
     }
+}
+
+const CHAIN: &str = "hanging chain";
+const PIPE: &str = "hanging pipe";
+
+#[test]
+fn a_hanging_pipe_swings_at_its_highest_frequencies() {
+    swings_as(CHAIN, 2..5);
+    swings_as(PIPE, 4..5);
+}
+
+#[test]
+#[ignore = "minutes: run by cargo xtask verify"]
+fn a_hanging_pipe_swings_at_all_its_frequencies() {
+    swings_as(CHAIN, 0..2);
+    swings_as(PIPE, 0..4);
 }

@@ -36,9 +36,6 @@ fn pushed(along_N: f64) -> Chain {
 const STEP: StepInput = StepInput {
     dt: 1e-5,
     stiffness_damping: 0.0,
-    mass_damping: 0.0,
-    rigid_velocity: 0.0,
-    rigid_spin: 0.0,
     dissipation: 0.5,
     stribeck_speed: 0.1,
 };

@@ -102,6 +102,7 @@ fn lay_along(simulation: &mut Run<f64>, below: impl Fn(Vector<f64>, Vector<f64>)
         simulation.chain.set_displacement(i, moved);
         simulation.chain.set_director(i, direction);
     }
+    simulation.chain.close();
 }
 
 /// A body that lies as it is bent bears its tension alone, at the bend as elsewhere; held straight, it bears at the
@@ -171,6 +172,7 @@ fn a_bent_string_turns() {
     for step in 0..(15.0 / dt) as usize {
         simulation.step();
         if step % 16 == 0 {
+            simulation.calm(16);
             let (chain, anchors) = (&mut simulation.chain, &mut simulation.state.anchors);
             simulation
                 .surroundings
@@ -178,6 +180,7 @@ fn a_bent_string_turns() {
         }
         if (step as u64).is_multiple_of(simulation.steps_per_sample) {
             simulation.sample();
+            simulation.chain.clear_sums();
         }
         spun += node!(simulation.chain, index, spin) * dt;
         let now = toolface_rad(&simulation);
