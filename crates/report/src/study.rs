@@ -90,7 +90,12 @@ pub fn study_html(page: &StudyPage) -> String {
     let title = escaped(&page.title);
     let program = escaped(&page.program);
     let about = paragraphs(&page.description);
-    let parts: String = page.parts.iter().map(part).collect();
+    let parts: String = page
+        .parts
+        .iter()
+        .enumerate()
+        .map(|(index, of)| part(index, of))
+        .collect();
     format!(
         r#"<!doctype html>
 <html lang="en">
@@ -124,7 +129,8 @@ fn paragraphs(text: &str) -> String {
         .collect()
 }
 
-fn part(part: &StudyPart) -> String {
+/// A figure or a table, `index` of the page.
+fn part(index: usize, part: &StudyPart) -> String {
     let (title, caption, body, files, endings) = match part {
         StudyPart::Figure {
             title,
@@ -133,11 +139,17 @@ fn part(part: &StudyPart) -> String {
             files,
         } => {
             let body = match svg {
-                // What stands before the element is of no use within a page.
-                Some(svg) => format!(
-                    "<figure>{}</figure>",
-                    svg.find("<svg").map_or("", |at| &svg[at..])
-                ),
+                // What stands before the element is of no use within a page, and each needs names of its own there.
+                Some(svg) => {
+                    let element = svg.find("<svg").map_or("", |at| &svg[at..]);
+                    let own = |place: &str| format!("{place}figure-{index}-");
+                    let element = ["id=\"", "url(#"]
+                        .iter()
+                        .fold(element.to_owned(), |text, place| {
+                            text.replace(place, &own(place))
+                        });
+                    format!("<figure>{element}</figure>")
+                }
                 None => "<p class=\"note\">No case has answered yet.</p>".to_owned(),
             };
             (title, caption, body, files, ["svg", "csv"])
@@ -241,5 +253,29 @@ mod tests {
         assert_eq!(page.matches("</title>").count(), 1);
         assert!(page.contains("href=\"figures/a%20b.svg\""));
         assert!(page.contains("class=\"differs\""));
+    }
+    /// Pictures are cut to their own frames: no two elements of the page have one name.
+    #[test]
+    fn figures_keep_their_own_names() {
+        let figure = || StudyPart::Figure {
+            title: String::new(),
+            caption: String::new(),
+            svg: Some(
+                "<?xml?><svg><clipPath id=\"clip-0\"/><path clip-path=\"url(#clip-0)\"/></svg>"
+                    .into(),
+            ),
+            files: String::new(),
+        };
+        let page = study_html(&StudyPage {
+            program: String::new(),
+            title: String::new(),
+            description: String::new(),
+            parts: vec![figure(), figure()],
+        });
+        for index in 0..2 {
+            let name = format!("figure-{index}-clip-0");
+            assert_eq!(page.matches(&format!("id=\"{name}\"")).count(), 1);
+            assert_eq!(page.matches(&format!("url(#{name})")).count(), 1);
+        }
     }
 }
