@@ -178,6 +178,7 @@ fn the_keys_are_the_contract() {
         "mud_drag_N": 1.0, "mud_torque_N_m": 2.0, "jet_thrust_N": 3.0, "bore_loss_Pa": 4.0,
         "bit_loss_Pa": 5.0, "annulus_loss_Pa": 6.0, "pump_pressure_Pa": 15.0
     });
+    failed["lift"] = json!({"hook_load_N": 700_000.0, "weight_on_bit_N": 59_900.0, "runs": 5});
     failed["numerics"]["energy"] = json!({
         "top_drive_work_J": 0.0, "hoist_work_J": 5.0, "bit_work_J": 0.0, "bend_work_J": 0.0, "flow_work_J": 0.0,
         "friction_loss_J": 1.0, "contact_loss_J": 0.0, "mud_loss_J": 0.0, "damping_loss_J": 0.0,
