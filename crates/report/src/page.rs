@@ -86,29 +86,44 @@ pub fn sweep_html(sweep: &Sweep) -> String {
 
 /// A page of data and the program that shows them, with whatever else the program needs.
 fn page(title: &str, made_by: &str, data: &impl Serialize, rest: &str, program: &str) -> String {
+    let data = json(data);
+    let body = format!(
+        r#"<noscript><p>{0}: this page draws its plots itself and needs JavaScript, though no network.</p></noscript>
+<main id="page"></main>
+{rest}
+<script type="application/json" id="report">{data}</script>
+<script>
+{program}</script>"#,
+        escaped(title)
+    );
+    document(title, made_by, POLICY, LOOKS, &body)
+}
+
+/// A whole file of one page, which opens offline: `policy` says what it may do, `looks` how it looks.
+pub(crate) fn document(
+    title: &str,
+    made_by: &str,
+    policy: &str,
+    looks: &str,
+    body: &str,
+) -> String {
     let title = escaped(title);
     let made_by = escaped(made_by);
-    let data = json(data);
     format!(
         r#"<!doctype html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="{POLICY}">
+<meta http-equiv="Content-Security-Policy" content="{policy}">
 <meta name="generator" content="{made_by}">
 <link rel="icon" href="data:,">
 <title>{title}</title>
 <style>
-{LOOKS}</style>
+{looks}</style>
 </head>
 <body>
-<noscript><p>{title}: this page draws its plots itself and needs JavaScript, though no network.</p></noscript>
-<main id="page"></main>
-{rest}
-<script type="application/json" id="report">{data}</script>
-<script>
-{program}</script>
+{body}
 </body>
 </html>
 "#

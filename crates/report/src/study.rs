@@ -1,6 +1,6 @@
 //! The page of a study as one file that needs nothing else.
 
-use crate::page::escaped;
+use crate::page::{document, escaped};
 
 /// A study as its page shows it.
 #[derive(Debug, Clone, PartialEq)]
@@ -96,26 +96,8 @@ pub fn study_html(page: &StudyPage) -> String {
         .enumerate()
         .map(|(index, of)| part(index, of))
         .collect();
-    format!(
-        r#"<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="{POLICY}">
-<meta name="generator" content="{program}">
-<link rel="icon" href="data:,">
-<title>{title}</title>
-<style>
-{LOOKS}</style>
-</head>
-<body>
-<h1>{title}</h1>
-{about}{parts}<p class="note">{program}</p>
-</body>
-</html>
-"#
-    )
+    let body = format!("<h1>{title}</h1>\n{about}{parts}<p class=\"note\">{program}</p>");
+    document(&page.title, &page.program, POLICY, LOOKS, &body)
 }
 
 fn paragraphs(text: &str) -> String {

@@ -28,11 +28,11 @@ use crate::{
 /// Times or depths of one figure: more curves nobody tells apart.
 const MOST: usize = 12;
 
-fn time() -> quantity::Quantity {
+pub(super) fn time() -> quantity::Quantity {
     quantity::Quantity::si(Dimension::Time, Range::from_to(0.0, 1e9), "10 s")
 }
 
-fn depth() -> quantity::Quantity {
+pub(super) fn depth() -> quantity::Quantity {
     quantity::Quantity::si(Dimension::Length, Range::from_to(0.0, 20_000.0), "600 m")
 }
 

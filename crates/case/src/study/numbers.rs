@@ -9,7 +9,7 @@ use super::{
         Amount, AmountRule, ColumnName, Quantity, SOURCES, Source, Statistic, StatisticRule,
         check_positive, check_summarised,
     },
-    figure::{WINDOW, window},
+    figure::{WINDOW, depth, time, window},
     place,
     selection::{Selection, SelectionRule},
     sweep::Sweep,
@@ -18,8 +18,6 @@ use super::{
 use crate::{
     diagnostic::Diagnostic,
     names::short,
-    quantity,
-    range::Range,
     reader::Reader,
     rule::{At, Choice, List, Prose, Section, Text},
     source::Place,
@@ -80,17 +78,9 @@ table! {
         statistic: Statistic = default(StatisticRule, Statistic::Mean);
         /// The value at the node that is nearest to this measured depth; for contact force and friction in "frames",
         /// at that of those within 5 m to which the wall does most.
-        depth: f64 = optional(quantity::Quantity::si(
-            Dimension::Length,
-            Range::from_to(0.0, 20_000.0),
-            "600 m",
-        ));
+        depth: f64 = optional(depth());
         /// The value at the sample or frame that is nearest to this time.
-        time: f64 = optional(quantity::Quantity::si(
-            Dimension::Time,
-            Range::from_to(0.0, 1e9),
-            "10 s",
-        ));
+        time: f64 = optional(time());
         /// First and last time of "time" and "frames". Default: the window of the case, after it has settled.
         window: Vec<At<f64>> = optional(WINDOW());
         /// Subtract the same of another case, which differs in these keys.

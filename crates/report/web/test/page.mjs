@@ -1,36 +1,13 @@
 // The report in a real browser: `node test/page.mjs CHROMIUM report.html`. Everything draws, what can be switched
 // switches, nothing is fetched and nothing is complained about.
 import assert from "node:assert/strict";
-import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { browse } from "./browser.mjs";
 
 const [executablePath, file] = process.argv.slice(2);
-const address = pathToFileURL(file).href;
-const browser = await chromium.launch({
-  executablePath,
-  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
+const { check, open, close } = await browse(executablePath, file, {
+  args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
+  timeout_ms: 120_000,
 });
-const complaints = [];
-const requests = [];
-let checks = 0;
-
-async function check(name, test) {
-  await test();
-  checks += 1;
-  console.log(`      ${name}`);
-}
-
-async function open(options) {
-  const context = await browser.newContext({ viewport: { width: 1440, height: 1000 }, offline: true, ...options });
-  const page = await context.newPage();
-  page.setDefaultTimeout(120_000);
-  page.on("console", (message) => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
-  page.on("pageerror", (error) => complaints.push(String(error)));
-  page.on("request", (request) => requests.push(request.url()));
-  await page.goto(address);
-  await page.waitForSelector("html[data-ready]");
-  return page;
-}
 
 /** How many different colours a canvas shows. */
 const colours = (page, selector) =>
@@ -62,7 +39,7 @@ const settled = (page) =>
 const same = (a, b, what) => assert.ok(a === b, `${what} looks the same`);
 const differs = (a, b, what) => assert.ok(a !== b, `${what} looks different`);
 
-let page = await open();
+const page = await open();
 
 await check("five answers", async () => {
   assert.equal(await page.locator(".answer").count(), 5);
@@ -257,26 +234,4 @@ await check("names are text, whatever they hold", async () => {
   assert.equal(await page.evaluate(() => window.harmed), undefined);
 });
 
-await check("a page of paper is made", async () => {
-  const paper = await page.pdf({ preferCSSPageSize: true, printBackground: true });
-  assert.ok(paper.length > 20_000, `${paper.length} bytes`);
-});
-
-for (const width of [900, 1440]) {
-  await check(`nothing sticks out at ${width} pixels`, async () => {
-    page = await open({ viewport: { width, height: 900 }, colorScheme: "dark" });
-    const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
-    assert.ok(content <= window, `${content} pixels of content`);
-  });
-}
-
-await check("nothing was fetched, nothing complained", async () => {
-  assert.deepEqual(
-    requests.filter((url) => url !== address && !url.startsWith("data:") && !url.startsWith("blob:")),
-    [],
-  );
-  assert.deepEqual(complaints, []);
-});
-
-await browser.close();
-console.log(`      ${checks} checks of the page`);
+await close(page, 20_000, "the page");

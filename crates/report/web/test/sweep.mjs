@@ -1,35 +1,12 @@
 // The report of a sweep in a real browser: `node test/sweep.mjs CHROMIUM report.html`. The figure is drawn, units and
 // colours switch, nothing is fetched and nothing is complained about.
 import assert from "node:assert/strict";
-import { pathToFileURL } from "node:url";
-import { chromium } from "playwright-core";
+import { browse } from "./browser.mjs";
 
 const [executablePath, file] = process.argv.slice(2);
-const address = pathToFileURL(file).href;
-const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
-const complaints = [];
-const requests = [];
-let checks = 0;
+const { check, open, close } = await browse(executablePath, file, { timeout_ms: 60_000 });
 
-async function check(name, test) {
-  await test();
-  checks += 1;
-  console.log(`      ${name}`);
-}
-
-async function open(options) {
-  const context = await browser.newContext({ viewport: { width: 1440, height: 1000 }, offline: true, ...options });
-  const page = await context.newPage();
-  page.setDefaultTimeout(60_000);
-  page.on("console", (message) => ["error", "warning"].includes(message.type()) && complaints.push(message.text()));
-  page.on("pageerror", (error) => complaints.push(String(error)));
-  page.on("request", (request) => requests.push(request.url()));
-  await page.goto(address);
-  await page.waitForSelector("html[data-ready]");
-  return page;
-}
-
-let page = await open();
+const page = await open();
 const texts = () => page.locator(".figure text").allTextContents();
 
 await check("every curve of the sweep is drawn", async () => {
@@ -70,26 +47,4 @@ await check("the figure follows the page into the dark", async () => {
   assert.equal(await ink(), light);
 });
 
-await check("a page of paper is made", async () => {
-  const paper = await page.pdf({ preferCSSPageSize: true, printBackground: true });
-  assert.ok(paper.length > 10_000, `${paper.length} bytes`);
-});
-
-for (const width of [900, 1440]) {
-  await check(`nothing sticks out at ${width} pixels`, async () => {
-    page = await open({ viewport: { width, height: 900 }, colorScheme: "dark" });
-    const [content, window] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
-    assert.ok(content <= window, `${content} pixels of content`);
-  });
-}
-
-await check("nothing was fetched, nothing complained", async () => {
-  assert.deepEqual(
-    requests.filter((url) => url !== address && !url.startsWith("data:") && !url.startsWith("blob:")),
-    [],
-  );
-  assert.deepEqual(complaints, []);
-});
-
-await browser.close();
-console.log(`      ${checks} checks of the page of a sweep`);
+await close(page, 10_000, "the page of a sweep");
