@@ -15,6 +15,7 @@ use serde::{Deserialize, Serialize};
 use super::layout::{Layout, Strands};
 use crate::rod::{
     element::{Pose, Stiffness},
+    lanes::SINGLES,
     number::Real,
     vector::Vector,
 };
@@ -138,13 +139,27 @@ impl<R: Real> Chain<R> {
         slid
     }
 
-    /// Effective tension of each element at the last step, from the top down, N.
-    pub fn tensions_N(&self) -> impl Iterator<Item = f64> {
+    /// The upper strands in whose elements the effective tension was more than `least_N` at the last step.
+    pub fn strands_above_N(&self, least_N: f64) -> usize {
+        let least = R::from_f64(least_N);
+        let mut above = [true; SINGLES];
+        for block in &self.element_blocks {
+            for (above, tension) in above.iter_mut().zip(block.tension.0.as_ref()) {
+                *above &= *tension > least;
+            }
+        }
+        above[..R::LANES].iter().take_while(|above| **above).count()
+    }
+
+    /// Effective tension of each element at the last step, from the first of a strand down, N, and its index.
+    pub fn tensions_N(&self, strand: usize) -> impl Iterator<Item = (usize, f64)> {
         let along = |lane| {
             let blocks = self.element_blocks.iter();
             blocks.map(move |block: &ElementBlock<R>| block.tension.0[lane].to_f64())
         };
-        (0..R::LANES).flat_map(along).take(self.elements())
+        let first = strand * self.strands.rows();
+        let tensions = (strand..R::LANES).flat_map(along);
+        (first..self.elements()).zip(tensions)
     }
 
     /// Work that friction has done at each node since the last sample, from the top down, J.
