@@ -41,8 +41,8 @@ use state::State;
 /// Extra damping of the first seconds of a prepared start, relative to the rigid motion, 1/s.
 const FADING_DAMPING_PER_S: f64 = 4.0;
 
-/// Steps after which anchors follow their nodes, and mass-proportional damping and lateral drag act: at 3.2 m elements
-/// some 10 ms, a fifth of the shortest period that the elements have across the hole.
+/// Steps after which anchors follow their nodes, the mud's lateral drag is found anew and mass-proportional damping acts:
+/// at 3.2 m elements some 10 ms, a fifth of the shortest period that they have across the hole.
 const FOLLOW_STEPS: u64 = 16;
 
 /// Steps after which directors are squared up.
@@ -195,6 +195,7 @@ impl<R: Real> Run<R> {
         {
             self.state.squeezed_m = squeezed_m(&self.mesh, self.mud, anchors);
         }
+        chain.find_drag(self.plan.dt_s);
         if let Some(mud) = &mut self.state.viscous {
             mud.update(chain, anchors, &self.surroundings, self.plan.dt_s);
         }
@@ -294,7 +295,7 @@ impl<R: Real> Run<R> {
         chain.set_director(0, along);
     }
 
-    /// Calms the string by what mass-proportional damping and the mud's lateral drag take in `steps`.
+    /// Calms the string by what mass-proportional damping takes in `steps`.
     fn calm(&mut self, steps: u64) {
         let time = self.time_s();
         let fading = match self.settings.start {

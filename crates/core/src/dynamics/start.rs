@@ -413,6 +413,7 @@ impl Laying<'_> {
             self.body.follow(&mut self.chain, input.dt);
             if step % CALM_STEPS == 0 {
                 stepper.calm(&mut self.chain, &calming);
+                self.chain.find_drag(input.dt);
             }
         }
         assembly::release(&mut self.chain);

@@ -294,7 +294,10 @@ fn percentiles_of_few_samples_are_exact() {
     let kept = filled(4001, |sample| f64::from((sample * 1234) % 4001));
     let found = kept.percentiles(Quantity::Bending, (0, 5));
     assert_eq!(found, [200.0, 2000.0, 3800.0]);
-    assert_eq!(Kept::new(1, 0).percentiles(Quantity::Torque, (0, 0)), [0.0; 3]);
+    assert_eq!(
+        Kept::new(1, 0).percentiles(Quantity::Torque, (0, 0)),
+        [0.0; 3]
+    );
 }
 
 /// Whatever the length of a run, 2048 to 4096 samples of each node of a short string are kept. A percentile

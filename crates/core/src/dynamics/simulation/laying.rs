@@ -71,6 +71,7 @@ impl<R: Real> Run<R> {
         };
         let initial = start::lay(&scene, chain, Body::new(model, mesh), bit_md_m)?;
         let (mut chain, anchors) = (initial.chain.converted(), initial.anchors);
+        chain.find_drag(dt);
         if let Some(mud) = &mut viscous {
             mud.attach(&mut chain, &anchors, dt);
             mud.update(&mut chain, &anchors, &basis.surroundings, dt);

@@ -1,5 +1,5 @@
-//! What is slow beside a step acts once in several, between two of them: mass-proportional damping and the mud's lateral
-//! drag, both by their closed forms. What precession has lengthened by then is taken out.
+//! Mass-proportional damping: it is slow beside a step, and so acts once in several, between two of them. What precession
+//! has lengthened by then is taken out.
 
 use super::lane::{add, at, at3, lanes, put, put3};
 use crate::{
@@ -7,14 +7,14 @@ use crate::{
     rod::number::{Number, Real},
 };
 
-/// What calms the string over some time.
+/// What mass-proportional damping does over some time.
 #[derive(Debug, Clone, Copy)]
 pub struct Calming {
     /// That time `T`, s.
     pub time_s: f64,
     /// The steps that it is made of, s.
     pub dt: f64,
-    /// What mass-proportional damping leaves of the motion relative to the rigid one: `exp(−αT)`.
+    /// What is left of the motion relative to the rigid one: `exp(−αT)`.
     pub left: f64,
     /// Axial velocity of the rigid motion, m/s.
     pub rigid_velocity: f64,
@@ -23,18 +23,10 @@ pub struct Calming {
 }
 
 /// Calms all nodes; the energy that it takes, J. That of lateral rotation is a millionth of the whole and not counted.
-///
-/// A node of mass `m` that the mud drags on with `c v + b v²` across the hole keeps, of its lateral velocity `v`,
-///
-/// ```text
-/// 1/(e^y + (b v/m) T (e^y − 1)/y),      y = c T/m.
-/// ```
 #[inline(always)]
 pub(super) fn calm<N: Number>(chain: &mut Chain<N::Real>, calming: &Calming) -> f64 {
     let splat = N::splat;
-    let (zero, half, one) = (N::zero(), splat(0.5), splat(1.0));
-    let third = splat(1.0 / 3.0);
-    let (time, left) = (splat(calming.time_s), splat(calming.left));
+    let (zero, one, left) = (N::zero(), splat(1.0), splat(calming.left));
     let lengthening = splat(0.5 * calming.dt * calming.time_s);
     let gone = splat(1.0 - calming.left);
     let (rigid_v, rigid_s) = (splat(calming.rigid_velocity), splat(calming.rigid_spin));
@@ -47,14 +39,7 @@ pub(super) fn calm<N: Number>(chain: &mut Chain<N::Real>, calming: &Calming) -> 
             // What fills the last lane stays where it is.
             let free = at::<N>(&n.inv_mass_axial, lane).if_positive(gone, zero);
             let axial1 = free.neg_mul_add(axial0 - rigid_v, axial0);
-            let lateral2 = axial0.neg_mul_add(axial0, v0.dot(v0)).max(zero);
-            let give = time * at(&n.inv_mass_lateral, lane);
-            let y = give * at(&n.drag_linear, lane);
-            // (e^y − 1)/y, to the fourth power of what drag takes in so short a time; e^y follows.
-            let rise = (half * y).mul_add(third.mul_add(y, one), one);
-            let fast = give * at(&n.drag_quadratic, lane) * lateral2.sqrt();
-            let kept = left / (y + fast).mul_add(rise, one);
-            let v1 = v0.scaled(kept).plus(th, kept.neg_mul_add(axial0, axial1));
+            let v1 = v0.scaled(left).plus(th, left.neg_mul_add(axial0, axial1));
             let free = at::<N>(&n.inv_polar, lane).if_positive(gone, zero);
             let s1 = free.neg_mul_add(s0 - rigid_s, s0);
             // Squares before less squares after.

@@ -51,7 +51,7 @@ pub struct StepInput {
 pub struct StepLosses {
     /// To the wall's contact forces.
     pub contact: f64,
-    /// To viscous mud along the hole and about the axis.
+    /// To the mud; mass-proportional damping is booked with it.
     pub mud: f64,
     /// To stiffness-proportional damping.
     pub damping: f64,
@@ -202,7 +202,7 @@ impl<R: Real> Stepper<R> {
         unsafe { (self.peak)(rounds) }
     }
 
-    /// Takes what mass-proportional damping and the mud's lateral drag take; how much, J.
+    /// Takes what mass-proportional damping takes; how much, J.
     pub fn calm(&self, chain: &mut Chain<R>, calming: &Calming) -> f64 {
         // SAFETY: as for a step.
         unsafe { (self.calm)(chain, calming) }
@@ -280,11 +280,14 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
         for lane in lanes::<N>() {
             fly::<N, FULL>(&mut flight, n, state, above, below, input, lane);
         }
+        let mut touches = false;
         for lane in lanes::<N>() {
-            reach::<N, FULL>(&mut flight, n, state, input, lane);
+            touches |= reach::<N, FULL>(&mut flight, n, state, input, lane);
         }
-        for lane in lanes::<Pair<N>>() {
-            push::<Pair<N>, HERTZ>(&mut flight, n, input, lane);
+        if touches {
+            for lane in lanes::<Pair<N>>() {
+                push::<Pair<N>, HERTZ>(&mut flight, n, input, lane);
+            }
         }
         if let Some((e, ends)) = &mut elements {
             for lane in lanes::<Pair<N>>() {
@@ -294,8 +297,10 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
                 twist::<N>(next, &mut strains, e, ends, input, &mut losses, lane);
             }
         }
-        for lane in lanes::<Pair<N>>() {
-            rub::<Pair<N>, VECTOR, FULL>(&mut flight, n, input, lane);
+        if touches {
+            for lane in lanes::<Pair<N>>() {
+                rub::<Pair<N>, VECTOR, FULL>(&mut flight, n, input, lane);
+            }
         }
         if let Some((e, ends)) = &mut elements {
             for lane in lanes::<N>() {
@@ -305,8 +310,14 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
                 bend::<N>(next, &strains, e, ends, lane);
             }
         }
-        for lane in lanes::<N>() {
-            land::<N, FULL>(&flight, n, state, input, &mut losses, lane);
+        if touches {
+            for lane in lanes::<N>() {
+                land::<N, FULL, true>(&flight, n, state, input, &mut losses, lane);
+            }
+        } else {
+            for lane in lanes::<N>() {
+                land::<N, FULL, false>(&flight, n, state, input, &mut losses, lane);
+            }
         }
         for lane in lanes::<N>() {
             turn::<N>(n, state, above, below, input, lane);

@@ -94,13 +94,15 @@ pub(super) fn fly<N: Number, const FULL: bool>(
     let along = th.dot(force);
     let torque = at::<N>(&below.torque, lane) - at(&above.torque, lane);
     let gained = give_axial * along;
-    // What the mass across the hole makes of the part along it is replaced.
-    let mut instead = give.neg_mul_add(along, gained);
+    // Drag acts on the velocity that the node came with. The kick of rod and gravity is left whole: a wall or a
+    // hoist that takes it back within the step must feel all of it.
+    let slowed = at::<N>(&n.slowed, lane);
+    let kept = N::splat(1.0) - slowed;
+    // What drag and the mass across the hole make of the part along it is replaced.
+    let mut instead = slowed.mul_add(axial0, give.neg_mul_add(along, gained));
     let mut axial = axial0 + gained;
     let mut spin = give_spin.mul_add(torque, s0);
     if FULL {
-        // Drag acts on the velocity that the node came with. The kick of rod and gravity is left whole: a wall or a
-        // hoist that takes it back within the step must feel all of it.
         let half = N::splat(0.5);
         let slowed_axial = (give_axial * at(&n.mud_axial, lane)).min(half) * axial0;
         let slowed_spin = (give_spin * at(&n.mud_spin, lane)).min(half) * s0;
@@ -109,7 +111,7 @@ pub(super) fn fly<N: Number, const FULL: bool>(
         put(&mut flight.slowed_axial, lane, slowed_axial);
         put(&mut flight.slowed_spin, lane, slowed_spin);
     }
-    let v = v0.plus(force, give).plus(th, instead);
+    let v = v0.scaled(kept).plus(force, give).plus(th, instead);
     put(&mut flight.give, lane, give);
     put(&mut flight.give_axial, lane, give_axial);
     put(&mut flight.give_spin, lane, give_spin);
@@ -119,7 +121,7 @@ pub(super) fn fly<N: Number, const FULL: bool>(
     put(&mut flight.spin, lane, spin);
 }
 
-/// Where a row of nodes would end, against the curved wall.
+/// Where a row of nodes would end, against the curved wall; whether one of them would be in it.
 #[inline(always)]
 pub(super) fn reach<N: Number, const FULL: bool>(
     flight: &mut Flight<N::Real>,
@@ -127,7 +129,7 @@ pub(super) fn reach<N: Number, const FULL: bool>(
     state: &StateBlock<N::Real>,
     input: &StepInput,
     lane: usize,
-) {
+) -> bool {
     let (half, dt) = (N::splat(0.5), N::splat(input.dt));
     let th = at3::<N>(&n.tangent, lane);
     let v = at3::<N>(&flight.v, lane);
@@ -144,6 +146,9 @@ pub(super) fn reach<N: Number, const FULL: bool>(
     put3(&mut flight.offset, lane, offset);
     put(&mut flight.clearance, lane, clearance);
     put(&mut flight.inward, lane, v.dot(offset));
+    clearance
+        .neg_mul_add(clearance, offset.dot(offset))
+        .any_positive()
 }
 
 /// Rubs a row of nodes that are pushed on the wall.
@@ -201,9 +206,9 @@ pub(super) fn rub<N: Number, const VECTOR: bool, const FULL: bool>(
     put(&mut flight.rub_around, lane, rub_around);
 }
 
-/// Moves a row of nodes to where the step ends.
+/// Moves a row of nodes to where the step ends. Where none of them touches the wall, nothing of it is asked for.
 #[inline(always)]
-pub(super) fn land<N: Number, const FULL: bool>(
+pub(super) fn land<N: Number, const FULL: bool, const TOUCHES: bool>(
     flight: &Flight<N::Real>,
     n: &mut NodeBlock<N::Real>,
     state: &mut StateBlock<N::Real>,
@@ -216,48 +221,54 @@ pub(super) fn land<N: Number, const FULL: bool>(
     let half_dt = splat(0.5 * input.dt);
     let th = at3::<N>(&n.tangent, lane);
     let give = at::<N>(&flight.give, lane);
-    let radius = at::<N>(&n.radius, lane);
-    let (normal, around) = (
-        at3::<N>(&flight.normal, lane),
-        at3::<N>(&flight.around, lane),
-    );
-    let force = at::<N>(&flight.push, lane);
-    let along = at::<N>(&flight.rub_along, lane);
-    let across = at::<N>(&flight.rub_around, lane);
-    let torque = across * radius;
-    let stopped = at::<N>(&flight.give_axial, lane) * along;
-    let axial3 = at::<N>(&flight.axial, lane) - stopped;
-    let v3 = at3::<N>(&flight.v, lane)
-        .minus(normal, give * force)
-        .minus(around, give * across)
-        .minus(th, stopped);
-    let spin = at::<N>(&flight.spin, lane);
-    let s3 = at::<N>(&flight.give_spin, lane).neg_mul_add(torque, spin);
+    let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));
+    let (mut v3, mut s3) = (at3::<N>(&flight.v, lane), at::<N>(&flight.spin, lane));
+    let mut axial3 = at::<N>(&flight.axial, lane);
+    let axial0 = at::<N>(&flight.axial0, lane);
+    let mut both = v0 + v3;
 
     // Energy that left the string: every impulse but the rod's and gravity's works on the mean of
     // the velocities before and after the step.
-    let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));
-    let axial0 = at::<N>(&flight.axial0, lane);
-    let (both, both_axial, both_spin) = (v0 + v3, axial0 + axial3, s0 + s3);
-    let contact = force * normal.dot(both);
-    let slid = radius.mul_add(both_spin, around.dot(both));
-    let rubbed = half_dt * along.mul_add(both_axial, across * slid);
+    if TOUCHES {
+        let radius = at::<N>(&n.radius, lane);
+        let (normal, around) = (
+            at3::<N>(&flight.normal, lane),
+            at3::<N>(&flight.around, lane),
+        );
+        let force = at::<N>(&flight.push, lane);
+        let along = at::<N>(&flight.rub_along, lane);
+        let across = at::<N>(&flight.rub_around, lane);
+        let torque = across * radius;
+        let stopped = at::<N>(&flight.give_axial, lane) * along;
+        axial3 = axial3 - stopped;
+        v3 = v3
+            .minus(normal, give * force)
+            .minus(around, give * across)
+            .minus(th, stopped);
+        s3 = at::<N>(&flight.give_spin, lane).neg_mul_add(torque, s3);
+        both = v0 + v3;
+        let contact = force * normal.dot(both);
+        let slid = radius.mul_add(s0 + s3, around.dot(both));
+        let rubbed = half_dt * along.mul_add(axial0 + axial3, across * slid);
+        add(&mut n.sum_normal, lane, force);
+        add(&mut n.sum_axial, lane, along);
+        add(&mut n.sum_torque, lane, torque);
+        add(&mut n.sum_wear, lane, rubbed);
+        add(&mut losses.contact, lane, contact);
+    }
+    let both_axial = axial0 + axial3;
+    let drag = at::<N>(&n.mass_lateral, lane) * at(&n.slowed, lane);
+    let mut slowed = drag * axial0.neg_mul_add(both_axial, v0.dot(both));
     if FULL {
         let drag_axial = at::<N>(&n.mass_axial, lane) * at(&flight.slowed_axial, lane);
         let drag_spin = at::<N>(&n.polar, lane) * at(&flight.slowed_spin, lane);
-        let slowed = drag_axial.mul_add(both_axial, drag_spin * both_spin);
-        add(&mut losses.mud, lane, slowed);
+        slowed = drag_axial.mul_add(both_axial, drag_spin.mul_add(s0 + s3, slowed));
     }
-
+    add(&mut losses.mud, lane, slowed);
     let u0 = at3::<N>(&state.u, lane);
     put3(&mut state.u, lane, u0.plus(v3, dt));
     put3(&mut state.v, lane, v3);
     put(&mut state.spin, lane, s3);
-    add(&mut n.sum_normal, lane, force);
-    add(&mut n.sum_axial, lane, along);
-    add(&mut n.sum_torque, lane, torque);
-    add(&mut n.sum_wear, lane, rubbed);
-    add(&mut losses.contact, lane, contact);
 }
 
 /// Turns the directors of nodes.

@@ -281,6 +281,7 @@ impl Bench {
 
     /// Goes on by a step; what the rod lost in it.
     pub fn step(&mut self) -> StepLosses {
+        self.chain.find_drag(self.input.dt);
         self.body.push(&mut self.chain, &self.input, 1.0);
         let mut losses = self.stepper.step(&mut self.chain, &self.input);
         self.body.follow(&mut self.chain, self.input.dt);
