@@ -85,7 +85,8 @@ impl InsertBit {
             gauge_relief_m: 0.4e-3,
         };
         if let Ok(profile) = bit.profile() {
-            bit.rows = (profile.length_m() / insert + 1.0 - OFF_AXIS).ceil() as usize;
+            let rows = (profile.length_m() / insert + 1.0 - OFF_AXIS).ceil();
+            bit.rows = rows as usize;
         }
         bit
     }

@@ -65,6 +65,9 @@ pub struct PdcBit {
     pub centre_spacing: f64,
 }
 
+/// Most cutters that a blade may carry.
+const MOST_ON_A_BLADE: usize = 200;
+
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 impl PdcBit {
@@ -121,7 +124,7 @@ impl PdcBit {
     fn filled(mut self) -> Self {
         if let Ok(profile) = self.profile() {
             let room = profile.length_m() / (1.5 * self.cutter_diameter_m);
-            self.cutters_per_blade = (room as usize).max(1);
+            self.cutters_per_blade = (room as usize).clamp(1, MOST_ON_A_BLADE);
             while self.cutters_per_blade > 1 && self.layout(&profile).is_err() {
                 self.cutters_per_blade -= 1;
             }
@@ -193,19 +196,17 @@ impl PdcBit {
     }
 
     fn check(&self) -> Result<(), FaceError> {
-        let counts = [
-            ("number of blades", self.blades, 1..=24),
-            ("cutters per blade", self.cutters_per_blade, 1..=200),
-            ("cutters per track", self.cutters_per_track, 1..=24),
-        ];
-        for (quantity, count, range) in counts {
-            let range = *range.start() as f64..=*range.end() as f64;
-            within(
-                quantity,
-                count as f64,
-                range,
-                "a number from 1 to 24; up to 200 cutters on a blade",
-            )?;
+        for (quantity, count, most, expected) in [
+            ("number of blades", self.blades, 24.0, "1 to 24"),
+            (
+                "cutters per blade",
+                self.cutters_per_blade,
+                200.0,
+                "1 to 200",
+            ),
+            ("cutters per track", self.cutters_per_track, 24.0, "1 to 24"),
+        ] {
+            within(quantity, count as f64, 1.0..=most, expected)?;
         }
         if !self.blades.is_multiple_of(self.cutters_per_track) {
             return Err(FaceError::Unspread {

@@ -246,7 +246,7 @@ impl Profile {
         let before = from_nose[0] * inner[0] + from_nose[1] * inner[1] < 0.0;
         let beyond = from_nose[0] * outer[0] + from_nose[1] * outer[1] > 0.0;
         // Far inside, above the nose's centre, a point lies beside both: the nearer one counts.
-        let cone = before.then(|| self.from_cone(radius_m, z_m));
+        let cone = before.then(|| self.cone_distance(radius_m, z_m));
         let shoulder = beyond.then(|| {
             let from = [
                 radius_m - self.shoulder_centre[0],
@@ -255,18 +255,18 @@ impl Profile {
             if from[1] < 0.0 {
                 (radius_m - self.radius_m, [1.0, 0.0])
             } else {
-                from_arc(from, self.shoulder_radius_m)
+                arc_distance(from, self.shoulder_radius_m)
             }
         });
         match (cone, shoulder) {
             (Some(cone), Some(shoulder)) if cone.0 > shoulder.0 => cone,
             (_, Some(shoulder)) => shoulder,
             (Some(cone), None) => cone,
-            (None, None) => from_arc(from_nose, self.nose_radius_m),
+            (None, None) => arc_distance(from_nose, self.nose_radius_m),
         }
     }
 
-    fn from_cone(&self, radius_m: f64, z_m: f64) -> (f64, [f64; 2]) {
+    fn cone_distance(&self, radius_m: f64, z_m: f64) -> (f64, [f64; 2]) {
         let [t, _] = self.tangents;
         let from = [radius_m - self.cone_end[0], z_m - self.cone_end[1]];
         let past = -(from[0] * t[0] + from[1] * t[1]) - self.cone_length_m;
@@ -281,7 +281,7 @@ impl Profile {
 }
 
 /// Distance from an arc of a point given from its centre.
-fn from_arc(from: [f64; 2], arc: f64) -> (f64, [f64; 2]) {
+fn arc_distance(from: [f64; 2], arc: f64) -> (f64, [f64; 2]) {
     let distance = (from[0] * from[0] + from[1] * from[1]).sqrt();
     let inverse = 1.0 / distance.max(f64::MIN_POSITIVE);
     (distance - arc, [from[0] * inverse, from[1] * inverse])
