@@ -166,7 +166,7 @@ export function tracks(report) {
       height: box.height,
       viewBox: `${box.left} ${box.top} ${box.width} ${box.height}`,
     });
-    const scale = ticks(shown(range[0], track.dimension), shown(range[1], track.dimension), box.width / 44);
+    const scale = ticks(shown(range[0], track.dimension), shown(range[1], track.dimension), box.width / 36);
     for (const value of scale.values) {
       const at = x(si(value, track.dimension));
       const place = at < box.left + 8 ? "start" : at > box.left + box.width - 8 ? "end" : "middle";
