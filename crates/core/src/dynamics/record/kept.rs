@@ -3,7 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::look::Look;
+use super::look::{Lane, Look};
 use crate::{dynamics::outcome::percentile, rod::lanes::DOUBLES};
 
 /// What is kept of every node.
@@ -13,10 +13,12 @@ pub enum Quantity {
     Tension,
     /// Torque of the element below, in the sign of the chain.
     Torque,
-    /// Contact force.
-    Contact,
+    /// Contact force, positive on the high side.
+    Side,
     /// Bending moment.
     Bending,
+    /// Contact force, whatever its side: nothing of its own is kept of it.
+    Contact,
 }
 
 const QUANTITIES: usize = 4;
@@ -56,7 +58,16 @@ impl KeptRow<'_> {
     /// Puts the values of a block.
     #[inline(always)]
     pub fn put(&mut self, block: usize, look: &Look) {
-        let values = [&look.tension, &look.torque, &look.normal, &look.bending];
+        // By the side on which the node lies, as the sums count it; what does not touch is +0.
+        let side: Lane = std::array::from_fn(|lane| {
+            let normal = look.normal[lane];
+            if look.up[lane] < 0.0 {
+                0.0 - normal
+            } else {
+                normal
+            }
+        });
+        let values = [&look.tension, &look.torque, &side, &look.bending];
         for (row, values) in self.0.iter_mut().zip(values) {
             let lanes = &mut row[block * DOUBLES..(block + 1) * DOUBLES];
             for lane in 0..DOUBLES {
@@ -142,9 +153,14 @@ impl Kept {
 
     /// 5th, 50th and 95th percentile of a quantity at a node's place; zeros where nothing was kept.
     pub fn percentiles(&self, quantity: Quantity, (block, lane): (usize, usize)) -> [f64; 3] {
-        let values = &self.values[quantity as usize];
+        let (of, magnitude) = match quantity {
+            Quantity::Contact => (Quantity::Side, true),
+            other => (other, false),
+        };
+        let values = &self.values[of as usize];
         let mut kept: Vec<f32> = (0..self.rows)
             .map(|row| values[row * self.width + block * DOUBLES + lane])
+            .map(|value| if magnitude { value.abs() } else { value })
             .collect();
         if kept.is_empty() {
             return [0.0; 3];

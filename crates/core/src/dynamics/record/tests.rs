@@ -275,6 +275,20 @@ fn contact_is_averaged_and_signed() {
             10.0,
             "the median"
         );
+        // Between nothing, 10 and 30 N a tenth of the way from either end.
+        let expected = if sign > 0.0 {
+            [1.0, 10.0, 28.0]
+        } else {
+            [-28.0, -10.0, -1.0]
+        };
+        for (found, expected) in record
+            .percentiles(Quantity::Side, index)
+            .into_iter()
+            .zip(expected)
+        {
+            // Kept in single precision.
+            assert!((found - expected).abs() < 1e-5, "{found} for {expected}");
+        }
     }
 }
 
