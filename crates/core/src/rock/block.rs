@@ -88,6 +88,8 @@ pub struct Block {
     pub(super) top_m: f64,
     pub(super) displacement: [Vec<f64>; 3],
     pub(super) velocity: [Vec<f64>; 3],
+    /// Velocity with which the exposed nodes came through the last step, m/s.
+    pub(super) came: [Vec<f64>; 3],
     pub(super) inverse_mass: Vec<f64>,
     /// Bricks left around each node.
     pub(super) around: Vec<u8>,
@@ -142,6 +144,7 @@ impl Block {
             top_m: 0.0,
             displacement: [zeros(), zeros(), zeros()],
             velocity: [zeros(), zeros(), zeros()],
+            came: [zeros(), zeros(), zeros()],
             inverse_mass: zeros(),
             around: vec![0; grid.node_places()],
             stress: initial_stress.map(|_| vec![0.0; grid.brick_places()]),
@@ -201,6 +204,11 @@ impl Block {
         }
         let mut outside = self.outside.take().unwrap_or_else(|| self.make_edges());
         outside.remember(&self.velocity);
+        for &node in self.surface.exposed() {
+            for (came, v) in self.came.iter_mut().zip(&self.velocity) {
+                came[node as usize] = v[node as usize];
+            }
+        }
         let fields = self.fields();
         // SAFETY: the fields are this block's, which is borrowed for the whole step.
         unsafe {
@@ -256,16 +264,20 @@ impl Block {
         })
     }
 
-    /// Pushes a node with a force, N, through one step; the work that was done on the block, J.
+    /// Pushes an exposed node with a force, N, through one step; the work that was done on the block, J. All that pushes
+    /// a node goes into one force.
+    ///
+    /// The work is the force times the mean of the velocities with which the node came and goes, as that of the rock's own
+    /// forces is.
     pub fn push(&mut self, index: usize, force_N: [f64; 3]) -> f64 {
         let inverse = self.inverse_mass[index];
         let mut work_J = 0.0;
         if inverse > 0.0 {
+            let dt = self.constants.dt_s;
             for (axis, force) in force_N.into_iter().enumerate() {
                 let v = &mut self.velocity[axis][index];
-                let before = *v;
-                *v += self.constants.dt_s * force * inverse;
-                work_J += force * self.constants.dt_s * 0.5 * (before + *v);
+                *v += dt * force * inverse;
+                work_J += force * dt * 0.5 * (self.came[axis][index] + *v);
             }
         }
         self.energies.pushed_J += work_J;

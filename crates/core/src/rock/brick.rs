@@ -9,6 +9,9 @@
 //! and its rate over a step, the strain and rotation of the step are those at its middle (Hughes and Winget 1980),
 //! and the Kirchhoff stress `τ` pulls at the corners by `V₀ τ F⁻ᵀ`.
 
+// Indices say which component meets which.
+#![allow(clippy::needless_range_loop)]
+
 use super::constants::Constants;
 use crate::rod::number::Number;
 
@@ -43,13 +46,11 @@ pub fn transform<N: Number>(corner: [N; 8]) -> [N; 8] {
 pub fn spread<N: Number>(gradients: [N; 3], hourglasses: [N; 4]) -> [N; 8] {
     let [x, y, z] = gradients;
     let [xy, xz, yz, xyz] = hourglasses;
-    // Near and far in x.
-    let at = |mean: N, along: N| [mean - along, mean + along];
-    // With z and y still to come: mean, y, z, yz of both.
+    // Near and far in x, with the signs of y and z still to come: mean, y, z, yz.
     let zero_x = [-x, x];
-    let y_x = at(y, xy);
-    let z_x = at(z, xz);
-    let yz_x = at(yz, xyz);
+    let y_x = [y - xy, y + xy];
+    let z_x = [z - xz, z + xz];
+    let yz_x = [yz - xyz, yz + xyz];
     let mut out = [x; 8];
     for i in 0..2 {
         let (near, far) = (zero_x[i] - y_x[i], zero_x[i] + y_x[i]);
@@ -74,20 +75,50 @@ impl<N: Number> Modes<N> {
     /// Of a field at the corners, by component.
     #[inline(always)]
     pub fn of(field: [[N; 8]; 3], constants: &Constants) -> Self {
-        let [x, y, z] = constants.gradient.map(N::splat);
-        let sums = field.map(transform);
-        Self {
-            gradient: sums.map(|s| [s[1] * x, s[2] * y, s[4] * z]),
-            hourglass: sums.map(|s| [s[3], s[5], s[6], s[7]]),
+        let zero = N::zero();
+        let mut modes = Self {
+            gradient: [[zero; 3]; 3],
+            hourglass: [[zero; 4]; 3],
+        };
+        for axis in 0..3 {
+            let s = transform(field[axis]);
+            for (j, sum) in [s[1], s[2], s[4]].into_iter().enumerate() {
+                modes.gradient[axis][j] = sum * N::splat(constants.gradient[j]);
+            }
+            modes.hourglass[axis] = [s[3], s[5], s[6], s[7]];
         }
+        modes
     }
 }
 
+// No closures in what follows: a closure knows nothing of the instructions that its function is compiled for.
+
 #[inline(always)]
-fn product<N: Number>(a: Matrix<N>, b: Matrix<N>) -> Matrix<N> {
-    a.map(|row| {
-        [0, 1, 2].map(|j| row[0].mul_add(b[0][j], row[1].mul_add(b[1][j], row[2] * b[2][j])))
-    })
+fn dot<N: Number>(a: [N; 3], b: [N; 3]) -> N {
+    a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
+}
+
+#[inline(always)]
+fn column<N: Number>(m: &Matrix<N>, j: usize) -> [N; 3] {
+    [m[0][j], m[1][j], m[2][j]]
+}
+
+#[inline(always)]
+fn product<N: Number>(a: &Matrix<N>, b: &Matrix<N>) -> Matrix<N> {
+    let mut out = *a;
+    for i in 0..3 {
+        for j in 0..3 {
+            out[i][j] = dot(a[i], column(b, j));
+        }
+    }
+    out
+}
+
+#[inline(always)]
+fn cofactor<N: Number>(f: &Matrix<N>, i: usize, j: usize) -> N {
+    let (a, b) = ((i + 1) % 3, (i + 2) % 3);
+    let (c, d) = ((j + 1) % 3, (j + 2) % 3);
+    f[a][d].neg_mul_add(f[b][c], f[a][c] * f[b][d])
 }
 
 /// Where a brick has got to, and how it moved there in the step.
@@ -107,43 +138,50 @@ impl<N: Number> Motion<N> {
     #[inline(always)]
     pub fn of(displacement: Matrix<N>, change: Matrix<N>) -> Self {
         let one = N::splat(1.0);
+        let half = N::splat(0.5);
         let mut f = displacement;
-        for (i, row) in f.iter_mut().enumerate() {
-            row[i] = row[i] + one;
+        for i in 0..3 {
+            f[i][i] = f[i][i] + one;
         }
-        // The cofactors, by row.
-        let cofactor = |i: usize, j: usize| {
-            let (a, b) = ((i + 1) % 3, (i + 2) % 3);
-            let (c, d) = ((j + 1) % 3, (j + 2) % 3);
-            f[a][d].neg_mul_add(f[b][c], f[a][c] * f[b][d])
-        };
-        let cofactors = [0, 1, 2].map(|i| [0, 1, 2].map(|j| cofactor(i, j)));
-        let volume = f[0][0].mul_add(
-            cofactors[0][0],
-            f[0][1].mul_add(cofactors[0][1], f[0][2] * cofactors[0][2]),
-        );
+        let mut inverse = f;
+        for i in 0..3 {
+            for j in 0..3 {
+                inverse[i][j] = cofactor(&f, j, i);
+            }
+        }
+        let volume = dot(f[0], column(&inverse, 0));
         let over = one / volume;
-        let inverse = [0, 1, 2].map(|i| [0, 1, 2].map(|j| cofactors[j][i] * over));
+        for i in 0..3 {
+            for j in 0..3 {
+                inverse[i][j] = inverse[i][j] * over;
+            }
+        }
         // Referred to the end of the step, `E = ΔF F⁻¹`; to its middle, `E (1 − E/2)⁻¹ = E + E²/2 + ...`: the next term
         // is beyond the tenth digit for the steps that are stable.
-        let end = product(change, inverse);
-        let square = product(end, end);
-        let half = N::splat(0.5);
-        let middle = [0, 1, 2].map(|i| [0, 1, 2].map(|j| square[i][j].mul_add(half, end[i][j])));
-        let mean = |i: usize, j: usize| half * (middle[i][j] + middle[j][i]);
-        let turn = |i: usize, j: usize| half * (middle[i][j] - middle[j][i]);
+        let end = product(&change, &inverse);
+        let square = product(&end, &end);
+        let mut m = end;
+        for i in 0..3 {
+            for j in 0..3 {
+                m[i][j] = square[i][j].mul_add(half, end[i][j]);
+            }
+        }
         Self {
             inverse,
             volume,
             strain: [
-                middle[0][0],
-                middle[1][1],
-                middle[2][2],
-                mean(0, 1),
-                mean(1, 2),
-                mean(2, 0),
+                m[0][0],
+                m[1][1],
+                m[2][2],
+                half * (m[0][1] + m[1][0]),
+                half * (m[1][2] + m[2][1]),
+                half * (m[2][0] + m[0][2]),
             ],
-            turn: [turn(2, 1), turn(0, 2), turn(1, 0)],
+            turn: [
+                half * (m[2][1] - m[1][2]),
+                half * (m[0][2] - m[2][0]),
+                half * (m[1][0] - m[0][1]),
+            ],
         }
     }
 }
@@ -169,30 +207,31 @@ pub fn turned<N: Number>(turn: [N; 3], stress: [N; 6]) -> [N; 6] {
     let first = turning(turn, stress);
     let second = turning(turn, first);
     let half = N::splat(0.5);
-    [0, 1, 2, 3, 4, 5].map(|i| second[i].mul_add(half, first[i]) + stress[i])
+    let mut out = stress;
+    for i in 0..6 {
+        out[i] = second[i].mul_add(half, first[i]) + stress[i];
+    }
+    out
 }
 
 /// How a stress pulls at the corners: coefficients of the gradients, by component.
 #[inline(always)]
 pub fn pulls<N: Number>(stress: [N; 6], inverse: Matrix<N>, constants: &Constants) -> Matrix<N> {
     let [xx, yy, zz, xy, yz, zx] = stress;
-    let weight = constants.pull.map(N::splat);
-    [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]].map(|row| {
-        [0, 1, 2].map(|j| {
-            let sum = row[0].mul_add(
-                inverse[j][0],
-                row[1].mul_add(inverse[j][1], row[2] * inverse[j][2]),
-            );
-            sum * weight[j]
-        })
-    })
+    let rows = [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]];
+    let mut out = rows;
+    for i in 0..3 {
+        for j in 0..3 {
+            out[i][j] = dot(rows[i], inverse[j]) * N::splat(constants.pull[j]);
+        }
+    }
+    out
 }
 
 /// Square of the length of a matrix.
 #[inline(always)]
 pub fn square<N: Number>(m: Matrix<N>) -> N {
-    let row = |r: [N; 3]| r[0].mul_add(r[0], r[1].mul_add(r[1], r[2] * r[2]));
-    row(m[0]) + row(m[1]) + row(m[2])
+    dot(m[0], m[0]) + dot(m[1], m[1]) + dot(m[2], m[2])
 }
 
 #[cfg(test)]

@@ -51,6 +51,12 @@ impl Block {
             let v = at(&self.velocity, corner);
             let square: f64 = v.iter().map(|v| v * v).sum();
             self.energies.removed_J += self.constants.mass_kg / 16.0 * square;
+            if !self.surface.is_exposed(corner) {
+                // What it came with is not known any more.
+                for (came, v) in self.came.iter_mut().zip(v) {
+                    came[corner] = v;
+                }
+            }
             self.around[corner] -= 1;
             self.weigh(corner);
             if self.around[corner] == 0 {

@@ -48,7 +48,12 @@ impl Block {
             self.energies.viscous_J += book.viscous_J;
             *book = RowBook::default();
         }
-        for field in self.displacement.iter_mut().chain(&mut self.velocity) {
+        for field in self
+            .displacement
+            .iter_mut()
+            .chain(&mut self.velocity)
+            .chain(&mut self.came)
+        {
             shift_on(field, &grid, layers);
         }
         let (nodes, bricks) = (layers * grid.node_layer(), layers * grid.brick_layer());

@@ -142,11 +142,10 @@ impl Law {
     /// What a strain increment makes of a stress and of the intact part.
     #[inline(always)]
     pub fn answer<N: Number>(&self, stress: [N; 6], strain: [N; 6], intact: N) -> Answer<N> {
-        let of = |value: f64| N::splat(value);
         let zero = N::zero();
         let trial = self.predict(stress, strain);
         let first = trial[0] + trial[1] + trial[2];
-        let mean = first * of(1.0 / 3.0);
+        let mean = first * N::splat(1.0 / 3.0);
         let s = [
             trial[0] - mean,
             trial[1] - mean,
@@ -157,47 +156,50 @@ impl Law {
         ];
         let normal = s[0].mul_add(s[0], s[1].mul_add(s[1], s[2] * s[2]));
         let shear = s[3].mul_add(s[3], s[4].mul_add(s[4], s[5] * s[5]));
-        let second = normal.mul_add(of(0.5), shear);
-        let root = (second + of(1e-30)).sqrt();
+        let second = normal.mul_add(N::splat(0.5), shear);
+        let root = (second + N::splat(1e-30)).sqrt();
 
         // The cone. The smaller multiplier is that of a rock that has no cohesion left at the end.
-        let load = first.mul_add(of(self.alpha), root);
-        let over = intact.neg_mul_add(of(self.k), load);
-        let flow = (over * of(self.softening))
-            .min(load * of(self.softened))
+        let load = first.mul_add(N::splat(self.alpha), root);
+        let over = intact.neg_mul_add(N::splat(self.k), load);
+        let flow = (over * N::splat(self.softening))
+            .min(load * N::splat(self.softened))
             .max(zero);
-        let cone_root = flow.neg_mul_add(of(self.shear), root);
-        let cone_first = flow.neg_mul_add(of(self.swelling), first);
-        let cone_intact = flow.neg_mul_add(of(self.fall), intact).max(zero);
+        let cone_root = flow.neg_mul_add(N::splat(self.shear), root);
+        let cone_first = flow.neg_mul_add(N::splat(self.swelling), first);
+        let cone_intact = flow.neg_mul_add(N::splat(self.fall), intact).max(zero);
 
         // The tip, and its edge with the cone.
-        let over = intact.neg_mul_add(of(self.tension), first);
-        let opening = (over * of(self.tip_softening))
-            .min(first * of(self.tip_softened))
+        let over = intact.neg_mul_add(N::splat(self.tension), first);
+        let opening = (over * N::splat(self.tip_softening))
+            .min(first * N::splat(self.tip_softened))
             .max(zero);
-        let left = opening.neg_mul_add(of(self.tip_fall), intact).max(zero);
-        let over = left.neg_mul_add(of(self.edge), root);
-        let flow = (over * of(self.edge_softening))
-            .min(root * of(self.edge_softened))
+        let left = opening
+            .neg_mul_add(N::splat(self.tip_fall), intact)
             .max(zero);
-        let tip_root = flow.neg_mul_add(of(self.shear), root);
-        let tip_intact = flow.neg_mul_add(of(self.fall), left).max(zero);
-        let tip_first = tip_intact * of(self.tension);
+        let over = left.neg_mul_add(N::splat(self.edge), root);
+        let flow = (over * N::splat(self.edge_softening))
+            .min(root * N::splat(self.edge_softened))
+            .max(zero);
+        let tip_root = flow.neg_mul_add(N::splat(self.shear), root);
+        let tip_intact = flow.neg_mul_add(N::splat(self.fall), left).max(zero);
+        let tip_first = tip_intact * N::splat(self.tension);
 
-        let beyond = cone_intact.neg_mul_add(of(self.tension), cone_first);
+        let beyond = cone_intact.neg_mul_add(N::splat(self.tension), cone_first);
         let new_root = beyond.if_positive(tip_root, cone_root).max(zero);
         let new_first = beyond.if_positive(tip_first, cone_first);
         let new_intact = beyond.if_positive(tip_intact, cone_intact);
 
         let ratio = new_root / root;
-        let mean = new_first * of(1.0 / 3.0);
+        let mean = new_first * N::splat(1.0 / 3.0);
         // The mean of the stresses before and after, times the plastic strain.
         let before = stress[0].mul_add(s[0], stress[1].mul_add(s[1], stress[2] * s[2]));
         let sheared = stress[3].mul_add(s[3], stress[4].mul_add(s[4], stress[5] * s[5]));
-        let along = sheared.mul_add(of(2.0), before) + of(2.0) * ratio * second;
+        let along = sheared.mul_add(N::splat(2.0), before) + N::splat(2.0) * ratio * second;
         let sum = stress[0] + stress[1] + stress[2] + new_first;
-        let swollen = sum * (first - new_first) * of(self.bulk_compliance);
-        let plastic = ((of(1.0) - ratio) * along).mul_add(of(self.shear_compliance), swollen);
+        let swollen = sum * (first - new_first) * N::splat(self.bulk_compliance);
+        let plastic =
+            ((N::splat(1.0) - ratio) * along).mul_add(N::splat(self.shear_compliance), swollen);
         Answer {
             stress: [
                 s[0].mul_add(ratio, mean),

@@ -47,6 +47,11 @@ impl Surface {
         &self.exposed
     }
 
+    /// Whether a node is exposed.
+    pub fn is_exposed(&self, node: usize) -> bool {
+        self.place[node] != NOWHERE
+    }
+
     /// Area of a node with its outward direction, m², in the rock at rest.
     pub fn area_m2(&self, grid: &Grid, node: usize) -> [f64; 3] {
         let faces = self.faces[node];

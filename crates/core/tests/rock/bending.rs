@@ -23,7 +23,7 @@ fn cantilever(deep: usize) -> [f64; 2] {
     };
     let mut block = Block::new(&spec).expect("a sound block");
     let (grid, stepper) = (*block.grid(), Stepper::default());
-    let (l, d) = (8.0 * 8e-3, 8e-3);
+    let (l, d): (f64, f64) = (8.0 * 8e-3, 8e-3);
     let (area, inertia) = (size_m * d, size_m * d * d * d / 12.0);
     let e = rock.youngs_modulus_Pa;
     let theory_m = load_N * l.powi(3) / (3.0 * e * inertia)

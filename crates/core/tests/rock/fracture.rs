@@ -4,7 +4,7 @@ use wholestring::rock::{Block, BlockSpec, Edge, Rock, Stepper};
 
 use crate::{
     common::{Row, Tolerance, report},
-    setup::{step, tell_layer},
+    setup::{step, tell_layer_down},
 };
 
 const LONG_M: f64 = 24e-3;
@@ -15,11 +15,11 @@ const WEAK: f64 = 0.99;
 
 /// Pulls or presses a bar of bricks until its middle layer is gone; the energy it took per area, J/m².
 fn break_bar(rock: Rock, wide: usize, speed_m_per_s: f64) -> f64 {
-    use Edge::{Free, Held};
+    use Edge::{Free, Guided};
     let size_m = WIDE_M / wide as f64;
     let deep = (LONG_M / size_m).round() as usize;
     let spec = BlockSpec {
-        edges: [Free, Free, Free, Free, Held, Held],
+        edges: [Free, Free, Free, Free, Guided, Guided],
         ..BlockSpec::new(rock, [wide, wide, deep], size_m)
     };
     let mut block = Block::new(&spec).expect("a sound block");
@@ -37,7 +37,7 @@ fn break_bar(rock: Rock, wide: usize, speed_m_per_s: f64) -> f64 {
         time_s += block.dt_s();
         assert!(time_s < 0.02, "the bar does not break");
         let speed = speed_m_per_s * (time_s / begin_s).min(1.0);
-        tell_layer(&mut block, deep, [0.0, 0.0, speed]);
+        tell_layer_down(&mut block, deep, speed);
         step(&mut block, &stepper);
     }
     let energies = block.energies();

@@ -124,16 +124,16 @@ pub unsafe fn work<N: Number<Real = f64>>(
             }
         }
     }
-    let sum = |register: N| in_lanes(register).iter().take(N::WIDTH).sum::<f64>();
-    let least = in_lanes(books.least)
-        .iter()
-        .take(N::WIDTH)
-        .fold(1.0, |a: f64, &b| a.min(b));
+    let (plastic, viscous, least) = (
+        in_lanes(books.plastic),
+        in_lanes(books.viscous),
+        in_lanes(books.least),
+    );
     // SAFETY: the book of this row.
     let book: &mut RowBook = unsafe { &mut *fields.books.add(k * grid.brick_rows() + j) };
-    book.plastic_J += constants.volume_m3 * sum(books.plastic);
-    book.viscous_J += sum(books.viscous);
-    book.least_intact = least;
+    book.plastic_J += constants.volume_m3 * plastic.iter().sum::<f64>();
+    book.viscous_J += viscous.iter().sum::<f64>();
+    book.least_intact = least.into_iter().take(N::WIDTH).fold(1.0, f64::min);
     true
 }
 
@@ -145,12 +145,37 @@ fn in_lanes<N: Number<Real = f64>>(register: N) -> [f64; GROUP] {
     lanes
 }
 
+/// A field at the corners of bricks.
+///
+/// # Safety
+/// `fields` are over the nodes of this grid, `node` the first corner of the first of the bricks.
+#[inline(always)]
+unsafe fn corners<N: Number<Real = f64>>(
+    grid: &Grid,
+    fields: [*mut f64; 3],
+    node: usize,
+) -> [[N; 8]; 3] {
+    let mut out = [[N::zero(); 8]; 3];
+    for (axis, field) in fields.into_iter().enumerate() {
+        for edge in 0..4 {
+            let at = node + (edge & 1) * grid.node_row() + (edge >> 1) * grid.node_layer();
+            // SAFETY: a row of nodes is a group longer than one of bricks.
+            unsafe {
+                out[axis][2 * edge] = N::load(field.add(at));
+                out[axis][2 * edge + 1] = N::load(field.add(at + 1));
+            }
+        }
+    }
+    out
+}
+
 /// As many bricks as a register holds.
 ///
 /// # Safety
 /// As for [`work`].
 #[inline(always)]
-#[allow(clippy::too_many_arguments)]
+// Indices say which component meets which.
+#[allow(clippy::too_many_arguments, clippy::needless_range_loop)]
 unsafe fn bricks<N: Number<Real = f64>>(
     fields: &Fields,
     grid: &Grid,
@@ -161,47 +186,45 @@ unsafe fn bricks<N: Number<Real = f64>>(
     out: &mut Pulls,
     books: &mut Books<N>,
 ) {
-    let edges = [
-        0,
-        grid.node_row(),
-        grid.node_layer(),
-        grid.node_layer() + grid.node_row(),
-    ];
-    let corners = |field: *mut f64| {
-        [0, 1, 2, 3, 4, 5, 6, 7].map(|corner| {
-            // SAFETY: a row of nodes is a group longer than one of bricks.
-            unsafe { N::load(field.add(node + edges[corner / 2] + corner % 2)) }
-        })
-    };
     let zero = N::zero();
     let dt = N::splat(constants.dt_s);
-    let displacement = Modes::of(fields.displacement.map(corners), constants);
-    let velocity = Modes::of(fields.velocity.map(corners), constants);
-    let change = velocity.gradient.map(|row| row.map(|x| x * dt));
+    // SAFETY: the caller's.
+    let (displacement, velocity) = unsafe {
+        (
+            Modes::of(corners(grid, fields.displacement, node), constants),
+            Modes::of(corners(grid, fields.velocity, node), constants),
+        )
+    };
+    let mut change = velocity.gradient;
+    for i in 0..3 {
+        for j in 0..3 {
+            change[i][j] = change[i][j] * dt;
+        }
+    }
     let motion = Motion::of(displacement.gradient, change);
 
+    let mut stress = [zero; 6];
     // SAFETY: the bricks of this row.
-    let (stress, intact) = unsafe {
-        (
-            fields.stress.map(|field| N::load(field.add(brick))),
-            N::load(fields.intact.add(brick)),
-        )
+    let intact = unsafe {
+        for i in 0..6 {
+            stress[i] = N::load(fields.stress[i].add(brick));
+        }
+        N::load(fields.intact.add(brick))
     };
     let answer = constants
         .law
         .answer(turned(motion.turn, stress), motion.strain, intact);
-    let here = |x: N| intact.if_positive(x, zero);
-    let stress = answer.stress.map(here);
     let fit = N::splat(MOST_SQUEEZED) - square(motion.inverse);
     let new_intact = intact.if_positive(fit.if_positive(answer.intact, zero), intact);
     // SAFETY: as above.
     unsafe {
-        for (field, stress) in fields.stress.iter().zip(stress) {
-            stress.store(field.add(brick));
+        for i in 0..6 {
+            stress[i] = intact.if_positive(answer.stress[i], zero);
+            stress[i].store(fields.stress[i].add(brick));
         }
         new_intact.store(fields.intact.add(brick));
     }
-    books.plastic = books.plastic + here(answer.plastic);
+    books.plastic = books.plastic + intact.if_positive(answer.plastic, zero);
     books.least = books
         .least
         .min(intact.if_positive(new_intact, N::splat(1.0)));
@@ -224,16 +247,18 @@ unsafe fn bricks<N: Number<Real = f64>>(
     let mut damped = zero;
     for axis in 0..3 {
         let mut hourglass = displacement.hourglass[axis];
-        for (sum, rate) in hourglass.iter_mut().zip(velocity.hourglass[axis]) {
-            *sum = rate.mul_add(damping, *sum * stiff);
+        for mode in 0..4 {
+            let rate = velocity.hourglass[axis][mode];
+            hourglass[mode] = rate.mul_add(damping, hourglass[mode] * stiff);
             damped = rate.mul_add(rate, damped);
         }
-        let corners = spread(gradients[axis], hourglass);
-        for (corner, pull) in corners.into_iter().enumerate() {
+        let pull = spread(gradients[axis], hourglass);
+        for corner in 0..8 {
+            let pull = intact.if_positive(pull[corner], zero);
             // SAFETY: the pulls are as long as a row of bricks.
-            unsafe { here(pull).store(out.of.as_mut_ptr().add(out.place(corner, axis, at))) };
+            unsafe { pull.store(out.of.as_mut_ptr().add(out.place(corner, axis, at))) };
         }
     }
     let lost = (viscous * swelling).mul_add(N::splat(constants.volume_m3), damped * (damping * dt));
-    books.viscous = books.viscous + here(lost);
+    books.viscous = books.viscous + intact.if_positive(lost, zero);
 }
