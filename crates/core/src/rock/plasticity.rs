@@ -11,7 +11,8 @@
 //! I₁ <= t s                its tip cut off by the tensile strength (the apex itself where t = k/α)
 //! ```
 //!
-//! and both returns, the return to the edge between them included, are closed forms. `s` falls linearly with the
+//! and both returns, the return to the edge between them included, are closed forms. At the tip the whole stress shrinks: the
+//! rock opens the way it was strained, so that a crack between sound rock does not lock. `s` falls linearly with the
 //! plastic strain, so that a band one element wide takes the fracture energy whatever the element's size.
 
 use serde::{Deserialize, Serialize};
@@ -29,17 +30,18 @@ pub struct Law {
     alpha: f64,
     k: f64,
     tension: f64,
-    /// Fall of the intact part per plastic multiplier of the cone, and per plastic swelling at the tip.
+    /// Fall of the intact part per plastic multiplier of the cone.
     fall: f64,
-    tip_fall: f64,
+    /// Fall of the intact part per first invariant that the tip takes, 1/Pa: at most, its part from swelling, and that from
+    /// shear by the square of √J₂/I₁.
+    tear: f64,
+    tear_swollen: f64,
+    tear_sheared: f64,
     /// First invariant's fall per multiplier of the cone, Pa.
     swelling: f64,
     /// Multiplier per overstress while the rock softens, and after it.
     softening: f64,
     softened: f64,
-    /// The same at the tip.
-    tip_softening: f64,
-    tip_softened: f64,
     /// Radius of the edge between cone and tip, Pa, and the same at the edge.
     edge: f64,
     edge_softening: f64,
@@ -74,13 +76,13 @@ impl Law {
         // Of the work in uniaxial compression, what is not done against friction counts.
         let share = (third - dilation) / (third - alpha);
         let per_size = 0.5 * k * share / rock.compressive_fracture_energy_J_per_m2;
-        let tip_per_size = tension / (6.0 * rock.tensile_fracture_energy_J_per_m2);
-        let (fall, tip_fall) = (per_size * size_m, tip_per_size * size_m);
+        let fall = per_size * size_m;
+        // The work of a stress that shrinks is twice its elastic energy; above that of uniaxial tension it is shear's.
+        let tear = 0.5 * tension * size_m / rock.tensile_fracture_energy_J_per_m2;
         let hard = shear + 9.0 * bulk * alpha * dilation;
         let edge = k - alpha * tension;
         let largest_m = [
             hard / (k * per_size),
-            3.0 * bulk / (tension * tip_per_size),
             shear / (edge * per_size).max(f64::MIN_POSITIVE),
             // A band in a bar of its own length.
             2.0 * rock.youngs_modulus_Pa * rock.compressive_fracture_energy_J_per_m2
@@ -100,12 +102,12 @@ impl Law {
             k,
             tension,
             fall,
-            tip_fall,
+            tear: tear / rock.youngs_modulus_Pa,
+            tear_swollen: tear / (9.0 * bulk),
+            tear_sheared: tear / shear,
             swelling: 9.0 * bulk * dilation,
             softening: 1.0 / (hard - k * fall),
             softened: 1.0 / hard,
-            tip_softening: 1.0 / (3.0 * bulk - tension * tip_fall),
-            tip_softened: 1.0 / (3.0 * bulk),
             edge,
             edge_softening: 1.0 / (shear - edge * fall),
             edge_softened: 1.0 / shear,
@@ -169,19 +171,23 @@ impl Law {
         let cone_first = flow.neg_mul_add(N::splat(self.swelling), first);
         let cone_intact = flow.neg_mul_add(N::splat(self.fall), intact).max(zero);
 
-        // The tip, and its edge with the cone.
-        let over = intact.neg_mul_add(N::splat(self.tension), first);
-        let opening = (over * N::splat(self.tip_softening))
-            .min(first * N::splat(self.tip_softened))
-            .max(zero);
-        let left = opening
-            .neg_mul_add(N::splat(self.tip_fall), intact)
-            .max(zero);
-        let over = left.neg_mul_add(N::splat(self.edge), root);
+        // The tip, and its edge with the cone. What is not beyond it is not a number here, and not taken.
+        let one = N::splat(1.0);
+        let inverse = one / first;
+        let slope = second * inverse * inverse;
+        let tear = slope
+            .mul_add(N::splat(self.tear_sheared), N::splat(self.tear_swollen))
+            .min(N::splat(self.tear));
+        let left = (tear.neg_mul_add(first, intact)
+            / tear.neg_mul_add(N::splat(self.tension), one))
+        .min(intact)
+        .max(zero);
+        let shrunk = root * (left * N::splat(self.tension) * inverse).min(one);
+        let over = left.neg_mul_add(N::splat(self.edge), shrunk);
         let flow = (over * N::splat(self.edge_softening))
-            .min(root * N::splat(self.edge_softened))
+            .min(shrunk * N::splat(self.edge_softened))
             .max(zero);
-        let tip_root = flow.neg_mul_add(N::splat(self.shear), root);
+        let tip_root = flow.neg_mul_add(N::splat(self.shear), shrunk);
         let tip_intact = flow.neg_mul_add(N::splat(self.fall), left).max(zero);
         let tip_first = tip_intact * N::splat(self.tension);
 
