@@ -106,8 +106,8 @@ impl Edges {
             if inverse <= 0.0 {
                 continue;
             }
-            for axis in 0..3 {
-                let v = &mut velocity[axis][node.place];
+            for (axis, velocity) in velocity.iter_mut().enumerate() {
+                let v = &mut velocity[node.place];
                 let (before, kicked) = (node.before[axis], *v);
                 if node.held[axis] {
                     *v = before;

@@ -103,7 +103,7 @@ impl Grid {
     /// The brick beyond a face, and none beyond the block. Faces are −x, +x, −y, +y, −z, +z.
     pub fn beyond(&self, mut brick: [usize; 3], face: usize) -> Option<[usize; 3]> {
         let axis = face / 2;
-        brick[axis] = if face % 2 == 0 {
+        brick[axis] = if face.is_multiple_of(2) {
             brick[axis].checked_sub(1)?
         } else {
             brick[axis] + 1

@@ -35,7 +35,7 @@ fn press(bricks: f64, cells: usize) -> f64 {
     let bed = 4.0 * rock.density_kg_per_m3 * waves * waves / size_m;
     let outer: Vec<_> = grid
         .each_node()
-        .filter(|node| node.iter().any(|&n| n == cells))
+        .filter(|node| node.contains(&cells))
         .map(|node| (grid.node(node), node.map(|n| n as f64 * size_m)))
         .collect();
     let transit = cells as f64 * size_m / waves / dt;
