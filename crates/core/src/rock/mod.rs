@@ -6,7 +6,11 @@
 //! failed are removed, and energy is accounted for throughout ([`Energies`]). A block [follows](Block::follow) the bit that
 //! drills it.
 //!
+//! What touches it is the bit's [face](bit_face).
+//!
 //! z points down the hole, x and y across it. Stresses are positive in tension.
+
+pub mod bit_face;
 
 mod block;
 mod brick;

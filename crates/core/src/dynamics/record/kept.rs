@@ -30,13 +30,15 @@ const ROWS: [usize; 2] = [64, 4096];
 /// Kept samples.
 ///
 /// Of every `stride` samples one is kept, at a place in them that a fixed sequence of random numbers
-/// chooses, so that nothing periodic hides between. When memory is full, one of each pair of kept
-/// samples stays and the stride doubles.
+/// chooses, so that nothing periodic hides between. The stride is such that what a window is expected to
+/// take fits. When memory is full nevertheless, one of each pair of kept samples stays and the stride doubles.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Kept {
     /// Numbers in a row: the lanes of all blocks.
     width: usize,
     most_rows: usize,
+    /// Samples that the window is expected to take.
+    expected: u64,
     rows: usize,
     stride: u64,
     /// Samples since the last one that began a stride.
@@ -65,15 +67,16 @@ impl KeptRow<'_> {
 }
 
 impl Kept {
-    /// None yet of a chain of so many blocks.
-    pub fn new(blocks: usize) -> Self {
+    /// None yet of a chain of so many blocks, of which so many samples are expected.
+    pub fn new(blocks: usize, expected: u64) -> Self {
         let width = blocks * DOUBLES;
         let most_rows = (MOST_NUMBERS / width).clamp(ROWS[0], ROWS[1]) / 2 * 2;
         Self {
             width,
             most_rows,
+            expected,
             rows: 0,
-            stride: 1,
+            stride: first_stride(expected, most_rows),
             place: 0,
             chosen: 0,
             random: 0,
@@ -85,7 +88,7 @@ impl Kept {
     /// Forgets all.
     pub fn clear(&mut self) {
         self.rows = 0;
-        self.stride = 1;
+        self.stride = first_stride(self.expected, self.most_rows);
         self.place = 0;
         self.chosen = 0;
         self.values.iter_mut().for_each(Vec::clear);
@@ -148,6 +151,14 @@ impl Kept {
         }
         [0.05, 0.5, 0.95].map(|part| percentile(&mut kept, part))
     }
+}
+
+/// The smallest power of two of which so many samples fill no more rows than there are.
+fn first_stride(expected: u64, most_rows: usize) -> u64 {
+    expected
+        .div_ceil(most_rows as u64)
+        .max(1)
+        .next_power_of_two()
 }
 
 #[cfg(test)]

@@ -71,6 +71,7 @@ impl<R: Real> Run<R> {
         };
         let initial = start::lay(&scene, chain, Body::new(model, mesh), bit_md_m)?;
         let (mut chain, anchors) = (initial.chain.converted(), initial.anchors);
+        chain.find_drag(dt);
         if let Some(mud) = &mut viscous {
             mud.attach(&mut chain, &anchors, dt);
             mud.update(&mut chain, &anchors, &basis.surroundings, dt);
@@ -105,7 +106,9 @@ impl<R: Real> Run<R> {
         let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
         let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
         let layout = chain.layout();
-        let mut record = Record::new(model, mesh, layout);
+        let interval_s = basis.steps_per_sample as f64 * basis.plan.dt_s;
+        let samples = (settings.duration_s / interval_s).ceil() as u64;
+        let mut record = Record::new(model, mesh, layout, samples);
         let probes = settings.probes.iter().map(|probe| Probed {
             node: mesh.nearest_node(operation.bit_depth_m - probe.md_m),
             signal: probe.signal,
