@@ -64,8 +64,10 @@ pub struct SurfaceNode {
     pub index: usize,
     /// Where it is, m, from the corner of the block at rest.
     pub position_m: [f64; 3],
-    /// How it moves, m/s.
+    /// How it would move on if nothing pushed it, m/s.
     pub velocity_m_per_s: [f64; 3],
+    /// How it came here, m/s: before the rock's own forces acted on it. The difference times mass over step are those.
+    pub came_m_per_s: [f64; 3],
     /// Its mass, kg.
     pub mass_kg: f64,
     /// Its part of the surface with the outward direction, m², in the rock at rest.
@@ -258,6 +260,7 @@ impl Block {
                 index,
                 position_m: self.position_m(index),
                 velocity_m_per_s: at(&self.velocity, index),
+                came_m_per_s: at(&self.came, index),
                 mass_kg: self.mass_kg(index),
                 area_m2: self.surface.area_m2(&self.grid, index),
             }
