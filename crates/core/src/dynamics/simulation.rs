@@ -8,7 +8,7 @@ use super::{
     energy::StepWork,
     frame::{self, Frame},
     hoist::Target,
-    outcome::DynamicOutcome,
+    outcome::{DynamicOutcome, Statistic},
     schedule::{HoistNow, HoistSetPoint},
     settings::{DynamicsSettings, HoistControl, Start},
     setup::Basis,
@@ -348,6 +348,12 @@ impl<R: Real> Run<R> {
     /// Time between two samples, s: the setting, rounded to whole steps.
     pub fn sample_interval_s(&self) -> f64 {
         self.steps_per_sample as f64 * self.plan.dt_s
+    }
+
+    /// Mean weight on bit of [`outcome`](Self::outcome), N.
+    pub fn mean_weight_on_bit_N(&self) -> f64 {
+        let record = &self.state.record;
+        Statistic::of(&record.series.weight_on_bit_N[record.window_row..]).map_or(0.0, |s| s.mean)
     }
 
     /// The answer so far: over the window if it has begun, over everything sampled otherwise.
