@@ -161,6 +161,13 @@ fn the_keys_are_the_contract() {
                 "statistics": {"hook_load_N": {
                     "mean": 1.0, "std": 2.0, "min": 3.0, "max": 4.0, "p05": 5.0, "p95": 6.0
                 }},
+                "bit_table": {
+                    "outside_fraction": 0.25,
+                    "weights_N": [10e3, 90e3],
+                    "table_weights_N": [20e3, 80e3],
+                    "speeds_rad_per_s": [0.0, 12.0],
+                    "table_speeds_rad_per_s": [4.0, 10.0]
+                },
                 "indicators": {
                     "stick_slip": {
                         "severity": 1.25, "torque_severity": 0.5, "period_s": null,
