@@ -1,4 +1,4 @@
-//! The pages of a run and of a sweep: whether their committed bundle is what its sources make, and whether they work in a browser.
+//! The pages of a run, a sweep and a study: whether their committed bundle is what its sources make, and whether they work in a browser.
 
 use std::{
     env, fs,
@@ -38,36 +38,38 @@ pub(crate) fn browser() -> Result<Finding, Failure> {
     let Some(browser) = find().or_else(fetch) else {
         return unable("there is no Chromium, and it cannot be installed here".into());
     };
-    let results = target().join("report-page");
-    let frames = ["--set", "records.frames=20Hz"];
-    page("run", &frames, &results, &browser, "page.mjs")?;
-    let results = target().join("sweep-page");
+    const SLANT: &str = "crates/cli/tests/data/slant.toml";
+    let frames = ["--set", NASTY, "--set", "records.frames=20Hz"];
+    page(["run", SLANT], &frames, &browser, "page.mjs")?;
     let varied = [
+        "--set",
+        NASTY,
         "--vary",
         "friction=0.2,0.3",
         "--vary",
         "bit_depth=300m,600m",
     ];
-    page("sweep", &varied, &results, &browser, "sweep.mjs")?;
+    page(["sweep", SLANT], &varied, &browser, "sweep.mjs")?;
+    let study = "studies/friction-on-a-slant.toml";
+    page(["study", study], &["--png"], &browser, "study.mjs")?;
     Ok(Finding::Done)
 }
 
 /// Makes the page of a command, and runs its test in a browser.
 fn page(
-    command: &str,
+    [command, file]: [&str; 2],
     more: &[&str],
-    results: &Path,
     browser: &Path,
     test: &str,
 ) -> Result<(), Failure> {
+    let results = target().join(format!("{command}-page"));
     run(
         cargo()
             .args(["run", "--quiet", "--package", "wholestring-cli", "--"])
-            .args([command, "crates/cli/tests/data/slant.toml", "--quiet"])
-            .args(["--set", NASTY])
+            .args([command, file, "--quiet"])
             .args(more)
             .arg("-o")
-            .arg(results),
+            .arg(&results),
         "the browser needs a page",
     )?;
     run(

@@ -234,6 +234,7 @@ impl DynamicsTable {
                 stiffness_s: *damping.stiffness.get()?,
             },
             hoist_control: hoist_control?,
+            lift_tolerance: *hoist.tolerance.get()?,
             // An operation that takes the autodriller by itself takes it as it is by default.
             autodriller: if hoist_control? == Some(HoistControl::Autodriller)
                 || plan.holds_a_weight()

@@ -2,7 +2,7 @@
 
 use wholestring::{
     GRAVITY_M_PER_S2,
-    dynamics::{Autodriller, DynamicsSettings, HoistControl, HoistLine, Schedule},
+    dynamics::{Autodriller, DynamicsSettings, HoistControl, HoistLine, LIFT_TOLERANCE, Schedule},
     operation::Operation,
     rig::Rig,
 };
@@ -11,7 +11,7 @@ use wholestring_units::Dimension;
 use crate::{
     diagnostic::Diagnostic,
     quantity::Quantity,
-    range::{Range, number_text},
+    range::{Number, Range, number_text},
     reader::Reader,
     rule::Choice,
     table::{Field, default, optional, table},
@@ -86,8 +86,8 @@ table! {
     HoistTable in "[hoist]" {
         /// "autodriller" (the block follows the bit so that the weight on bit holds `wob`),
         /// "block-velocity" (constant speed), "hook-load" (constant lifting force) or "tuned-lift" (the constant lifting
-        /// force under which the mean weight on bit over the window is `wob`, within 1 %: the case is run several times
-        /// to find it, and the summary tells). Default: the autodriller where the bit is on bottom, the operation's own
+        /// force under which the mean weight on bit over the window is `wob`: the case is run several times to find it,
+        /// and the summary tells). Default: the autodriller where the bit is on bottom, the operation's own
         /// constant speed elsewhere.
         control: Control = optional(Choice {
             noun: "a hoist control",
@@ -134,6 +134,11 @@ table! {
             Range::from_to(0.0, 1e8),
             "900 kN",
         ));
+        /// Tuned lift: how far the mean weight on bit may be from `wob`, as a part of it. Raising it takes fewer runs.
+        tolerance: f64 = default(
+            Number { unit: "", range: Range::from_to(1e-4, 0.5) },
+            LIFT_TOLERANCE,
+        );
         /// Axial stiffness of lines and derrick.
         stiffness: f64 = default(
             Quantity::si(Dimension::Stiffness, Range::from_to(1e3, 1e12), "1e7 N/m"),
@@ -235,6 +240,7 @@ impl HoistTable {
                 Control::BlockVelocity,
             ),
             (&self.hook_load, "hook_load", Control::HookLoad),
+            (&self.tolerance, "tolerance", Control::TunedLift),
         ];
         for (field, name, owner) in belongs {
             let Some(given) = field.given() else { continue };

@@ -44,6 +44,14 @@ y = "|contact_force_N|"
 depths = "600 m"
 window = ["0 s", "10 s"]
 
+[[figure]]
+title = "Map"
+sweeps = ["deep"]
+from = "contact"
+x = "time_s"
+y = "md_m"
+colour = "|side_force_N_per_m|"
+
 [[table]]
 title = "Numbers"
 only = { bit_depth = "1500 m", friction = 0.3 }
@@ -68,6 +76,13 @@ from = "frames"
 column = "|contact_force_N|"
 depth = "600 m"
 statistic = "p98"
+
+[[table.row]]
+label = "side force where it touches"
+sweeps = ["deep"]
+from = "contact"
+column = "side_force_N_per_m"
+depth = "650 m"
 "#;
 
 const COLUMNS: &[ColumnName] = &[
@@ -78,6 +93,13 @@ const COLUMNS: &[ColumnName] = &[
     column(Source::Frames, "time_s", Dimension::Time),
     column(Source::Frames, "md_m", Dimension::Length),
     column(Source::Frames, "contact_force_N", Dimension::Force),
+    column(Source::Contact, "time_s", Dimension::Time),
+    column(Source::Contact, "md_m", Dimension::Length),
+    column(
+        Source::Contact,
+        "side_force_N_per_m",
+        Dimension::ForcePerLength,
+    ),
 ];
 
 const fn column(source: Source, name: &'static str, dimension: Dimension) -> ColumnName {
@@ -144,6 +166,11 @@ fn an_example_is_read_as_it_is_meant() {
     assert_eq!(study.figures[0].levels[0].value, 45e3);
     assert_eq!(study.figures[0].chosen.sweeps, [0, 1]);
     assert!(study.figures[1].y[0].magnitude);
+    let FigureData::Map { colour, window_s } = &study.figures[2].data else {
+        panic!("a map for each case")
+    };
+    assert!(colour.magnitude && colour.column.source == Source::Contact);
+    assert_eq!(*window_s, None);
 
     let rows = &study.tables[0].rows;
     let wanted = rows[0].wanted;
@@ -152,6 +179,7 @@ fn an_example_is_read_as_it_is_meant() {
     assert_eq!(rows[1].dimension(), None);
     assert_eq!(rows[2].chosen.sweeps, [0]);
     assert_eq!(rows[2].number.statistic, Statistic::Percentile(98.0));
+    assert_eq!(rows[3].number.depth_m, Some(650.0));
 }
 
 #[test]
@@ -209,6 +237,17 @@ fn mistakes_get_an_answer() {
         ),
         ("frames_without_place", "depths = \"600 m\"\n", ""),
         (
+            "map_without_colour",
+            "colour = \"|side_force_N_per_m|\"\n",
+            "",
+        ),
+        ("map_upside_down", "y = \"md_m\"", "y = \"time_s\""),
+        (
+            "map_of_an_unknown_colour",
+            "|side_force_N_per_m|",
+            "side_force_N",
+        ),
+        (
             "case_open",
             "only = { bit_depth = \"1500 m\", friction = 0.3 }",
             "only = { friction = 0.3 }",
@@ -248,6 +287,16 @@ fn mistakes_get_an_answer() {
             "tolerance_of_no_number",
             "at_least = 2\n",
             "tolerance = \"1 %\"\n",
+        ),
+        (
+            "colour_of_frames",
+            "window = [\"0 s\", \"10 s\"]",
+            "colour = \"md_m\"",
+        ),
+        (
+            "times_of_a_map",
+            "colour = \"|side_force_N_per_m|\"\n",
+            "colour = \"side_force_N_per_m\"\ntimes = \"1 s\"\n",
         ),
         ("depth_of_a_summary", "at_least = 2\n", "depth = \"10 m\"\n"),
     ] {

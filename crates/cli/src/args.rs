@@ -143,6 +143,15 @@ pub(crate) struct StudyArgs {
     #[arg(value_name = "STUDY.toml")]
     pub(crate) study: PathBuf,
 
+    /// Set a key of every case, such as `mesh.element_length=1.6m`; short keys: friction, bit_depth, rpm, wob.
+    /// Repeatable
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub(crate) overrides: Vec<Override>,
+
+    /// Paint each figure as PNG too, with 300 dots per inch
+    #[arg(long)]
+    pub(crate) png: bool,
+
     #[command(flatten)]
     pub(crate) batch: BatchArgs,
 }

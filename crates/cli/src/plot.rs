@@ -2,7 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use wholestring_report::{Plot, Report, Run, Spectrum, common_operations, plots, sweep_plots};
+use wholestring_report::{
+    Plot, Report, Run, Spectrum, common_operations, figure::Figure, plots, sweep_plots,
+};
 use wholestring_results::{ResultsError, ResultsFolder, Summary, Table};
 use wholestring_units::UnitSet;
 
@@ -54,7 +56,7 @@ pub(crate) fn plot(args: &PlotArgs) -> Result<(), Failure> {
         .unwrap_or_else(|| default(&args.folders));
     let folder = ResultsFolder::create(output)?;
     for plot in &plots {
-        write(&folder, plot, args.png)?;
+        write_picture(&folder, &plot.name, &plot.figure, args.png)?;
     }
     let place = folder.path().display();
     say(&format!("{} pictures in {place}\n", plots.len()))
@@ -78,10 +80,16 @@ fn default(folders: &[PathBuf]) -> PathBuf {
     folders[0].join(name)
 }
 
-fn write(folder: &ResultsFolder, plot: &Plot, png: bool) -> Result<(), Failure> {
-    let drawing = plot.figure.drawing();
-    folder.write_file(&format!("{}.svg", plot.name), drawing.svg().as_bytes())?;
-    let painted = format!("{}.png", plot.name);
+/// Writes a picture as SVG, and as PNG if that is asked for.
+pub(crate) fn write_picture(
+    folder: &ResultsFolder,
+    name: &str,
+    figure: &Figure,
+    png: bool,
+) -> Result<(), Failure> {
+    let drawing = figure.drawing();
+    folder.write_file(&format!("{name}.svg"), drawing.svg().as_bytes())?;
+    let painted = format!("{name}.png");
     if png {
         folder.write_file(&painted, &drawing.png(DOTS_PER_INCH))?;
     } else {

@@ -12,7 +12,10 @@ mod wells;
 use std::{hint::black_box, time::Duration};
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use wholestring::dynamics::{Precision, Simulation};
+use wholestring::{
+    dynamics::{Precision, Simulation},
+    rock::{Alone, Block, BlockSpec, Rock, Stepper},
+};
 
 use wells::{Case, go, np13};
 
@@ -74,9 +77,45 @@ fn statics(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// A step of a block of rock, per brick, with each instruction set: one that stays in the second-level cache, and a live
+/// zone of a bit. The return to the cone is computed whether a brick yields or not.
+fn rock(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("rock");
+    for (name, cells) in [("small", [32, 16, 16]), ("live zone", [96, 96, 12])] {
+        let squeezed = squeezed(cells);
+        group.throughput(Throughput::Elements(squeezed.grid().bricks() as u64));
+        for stepper in Stepper::all() {
+            let mut block = squeezed.clone();
+            group.bench_function(format!("{name}/{}", stepper.instructions), |bencher| {
+                bencher.iter(|| block.step(&stepper, &Alone));
+            });
+        }
+    }
+    group.finish();
+}
+
+/// A block of rock that does not soften, moving and beyond yield.
+fn squeezed(cells: [usize; 3]) -> Block {
+    let rock = Rock {
+        tensile_fracture_energy_J_per_m2: 1e30,
+        compressive_fracture_energy_J_per_m2: 1e30,
+        ..Rock::of_strength(30e6)
+    };
+    let mut block = Block::new(&BlockSpec::new(rock, cells, 1e-3)).expect("a sound block");
+    let grid = *block.grid();
+    for node in grid.each_node() {
+        let [x, y, z] = node.map(|n| n as f64);
+        block.tell(grid.node(node), [2.0 * y.sin(), 2.0 * z.cos(), -x - z]);
+    }
+    for _ in 0..20 {
+        block.step(&Stepper::default(), &Alone);
+    }
+    block
+}
+
 criterion_group! {
     name = benches;
     config = Criterion::default().measurement_time(Duration::from_secs(3));
-    targets = kernel, records, statics
+    targets = kernel, records, statics, rock
 }
 criterion_main!(benches);

@@ -16,6 +16,7 @@ pub mod operation;
 pub mod outcome;
 mod random;
 pub mod rig;
+pub mod rock;
 pub mod rod;
 pub mod statics;
 pub mod string;

@@ -14,11 +14,13 @@ mod thin;
 pub use draw::Drawing;
 pub use packed::Packed;
 pub use page::{report_html, sweep_html};
-pub use plots::{Plot, Run, Spectrum, common_operations, plots, profile};
+pub use plots::{
+    ContactMap, Plot, Run, Spectrum, common_operations, contact_figure, plots, profile,
+};
 pub use report::{
     Answer, Cell, ContactPicture, DisplayUnit, Fact, Frames, Part, Place, Report, Section, Sheet,
     Solved, TimeRun, Well,
 };
-pub use study::{Grid, StudyPage, StudyPart, Verdict, study_html};
+pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, study_html};
 pub use sweep::{Sweep, SweepRow, sweep_plots};
 pub use thin::thinned;

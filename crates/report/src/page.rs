@@ -16,7 +16,7 @@ use crate::{
 /// The programs of the pages and their looks, bundled from `web/` by `npm run bundle`.
 const PROGRAM: &str = include_str!("../assets/report.js");
 const SWEEP_PROGRAM: &str = include_str!("../assets/sweep.js");
-const LOOKS: &str = include_str!("../assets/report.css");
+pub(crate) const LOOKS: &str = include_str!("../assets/report.css");
 /// Licences of what is in the bundle.
 const LICENCES: &str = include_str!("../assets/licences.txt");
 

@@ -1,6 +1,9 @@
 //! The page of a study as one file that needs nothing else.
 
-use crate::page::{document, escaped};
+use crate::{
+    figure::Figure,
+    page::{LOOKS, document, escaped},
+};
 
 /// A study as its page shows it.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,10 +27,12 @@ pub enum StudyPart {
         title: String,
         /// What stands under it; may be empty.
         caption: String,
-        /// The picture as SVG; none where no case has answered yet.
-        svg: Option<String>,
+        /// The picture; none where no case has answered yet.
+        figure: Option<Box<Figure>>,
         /// Its files beside the page, without their endings.
         files: String,
+        /// Whether it was painted as PNG too.
+        painted: bool,
     },
     /// Numbers.
     Table {
@@ -46,9 +51,18 @@ pub enum StudyPart {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Grid {
     /// Heads of the columns.
-    pub heads: Vec<String>,
+    pub heads: Vec<Head>,
     /// Rows of cells.
     pub rows: Vec<Vec<(String, Verdict)>>,
+}
+
+/// The head of a column.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Head {
+    /// What it says.
+    pub text: String,
+    /// Whether the column holds words rather than numbers.
+    pub words: bool,
 }
 
 /// What comes of a comparison.
@@ -65,25 +79,16 @@ pub enum Verdict {
 /// What the page may do: show what is in it.
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
 
-const LOOKS: &str = "\
-:root{color-scheme:light dark}
-body{font:16px/1.5 system-ui,sans-serif;max-width:1000px;margin:2rem auto;padding:0 1rem;color:#1e1e1e;background:#fff}
-h1{font-size:1.7rem}h2{font-size:1.15rem;margin:2.5rem 0 .5rem}
-figure{margin:0}svg{max-width:100%;height:auto;background:#fff;border-radius:6px}
-.note{color:#5f5f5f;font-size:.9rem}
-.scroll{overflow-x:auto}
-table{border-collapse:collapse;font-size:.9rem;font-variant-numeric:tabular-nums}
-th,td{padding:.3rem .7rem;border-bottom:1px solid #ccc;text-align:right}
-th{vertical-align:bottom}th:first-child,td:first-child,td.words{text-align:left}
-td:not(.words,:first-child){white-space:nowrap}
-td.agrees::after{content:' \\2713';color:#00714f}
-td.differs{font-weight:600;background:#fbe3d5}
-td.differs::after{content:' \\2717';color:#a63c00}
-a{color:#00578a}
-@media(prefers-color-scheme:dark){body{color:#e6e6e6;background:#16181b}.note{color:#a5a5a5}
-th,td{border-color:#444}td.differs{background:#4d2a17}td.agrees::after{color:#4fd1a5}td.differs::after{color:#ff9f6b}a{color:#7cc4f0}}
-@media print{body{margin:0;max-width:none}section{break-inside:avoid}}
-";
+/// The looks of a run's page, dark where the reader's other windows are: this page has no program that could ask.
+fn looks() -> String {
+    const DARK: &str = ":root[data-theme=dark]{";
+    let dark = LOOKS
+        .find(DARK)
+        .map(|at| &LOOKS[at + DARK.len()..])
+        .and_then(|rest| rest.split('}').next())
+        .unwrap_or_default();
+    format!("{LOOKS}@media screen and (prefers-color-scheme:dark){{:root{{{dark}}}}}\n")
+}
 
 /// The page as the text of an HTML file. No name in it can end the element that it stands in.
 pub fn study_html(page: &StudyPage) -> String {
@@ -96,8 +101,11 @@ pub fn study_html(page: &StudyPage) -> String {
         .enumerate()
         .map(|(index, of)| part(index, of))
         .collect();
-    let body = format!("<h1>{title}</h1>\n{about}{parts}<p class=\"note\">{program}</p>");
-    document(&page.title, &page.program, POLICY, LOOKS, &body)
+    let body = format!(
+        "<main class=\"study\">\n<header>\n<h1>{title}</h1>\n{about}</header>\n{parts}\
+         <footer><p>Made by {program}. The files beside this one hold every digit.</p></footer>\n</main>"
+    );
+    document(&page.title, &page.program, POLICY, &looks(), &body)
 }
 
 fn paragraphs(text: &str) -> String {
@@ -117,24 +125,23 @@ fn part(index: usize, part: &StudyPart) -> String {
         StudyPart::Figure {
             title,
             caption,
-            svg,
+            figure,
             files,
+            painted,
         } => {
-            let body = match svg {
-                // What stands before the element is of no use within a page, and each needs names of its own there.
-                Some(svg) => {
-                    let element = svg.find("<svg").map_or("", |at| &svg[at..]);
-                    let own = |place: &str| format!("{place}figure-{index}-");
-                    let element = ["id=\"", "url(#"]
-                        .iter()
-                        .fold(element.to_owned(), |text, place| {
-                            text.replace(place, &own(place))
-                        });
+            let body = match figure {
+                // The page says its title itself.
+                Some(figure) => {
+                    let mut figure = figure.clone();
+                    figure.title.clear();
+                    let element = figure.drawing().element(&format!("figure-{index}"));
                     format!("<figure>{element}</figure>")
                 }
                 None => "<p class=\"note\">No case has answered yet.</p>".to_owned(),
             };
-            (title, caption, body, files, ["svg", "csv"])
+            let endings = ["svg", "png", "csv"];
+            let endings = endings.into_iter().filter(|of| *of != "png" || *painted);
+            (title, caption, body, files, endings.collect::<Vec<_>>())
         }
         StudyPart::Table {
             title,
@@ -144,15 +151,18 @@ fn part(index: usize, part: &StudyPart) -> String {
         } => (
             title,
             caption,
-            format!("<div class=\"scroll\">{}</div>", table(grid)),
+            format!("<div class=\"scrolls\">{}</div>", table(grid)),
             files,
-            ["md", "csv"],
+            vec!["md", "csv"],
         ),
     };
-    let links = endings.map(|ending| {
-        let address = address(&format!("{files}.{ending}"));
-        format!("<a href=\"{address}\">{}</a>", ending.to_uppercase())
-    });
+    let links: Vec<String> = endings
+        .into_iter()
+        .map(|ending| {
+            let address = address(&format!("{files}.{ending}"));
+            format!("<a href=\"{address}\">{}</a>", ending.to_uppercase())
+        })
+        .collect();
     format!(
         "<section>\n<h2>{}</h2>\n{body}\n{}<p class=\"note\">{}</p>\n</section>\n",
         escaped(title),
@@ -162,32 +172,31 @@ fn part(index: usize, part: &StudyPart) -> String {
 }
 
 fn table(grid: &Grid) -> String {
+    let class = |head: &Head| if head.words { " class=\"words\"" } else { "" };
     let heads: String = grid
         .heads
         .iter()
-        .map(|head| format!("<th>{}</th>", escaped(head)))
+        .map(|head| format!("<th{}>{}</th>", class(head), escaped(&head.text)))
         .collect();
     let rows: String = grid
         .rows
         .iter()
-        .map(|row| format!("<tr>{}</tr>\n", cells(row)))
+        .map(|row| format!("<tr>{}</tr>\n", cells(&grid.heads, row)))
         .collect();
     format!("<table>\n<thead><tr>{heads}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table>")
 }
 
-fn cells(row: &[(String, Verdict)]) -> String {
-    let cell = |(text, verdict): &(String, Verdict)| {
+fn cells(heads: &[Head], row: &[(String, Verdict)]) -> String {
+    let cell = |(head, (text, verdict)): (&Head, &(String, Verdict))| {
         let class = match verdict {
-            Verdict::None if !text.contains(|letter: char| letter.is_ascii_digit()) => {
-                " class=\"words\""
-            }
+            Verdict::None if head.words => " class=\"words\"",
             Verdict::None => "",
             Verdict::Agrees => " class=\"agrees\"",
             Verdict::Differs => " class=\"differs\"",
         };
         format!("<td{class}>{}</td>", escaped(text))
     };
-    row.iter().map(cell).collect()
+    heads.iter().zip(row).map(cell).collect()
 }
 
 /// A path as an address within a page.
@@ -205,6 +214,7 @@ fn address(path: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::figure::{Axis, Direction, Ink, Layout, Mark, Panel, Range, Stroke};
 
     #[test]
     fn no_text_becomes_markup() {
@@ -218,7 +228,10 @@ mod tests {
                     title: nasty.clone(),
                     caption: nasty.clone(),
                     grid: Grid {
-                        heads: vec![nasty.clone()],
+                        heads: vec![Head {
+                            text: nasty.clone(),
+                            words: true,
+                        }],
                         rows: vec![vec![(nasty.clone(), Verdict::Differs)]],
                     },
                     files: nasty.clone(),
@@ -226,38 +239,71 @@ mod tests {
                 StudyPart::Figure {
                     title: nasty.clone(),
                     caption: nasty,
-                    svg: None,
+                    figure: None,
                     files: "figures/a b".into(),
+                    painted: true,
                 },
             ],
         });
         assert!(!page.contains("<script"), "{page}");
         assert_eq!(page.matches("</title>").count(), 1);
-        assert!(page.contains("href=\"figures/a%20b.svg\""));
+        for ending in ["svg", "png", "csv"] {
+            assert!(page.contains(&format!("href=\"figures/a%20b.{ending}\"")));
+        }
         assert!(page.contains("class=\"differs\""));
     }
-    /// Pictures are cut to their own frames: no two elements of the page have one name.
+    /// Pictures are cut to their own frames: no two elements of the page have one name. And they wear the page's colours,
+    /// which are dark where the reader asks for it.
     #[test]
-    fn figures_keep_their_own_names() {
-        let figure = || StudyPart::Figure {
+    fn figures_keep_their_own_names_and_follow_the_page() {
+        let part = || StudyPart::Figure {
             title: String::new(),
             caption: String::new(),
-            svg: Some(
-                "<?xml?><svg><clipPath id=\"clip-0\"/><path clip-path=\"url(#clip-0)\"/></svg>"
-                    .into(),
-            ),
+            figure: Some(Box::new(figure())),
             files: String::new(),
+            painted: false,
         };
         let page = study_html(&StudyPage {
             program: String::new(),
             title: String::new(),
             description: String::new(),
-            parts: vec![figure(), figure()],
+            parts: vec![part(), part()],
         });
         for index in 0..2 {
-            let name = format!("figure-{index}-clip-0");
+            let name = format!("figure-{index}-0");
             assert_eq!(page.matches(&format!("id=\"{name}\"")).count(), 1);
-            assert_eq!(page.matches(&format!("url(#{name})")).count(), 1);
+            assert!(page.contains(&format!("url(#{name})")));
+        }
+        assert!(!page.contains("Said by the page"));
+        let dark = page
+            .split("@media screen and (prefers-color-scheme:dark){:root{")
+            .nth(1)
+            .unwrap();
+        assert!(dark.starts_with("--paper:"), "{}", &dark[..40]);
+    }
+
+    fn figure() -> Figure {
+        Figure {
+            title: "Said by the page".into(),
+            subtitle: String::new(),
+            keys: Vec::new(),
+            layout: Layout {
+                direction: Direction::Across,
+                columns: 1,
+                width_mm: 85.0,
+                panel_mm: 50.0,
+            },
+            shared: Axis::new("x", Range::Tight),
+            panels: vec![Panel {
+                axis: Axis::new("y", Range::Zero),
+                marks: vec![Mark::Curve {
+                    ink: Ink::Line(0),
+                    stroke: Stroke::Solid,
+                    points: vec![(0.0, 0.0), (1.0, 1.0)],
+                }],
+                keys: Vec::new(),
+            }],
+            hole: Vec::new(),
         }
     }
 }

@@ -25,6 +25,8 @@ pub enum Source {
     Time,
     /// `frames.parquet`: the whole string against time.
     Frames,
+    /// `contact.parquet`: contact over depth and time.
+    Contact,
     /// The path of the well down to the bit.
     Path,
 }
@@ -38,6 +40,7 @@ pub(super) const SOURCES: Choice<Source> = Choice {
         ("wear", Source::Wear),
         ("time", Source::Time),
         ("frames", Source::Frames),
+        ("contact", Source::Contact),
         ("path", Source::Path),
     ],
 };

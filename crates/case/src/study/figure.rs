@@ -81,7 +81,8 @@ table! {
         only: Selection = optional(SelectionRule);
         /// Part of the results that it is drawn from: "summary" (a number for each case), "nodes" (along the
         /// string), "wear" (along the hole), "time" (scalars against time), "frames" (the whole string against
-        /// time, where the case records frames) or "path" (the well down to the bit).
+        /// time, where the case records frames), "contact" (over depth and time, as a map for each case) or "path" (the
+        /// well down to the bit).
         from: Source = default(SOURCES, Source::Summary);
         /// What stands on the horizontal axis: a varied key for "summary", otherwise a column. All other
         /// keys that are varied make a curve for each of their values.
@@ -89,6 +90,9 @@ table! {
         /// Columns on the vertical axis, all of one unit; of |tension_N| the sign is dropped. A depth points
         /// down.
         y: Vec<At<String>> = required(List { item: Text, or_one: true, noun: "columns", most: MOST });
+        /// Column that colours a map of "contact", over x = "time_s" and y = "md_m". A sign is a side of the hole, but
+        /// of |side_force_N_per_m| it is dropped.
+        colour: String = optional(Text);
         /// What is shown of a quantity that varies over the window of a dynamic model: "mean", "std", "mean+std", "min",
         /// "max", "p05" or "p95". For "summary". Default: the mean.
         statistic: Vec<At<Statistic>> = optional(List {
@@ -102,9 +106,9 @@ table! {
         /// Measured depths of the nodes whose frames are drawn against time, a curve for each. The nearest node is
         /// taken, and for contact force and friction of those within 5 m the one to which the wall does most.
         depths: Vec<At<f64>> = optional(depths());
-        /// First and last time that is drawn. For "time", and "frames" at depths. Default: the whole run.
+        /// First and last time that is drawn. For "time", "contact", and "frames" at depths. Default: the whole run.
         window: Vec<At<f64>> = optional(WINDOW());
-        /// Values of `y` to hold the curves against.
+        /// Values of `y` to hold the curves against, or to mark on a map.
         level: Vec<At<LevelTable>> = optional(List {
             item: Section::<LevelTable>::RULE,
             or_one: false,
@@ -166,6 +170,13 @@ pub enum FigureData {
         x: Quantity,
         /// The times.
         times_s: Vec<f64>,
+    },
+    /// Contact over time and depth, a map for each case.
+    Map {
+        /// What colours it.
+        colour: Quantity,
+        /// First and last time, s.
+        window_s: Option<[f64; 2]>,
     },
     /// Nodes at these measured depths, m, against time.
     Depths {
@@ -284,10 +295,14 @@ impl FigureTable {
                 ("times", place(&self.times)),
                 ("depths", place(&self.depths)),
                 ("window", place(&self.window)),
+                ("colour", place(&self.colour)),
             ];
             let idle = all.into_iter().filter(|(name, _)| names.contains(name));
             unheeded(idle, why, reader);
         };
+        if source != Source::Contact {
+            idle(&["colour"], "used with from = \"contact\"", reader);
+        }
         if source == Source::Summary {
             idle(
                 &["times", "depths", "window"],
@@ -347,6 +362,11 @@ impl FigureTable {
                 idle(&["times", "depths"], "used with from = \"frames\"", reader);
                 Some(FigureData::Rows { x, window_s })
             }
+            Source::Contact => {
+                idle(&["times", "depths"], "used with from = \"frames\"", reader);
+                let colour = self.map_colour(at, columns, reader)?;
+                Some(FigureData::Map { colour, window_s })
+            }
             _ => {
                 idle(
                     &["times", "depths", "window"],
@@ -356,6 +376,43 @@ impl FigureTable {
                 Some(FigureData::Rows { x, window_s: None })
             }
         }
+    }
+}
+
+impl FigureTable {
+    /// What colours a map, whose axes are time and depth.
+    fn map_colour(
+        &self,
+        at: Place,
+        columns: &[ColumnName],
+        reader: &mut Reader,
+    ) -> Option<Quantity> {
+        let [y] = &self.y.get()?[..] else {
+            let message = "a map has one vertical axis";
+            let at = self.y.at()?.place;
+            reader.report(Diagnostic::error(message).at(at, "expected \"md_m\""));
+            return None;
+        };
+        for (axis, given, expected) in [("x", self.x.at()?, "time_s"), ("y", y, "md_m")] {
+            if given.value != expected {
+                let message = format!("`{}` is not on `{axis}` of a map", short(&given.value));
+                reader.report(
+                    Diagnostic::error(message)
+                        .at(given.place, format!("expected \"{expected}\""))
+                        .help("a map shows contact over time and depth; `colour` is the column that it shows"),
+                );
+                return None;
+            }
+        }
+        let Some(colour) = self.colour.optional()? else {
+            reader.report(
+                Diagnostic::error("a map of contact needs `colour`")
+                    .at(at, "it is not given")
+                    .help("such as colour = \"side_force_N_per_m\" or \"contact_force_N_per_m\""),
+            );
+            return None;
+        };
+        Quantity::named(colour, Source::Contact, columns, reader)
     }
 }
 

@@ -68,20 +68,21 @@ table! {
         /// those of the table.
         only: Selection = optional(SelectionRule);
         /// Part of the results that it is taken from: "summary", "nodes" (along the string), "wear" (along the hole), "time"
-        /// (scalars against time), "frames" (the whole string against time) or "path" (the well).
+        /// (scalars against time), "frames" (the whole string against time), "contact" (over depth and time) or "path"
+        /// (the well).
         from: Source = default(SOURCES, Source::Summary);
         /// Column of it; of |tension_N| the sign is dropped.
         column: String = required(Text);
         /// What is made of the values: "mean", "std", "mean+std", "min", "max" or a percentile such as "p98"; of
-        /// a summary's over the window of a dynamic model, of "time" and of "frames" at a depth over time, otherwise
-        /// along the string.
+        /// a summary's over the window of a dynamic model, of "time" and of "frames" at a depth over time, of "contact"
+        /// over all that is chosen, otherwise along the string.
         statistic: Statistic = default(StatisticRule, Statistic::Mean);
         /// The value at the node that is nearest to this measured depth; for contact force and friction in "frames",
         /// at that of those within 5 m to which the wall does most.
         depth: f64 = optional(depth());
         /// The value at the sample or frame that is nearest to this time.
         time: f64 = optional(time());
-        /// First and last time of "time" and "frames". Default: the window of the case, after it has settled.
+        /// First and last time of "time", "frames" and "contact". Default: the window of the case, after it has settled.
         window: Vec<At<f64>> = optional(WINDOW());
         /// Subtract the same of another case, which differs in these keys.
         less: Selection = optional(SelectionRule);
@@ -323,6 +324,14 @@ impl RowTable {
                 idle(&["depth"], "used with from = \"nodes\" or \"frames\"");
                 if time.is_some() {
                     idle(&["statistic", "window"], "there is one value at a time");
+                }
+            }
+            Source::Contact => {
+                if time.is_some() {
+                    idle(&["window"], "there is one row at a time");
+                }
+                if depth.is_some() && time.is_some() {
+                    idle(&["statistic"], "there is one value at a depth and a time");
                 }
             }
             Source::Frames => {

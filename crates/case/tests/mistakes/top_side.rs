@@ -80,6 +80,11 @@ fn tuned_lifts() {
     let sound = read(&of("kind = \"drill\"")).unwrap_or_else(|report| panic!("{report}"));
     assert!(sound.tunes_lift && sound.dynamics.hoist_control.is_none());
     assert_eq!(sound.settings["hoist"]["control"], "tuned-lift");
+    texts_refused([(
+        "lift_tolerance_in_per_cent",
+        of("kind = \"drill\"").replace("tuned-lift\"", "tuned-lift\"\ntolerance = 2"),
+    )]);
+    each_warned(&[("warn_tolerance_without_lift", "[mesh]", "[hoist]\ntolerance = 0.02\n[mesh]")]);
     warned(
         "warn_lift_with_gain",
         read(&of("kind = \"drill\"").replace("tuned-lift\"", "tuned-lift\"\ngain = 1e-7")),

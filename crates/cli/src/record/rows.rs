@@ -175,6 +175,18 @@ impl Record {
                 ("torque_p50_N_m", &nodes.torque_percentiles_N_m.p50),
                 ("torque_p95_N_m", &nodes.torque_percentiles_N_m.p95),
                 (
+                    "side_force_p05_N_per_m",
+                    &nodes.side_force_percentiles_N_per_m.p05,
+                ),
+                (
+                    "side_force_p50_N_per_m",
+                    &nodes.side_force_percentiles_N_per_m.p50,
+                ),
+                (
+                    "side_force_p95_N_per_m",
+                    &nodes.side_force_percentiles_N_per_m.p95,
+                ),
+                (
                     "contact_force_p05_N",
                     &nodes.contact_force_percentiles_N.p05,
                 ),

@@ -122,9 +122,9 @@ fn stress(solved: &OperationSummary, nodes: &Table) -> Answer {
 fn side_force(solved: &OperationSummary, nodes: &Table) -> Answer {
     match largest_of(solved, nodes, "side_force_per_joint_N", f64::abs) {
         Some(force) => Answer {
-            label: "Largest side force of a tool joint".into(),
+            label: "Largest side force".into(),
             value: Cell::quantity(force, "force"),
-            ..unlimited("mean; no limit in the case")
+            ..unlimited("of a tool joint, mean; no limit in the case")
         },
         None => Answer {
             label: "Largest side force".into(),

@@ -88,7 +88,7 @@ impl<'a> WellBore<'a> {
     }
 
     /// Sections of the hole down to the bit.
-    pub(super) fn hole(&self) -> Vec<Section> {
+    pub(crate) fn hole(&self) -> Vec<Section> {
         let sections = self.settings["well"]["hole"].as_array();
         sections
             .into_iter()

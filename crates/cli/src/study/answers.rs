@@ -102,8 +102,8 @@ impl Answer {
         let file = match source {
             Source::Summary => return Ok(()),
             Source::Path => {
-                let summary = Summary::read(&self.folder.join("summary.json"))?;
-                let well = WellBore::of(&summary.settings);
+                let settings = self.settings()?;
+                let well = WellBore::of(&settings);
                 let columns = names.map(|name| well.column_named(name));
                 (0..columns[0].len()).for_each(|row| visit(columns.each_ref().map(|of| of[row])));
                 return Ok(());
@@ -112,6 +112,7 @@ impl Answer {
             Source::Wear => "wear.parquet",
             Source::Time => "time.parquet",
             Source::Frames => "frames.parquet",
+            Source::Contact => "contact.parquet",
         };
         let path = self.folder.join(file);
         // Only the dynamics tell of time, and frames are kept where they are asked for.
@@ -142,10 +143,21 @@ impl Answer {
 
     /// When the window of its statistics begins, s.
     pub(super) fn window_from_s(&self) -> Result<f64, ResultsError> {
-        let summary = Summary::read(&self.folder.join("summary.json"))?;
-        Ok(summary.settings["dynamics"]["settle_s"]
-            .as_f64()
-            .unwrap_or(0.0))
+        let settings = self.settings()?;
+        Ok(settings["dynamics"]["settle_s"].as_f64().unwrap_or(0.0))
+    }
+
+    /// Where the shoes of its casing stand, m.
+    pub(super) fn shoes_m(&self) -> Result<Vec<f64>, ResultsError> {
+        let settings = self.settings()?;
+        let hole = WellBore::of(&settings).hole().into_iter();
+        let cased = hole.filter(|section| section.kind == "casing");
+        Ok(cased.map(|section| section.to_m).collect())
+    }
+
+    /// All keys of the case with their values.
+    fn settings(&self) -> Result<serde_json::Value, ResultsError> {
+        Ok(Summary::read(&self.folder.join("summary.json"))?.settings)
     }
 }
 

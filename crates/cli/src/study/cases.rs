@@ -3,7 +3,7 @@
 use std::{collections::BTreeMap, path::Path};
 
 use wholestring_case::{
-    Template,
+    Override, Template,
     study::{Study, Sweep},
 };
 
@@ -31,10 +31,22 @@ impl Templates {
         Ok(Self(templates))
     }
 
-    /// The cases of all sweeps.
-    pub(super) fn points(&self, study: &Study) -> Result<Vec<Point<'_>>, Failure> {
+    /// The cases of all sweeps, with these changes of every one of them.
+    pub(super) fn points(
+        &self,
+        study: &Study,
+        overrides: &[Override],
+    ) -> Result<Vec<Point<'_>>, Failure> {
         let mut all = Vec::new();
         for (set, sweep) in study.sweeps.iter().enumerate() {
+            for change in overrides {
+                if sweep.keys().any(|key| key == change.key) {
+                    return Err(Failure::BadInput(format!(
+                        "error: `{}` cannot be set, sweep `{}` varies it",
+                        change.key, sweep.name
+                    )));
+                }
+            }
             let keys: Vec<String> = sweep.keys().map(str::to_owned).collect();
             let mut points = points(&self.0[&sweep.case], &sweep.set, &sweep.vary)?;
             for point in &mut points {
@@ -49,6 +61,9 @@ impl Templates {
                     let set = exception.set.iter().cloned();
                     point.changes.splice(varied..varied, set);
                 }
+                let varied = point.changes.len() - point.values.len();
+                let set = overrides.iter().cloned();
+                point.changes.splice(varied..varied, set);
             }
             all.extend(points);
         }

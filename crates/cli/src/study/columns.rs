@@ -2,7 +2,7 @@
 
 use wholestring::dynamics::DynamicOutcome;
 use wholestring_case::study::{ColumnName, Quantity, Source};
-use wholestring_results::{ColumnSpec, FRAMES, NODES, TIME, WEAR};
+use wholestring_results::{CONTACT, ColumnSpec, FRAMES, NODES, TIME, WEAR};
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::{
@@ -42,6 +42,7 @@ pub(super) fn all() -> Vec<ColumnName> {
         .chain(numbers(Source::Wear, WEAR))
         .chain(numbers(Source::Time, TIME))
         .chain(numbers(Source::Frames, FRAMES))
+        .chain(numbers(Source::Contact, CONTACT))
         .chain(WellBore::COLUMNS.map(|(name, _)| of(Source::Path, name)))
         .collect()
 }

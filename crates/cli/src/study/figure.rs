@@ -4,7 +4,10 @@ use wholestring::outcome::ModelKind;
 use wholestring_case::study::{Figure, FigureData, Quantity, Source, Statistic};
 use wholestring_results::{Column, Data, ResultsError, Table};
 
-use super::answers::{Answer, Answers, Series, keys_of};
+use super::{
+    answers::{Answer, Answers, Series, keys_of},
+    map,
+};
 
 /// A curve with everything that tells it from the others.
 pub(super) struct Curve {
@@ -18,6 +21,8 @@ pub(super) struct Curve {
     pub(super) at: Option<f64>,
     /// Its points, SI; NaN where there is none.
     pub(super) points: Vec<(f64, f64)>,
+    /// What else a map needs; none of a curve.
+    pub(super) map: Option<map::MapData>,
 }
 
 /// All curves of a figure.
@@ -43,7 +48,12 @@ pub(super) fn curves(figure: &Figure, answers: &Answers) -> Result<Vec<Curve>, R
                 for answer in &chosen {
                     let mut curve = blank(answer, None, quantity, None);
                     curve.points = rows(answer, x, quantity, *window_s)?;
-                    curves.push(curve);
+                    // Most cases lie in the same well: it is drawn once.
+                    let again =
+                        |other: &Curve| other.quantity == *quantity && other.points == curve.points;
+                    if quantity.column.source != Source::Path || !curves.iter().any(again) {
+                        curves.push(curve);
+                    }
                 }
             }
             FigureData::Times { x, times_s } => {
@@ -53,6 +63,14 @@ pub(super) fn curves(figure: &Figure, answers: &Answers) -> Result<Vec<Curve>, R
                         (curve.at, curve.points) = (Some(at), points);
                         curves.push(curve);
                     }
+                }
+            }
+            FigureData::Map { colour, window_s } => {
+                for answer in &chosen {
+                    let mut curve = blank(answer, None, colour, None);
+                    let (points, map) = map::read(answer, colour, *window_s)?;
+                    (curve.points, curve.map) = (points, Some(map));
+                    curves.push(curve);
                 }
             }
             FigureData::Depths {
@@ -93,6 +111,7 @@ fn blank(
         statistic,
         at: None,
         points: Vec::new(),
+        map: None,
     }
 }
 
@@ -113,7 +132,7 @@ fn put(curves: &mut Vec<Curve>, like: Curve, point: (f64, f64)) {
     }
 }
 
-fn signed(quantity: &Quantity, value: f64) -> f64 {
+pub(super) fn signed(quantity: &Quantity, value: f64) -> f64 {
     if quantity.magnitude {
         value.abs()
     } else {
@@ -286,6 +305,7 @@ pub(super) fn table(
         FigureData::Rows { x, .. } | FigureData::Times { x, .. } | FigureData::Depths { x, .. } => {
             x.column.name
         }
+        FigureData::Map { .. } => "time_s",
     };
     for key in keys_of(answers.chosen(&figure.chosen))
         .iter()
@@ -312,6 +332,13 @@ pub(super) fn table(
     }
     let x = number(axis, points.iter().map(|(_, x, _)| *x).collect());
     columns.push(x);
+    if let FigureData::Map { .. } = figure.data {
+        let maps = curves.iter().filter_map(|curve| curve.map.as_ref());
+        columns.push(number(
+            "md_m",
+            maps.flat_map(|map| map.depths_m.iter().copied()).collect(),
+        ));
+    }
     columns.push(text("quantity", &|curve| {
         let name = curve.quantity.column.name;
         let name = if curve.quantity.magnitude {

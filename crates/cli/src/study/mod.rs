@@ -4,6 +4,8 @@ mod answers;
 mod cases;
 mod columns;
 mod figure;
+mod looks;
+mod map;
 mod numbers;
 mod picture;
 mod texts;
@@ -20,6 +22,7 @@ use crate::{
     color,
     failure::Failure,
     folder_name::{default_output, file_name},
+    plot::write_picture,
     report::{FILE, PROGRAM},
     sweep::{Batch, Ending, Set, Sound},
     tell,
@@ -32,7 +35,7 @@ pub(crate) fn study(args: &StudyArgs) -> Result<(), Failure> {
         tell(&study.warnings.render(color()));
     }
     let templates = Templates::read(&study, &args.study)?;
-    let sound = Sound::check(templates.points(&study)?, &args.batch)?;
+    let sound = Sound::check(templates.points(&study, &args.overrides)?, &args.batch)?;
     let output = args.batch.output.clone();
     let folder = ResultsFolder::create(output.unwrap_or_else(|| default_output(&study.name)))?;
     let sets = study.sweeps.iter().map(|sweep| {
@@ -57,12 +60,17 @@ pub(crate) fn study(args: &StudyArgs) -> Result<(), Failure> {
             );
         }
     }
-    show(&study, &answers, &folder)?;
+    show(&study, &answers, &folder, args.png)?;
     batch.conclude(folder.path())
 }
 
 /// Writes every figure and table, and the page of all.
-fn show(study: &Study, answers: &Answers, folder: &ResultsFolder) -> Result<(), Failure> {
+fn show(
+    study: &Study,
+    answers: &Answers,
+    folder: &ResultsFolder,
+    png: bool,
+) -> Result<(), Failure> {
     let sweeps: Vec<String> = study
         .sweeps
         .iter()
@@ -75,13 +83,14 @@ fn show(study: &Study, answers: &Answers, folder: &ResultsFolder) -> Result<(), 
         let curves = figure::curves(of, answers)?;
         let data = figure::table(of, &curves, answers, &sweeps);
         data.write_csv(&figures.path().join(format!("{}.csv", of.name)))?;
-        let svg = picture::draw(of, &curves, &sweeps, study.units);
-        figures.write_file(&format!("{}.svg", of.name), svg.as_bytes())?;
+        let picture = picture::picture(of, &curves, &sweeps, study.units);
+        write_picture(&figures, &of.name, &picture, png)?;
         parts.push(StudyPart::Figure {
             title: of.title.clone(),
             caption: of.caption.clone(),
-            svg: (!curves.is_empty()).then_some(svg),
+            figure: (!curves.is_empty()).then(|| Box::new(picture)),
             files: format!("figures/{}", of.name),
+            painted: png,
         });
     }
     for table in &study.tables {

@@ -165,6 +165,27 @@ fn number(number: &Number, answer: &Answer) -> Result<Option<f64>, ResultsError>
                 }
             }
         }
+        Source::Contact => {
+            let rows = answer.rows(source, ["time_s", "md_m", name])?;
+            let rows = match number.time_s {
+                Some(time_s) => nearest_by(rows, time_s, |[at, ..]| *at),
+                None => {
+                    let [from, to] = window_s()?;
+                    // A row is an average since the one before: one that ends where the window begins is not of it.
+                    let mut rows = rows;
+                    rows.retain(|[at, ..]| *at > from && *at <= to);
+                    rows
+                }
+            };
+            let rows = match number.depth_m {
+                Some(depth_m) => rows
+                    .chunk_by(|a, b| a[0] == b[0])
+                    .flat_map(|row| nearest_by(row.to_vec(), depth_m, |[_, md, _]| *md))
+                    .collect(),
+                None => rows,
+            };
+            rows.into_iter().map(|[.., value]| value).collect()
+        }
         Source::Frames => match (number.depth_m, number.time_s) {
             (Some(depth_m), None) => {
                 let rows = at_depth(answer, depth_m, Some(window_s()?), [quantity])?;
@@ -195,6 +216,18 @@ fn nearest(rows: impl Iterator<Item = (f64, f64)>, wanted: f64) -> Vec<f64> {
     let sound = rows.filter(|(_, value)| value.is_finite());
     let best = sound.min_by(|a, b| (a.0 - wanted).abs().total_cmp(&(b.0 - wanted).abs()));
     best.into_iter().map(|(_, value)| value).collect()
+}
+
+/// The rows whose place is the nearest.
+fn nearest_by(
+    mut rows: Vec<[f64; 3]>,
+    wanted: f64,
+    place: impl Fn(&[f64; 3]) -> f64,
+) -> Vec<[f64; 3]> {
+    let off = |row: &[f64; 3]| (place(row) - wanted).abs();
+    let least = rows.iter().map(off).fold(f64::INFINITY, f64::min);
+    rows.retain(|row| off(row) <= least);
+    rows
 }
 
 fn statistic(statistic: Statistic, values: &[f64]) -> Option<f64> {

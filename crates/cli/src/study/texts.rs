@@ -1,7 +1,7 @@
 //! A table of a study: as data, as Markdown, and for its page.
 
-use wholestring_case::study::Row;
-use wholestring_report::{Grid, Verdict};
+use wholestring_case::study::{Row, Wanted};
+use wholestring_report::{Grid, Head, Verdict};
 use wholestring_results::{Column, Data, Table};
 use wholestring_units::UnitSet;
 
@@ -85,10 +85,16 @@ fn column(name: &str, data: Data) -> Column {
 /// The table for people.
 pub(super) fn grid(computed: &Computed<'_>, sweeps: &[String], units: UnitSet) -> Grid {
     let sources = computed.table.rows.iter().any(|row| !row.source.is_empty());
-    let mut heads = vec!["".to_owned(), "unit".to_owned(), "given".to_owned()];
-    heads.extend(names(&computed.series, sweeps));
+    let head = |words: bool| move |text: String| Head { text, words };
+    let mut heads = vec![
+        head(true)(String::new()),
+        head(true)("unit".into()),
+        head(false)("given".into()),
+    ];
+    let series = names(&computed.series, sweeps).into_iter();
+    heads.extend(series.map(head(false)));
     if sources {
-        heads.push("given in".to_owned());
+        heads.push(head(true)("given in".into()));
     }
     let rows = computed.table.rows.iter().zip(&computed.numbers);
     let rows = rows.map(|(row, numbers)| {
@@ -96,7 +102,7 @@ pub(super) fn grid(computed: &Computed<'_>, sweeps: &[String], units: UnitSet) -
         let mut cells = vec![
             (row.label.clone(), Verdict::None),
             (symbol, Verdict::None),
-            (given(row, worth), Verdict::None),
+            (given(&row.wanted, worth), Verdict::None),
         ];
         for number in numbers {
             cells.push(match number {
@@ -122,15 +128,22 @@ fn verdict(row: &Row, number: f64) -> Verdict {
 }
 
 /// What is given: `13.61 ± 1.089`, `at least 0.95`.
-fn given(row: &Row, worth: f64) -> String {
-    let wanted = &row.wanted;
-    let show = |value: f64| short(value / worth);
+fn given(wanted: &Wanted, worth: f64) -> String {
+    let show = |value: f64| as_given(value / worth);
     let bounds = (wanted.least, wanted.most);
     match (wanted.expected, bounds) {
         (Some(expected), (Some(least), Some(most)))
-            if (least + most - 2.0 * expected).abs() <= 1e-9 * (most - least) =>
+            if (least + most - 2.0 * expected).abs() <= 1e-6 * (most - least) =>
         {
-            format!("{} ± {}", show(expected), show(expected - least))
+            let off = expected - least;
+            let percent = 100.0 * off / expected.abs();
+            // Whoever wrote so few digits wrote percent.
+            let share = format!("{:.1e}", percent).parse().ok();
+            let share = share.filter(|share: &f64| (share - percent).abs() <= 1e-6 * percent);
+            match share {
+                Some(share) => format!("{} ± {share} %", show(expected)),
+                None => format!("{} ± {}", show(expected), short(off / worth)),
+            }
         }
         (Some(expected), (None, None)) => show(expected),
         (Some(expected), bounds) => format!("{} ({})", show(expected), between(bounds, show)),
@@ -162,20 +175,42 @@ fn against(row: &Row, number: f64, worth: f64) -> String {
     }
 }
 
+/// A number that somebody wrote: all of its digits, where these are no more than seven.
+fn as_given(value: f64) -> String {
+    let whole: f64 = format!("{value:.6e}").parse().unwrap_or(value);
+    let written = format!("{whole}");
+    match (whole - value).abs() <= 1e-12 * value.abs() && written.len() <= 9 {
+        true => written.replace('-', "\u{2212}"),
+        false => short(value),
+    }
+}
+
 /// Four digits.
 fn short(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return format!("{value}");
     }
     let size = value.abs().log10().floor();
-    if !(-4.0..7.0).contains(&size) {
-        return format!("{value:.3e}");
+    if !(-5.0..7.0).contains(&size) {
+        let text = format!("{value:.3e}");
+        let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+        let power = power.chars().map(raised).collect::<String>();
+        return format!("{digits}·10{power}").replace('-', "\u{2212}");
     }
     let decimals = (3.0 - size).max(0.0) as usize;
-    let text = format!("{value:.decimals$}");
+    let text = format!("{value:.decimals$}").replace('-', "\u{2212}");
     match text.contains('.') {
         true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
         false => text,
+    }
+}
+
+/// A digit or a minus as an exponent.
+fn raised(letter: char) -> char {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    match letter.to_digit(10) {
+        Some(digit) => DIGITS[digit as usize],
+        None => '⁻',
     }
 }
 
@@ -186,7 +221,7 @@ pub(super) fn markdown(title: &str, caption: &str, grid: &Grid) -> String {
         format!("| {} |\n", cells.join(" | "))
     };
     let mut text = format!("# {title}\n\n");
-    text += &line(&mut grid.heads.iter().cloned());
+    text += &line(&mut grid.heads.iter().map(|head| head.text.clone()));
     text += &line(&mut grid.heads.iter().map(|_| "---".to_owned()));
     for row in &grid.rows {
         text += &line(&mut row.iter().map(|(cell, verdict)| match verdict {
@@ -214,9 +249,35 @@ mod tests {
             (43_051.0, "43051"),
             (0.012_34, "0.01234"),
             (2.0, "2"),
-            (1e-9, "1.000e-9"),
+            (-8.715e-5, "\u{2212}0.00008715"),
+            (1.234e-9, "1.234·10⁻⁹"),
         ] {
             assert_eq!(short(value), expected);
         }
+        for (value, expected) in [
+            (579.6152, "579.6152"),
+            (0.999_999, "0.999999"),
+            (-13.61, "\u{2212}13.61"),
+            (34.6e3 / 1.355_817_948_331_4, "25520"),
+            (1e-6, "0.000001"),
+        ] {
+            assert_eq!(as_given(value), expected);
+        }
+    }
+
+    /// A tolerance is shown as it was written: in percent or as a quantity.
+    #[test]
+    fn what_is_given_is_shown_as_it_was_written() {
+        let row = |expected: f64, least: f64, most: f64| {
+            let wanted = Wanted {
+                expected: Some(expected),
+                least: Some(least),
+                most: Some(most),
+            };
+            given(&wanted, 1e3)
+        };
+        assert_eq!(row(13.61e3, 0.92 * 13.61e3, 1.08 * 13.61e3), "13.61 ± 8 %");
+        assert_eq!(row(4124e3, 4123e3, 4125e3), "4124 ± 1");
+        assert_eq!(row(2e3, 1e3, 4e3), "2 (1 to 4)");
     }
 }

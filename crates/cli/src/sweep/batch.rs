@@ -263,7 +263,8 @@ impl<'a> Batch<'a> {
         let of_set = |case: &usize| self.points[*case].set == set;
         let cases = || (0..self.points.len()).filter(of_set);
         let dynamic = cases().any(|case| self.checked[case].simulated_s > 0.0);
-        let mut table = SweepTable::new(self.sets[set].keys.clone(), dynamic);
+        let lift = cases().any(|case| self.checked[case].lift);
+        let mut table = SweepTable::new(self.sets[set].keys.clone(), dynamic, lift);
         for case in cases() {
             if let Some(Ending { solved, why }) = &endings[case] {
                 let failure = why.as_ref().and_then(Stop::reason);

@@ -21,6 +21,8 @@ pub(super) struct Checked {
     pub(super) cost: f64,
     /// Simulated time of its dynamic runs, s.
     pub(super) simulated_s: f64,
+    /// Whether its lift is tuned.
+    pub(super) lift: bool,
     warnings: String,
 }
 
@@ -36,6 +38,7 @@ impl Checked {
         Self {
             name: case.name.clone(),
             cost: cost.sum(),
+            lift: dynamic && case.tunes_lift,
             simulated_s: operations.len() as f64 * each_s,
             warnings: case.warnings.render(color()),
         }

@@ -3,14 +3,11 @@
 use std::{collections::BTreeMap, path::Path};
 
 use wholestring_report::{Sweep, SweepRow, sweep_html};
-use wholestring_results::{ResultsError, ResultsFolder, Summary, Table};
+use wholestring_results::{Column, Data, ResultsError, ResultsFolder, Summary, Table};
 use wholestring_units::UnitSet;
 
-use super::table::FILE;
-use crate::{
-    column::words,
-    report::{self, asked, dimensions},
-};
+use super::table::{FILE, SCALARS};
+use crate::report::{self, asked, dimensions};
 
 /// Whether a folder is one that a sweep wrote to.
 pub(crate) fn is_sweep(folder: &Path) -> bool {
@@ -29,36 +26,40 @@ pub(crate) fn write(folder: &ResultsFolder, units: Option<UnitSet>) -> Result<()
 /// Everything that is told of a sweep.
 pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, ResultsError> {
     let table = Table::read_csv(&folder.join(FILE))?;
-    let names = table.columns().iter().map(|column| column.name.as_str());
-    let keys: Vec<String> = names
-        .clone()
-        .take_while(|name| *name != "model")
-        .map(String::from)
-        .collect();
-    let word = |name: &str, row: usize| words(&table, name).get(row).cloned().unwrap_or_default();
+    // Keys may be named like other columns, `model`: they are those that come first.
+    let begins = |rest: &[Column]| {
+        let names = rest.iter().map(|column| column.name.as_str());
+        names.eq(["model", "operation", SCALARS[0]])
+    };
+    let columns = table.columns();
+    let varied = columns.windows(3).position(begins).unwrap_or(0);
+    let (varied, others) = columns.split_at(varied);
+    let value = |column: &Column, row: usize| match &column.data {
+        Data::Text(words) => words[row].clone(),
+        Data::Number(_) => String::new(),
+    };
+    let word = |name: &str, row: usize| {
+        let column = others.iter().find(|column| column.name == name);
+        column.map_or_else(String::new, |column| value(column, row))
+    };
     let numbers = |row: usize| -> BTreeMap<String, f64> {
-        names
-            .clone()
-            .skip(keys.len())
-            .filter_map(|name| Some((name.to_owned(), word(name, row).parse().ok()?)))
-            .collect()
+        let number = |column: &Column| {
+            let number = value(column, row).parse().ok()?;
+            Some((column.name.clone(), number))
+        };
+        others.iter().filter_map(number).collect()
     };
     let rows = table.rows();
-    // Keys may be named like other columns: they are those that come first.
-    let value = |key: usize, row: usize| match &table.columns()[key].data {
-        wholestring_results::Data::Text(words) => words[row].clone(),
-        wholestring_results::Data::Number(_) => String::new(),
-    };
     let rows: Vec<SweepRow> = (0..rows)
         .map(|row| SweepRow {
-            values: (0..keys.len()).map(|key| value(key, row)).collect(),
+            values: varied.iter().map(|column| value(column, row)).collect(),
             model: word("model", row),
             operation: word("operation", row),
             status: word("status", row),
             numbers: numbers(row),
         })
         .collect();
-    let folders = words(&table, "folder");
+    let folders: Vec<String> = (0..rows.len()).map(|row| word("folder", row)).collect();
     let summary = |name: Option<&String>| {
         let path = name.map(|name| folder.join(name).join("summary.json"));
         let path = path.filter(|path| path.is_file());
@@ -86,7 +87,7 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, Res
         },
         dimensions: dimensions::all(),
         asked,
-        keys,
+        keys: varied.iter().map(|column| column.name.clone()).collect(),
         rows,
     })
 }

@@ -23,6 +23,9 @@ pub(crate) const SCALARS: [&str; 12] = [
     "cutoff_depth_m",
 ];
 
+/// What is told of a tuned lift, as `summary.json` names it.
+const LIFT: [&str; 3] = ["hook_load_N", "weight_on_bit_N", "runs"];
+
 const STATISTICS: [&str; 6] = ["mean", "std", "min", "max", "p05", "p95"];
 
 /// The rows of a sweep. Which columns they have is settled by what is swept and solved, so that the
@@ -31,6 +34,8 @@ pub(crate) struct SweepTable {
     keys: Vec<String>,
     /// Quantity and statistic of each column.
     statistics: Vec<[&'static str; 2]>,
+    /// Whether a lift is tuned in some case.
+    lift: bool,
     rows: Vec<Row>,
 }
 
@@ -42,8 +47,9 @@ struct Row {
 }
 
 impl SweepTable {
-    /// A table for a sweep of these keys, in which some case is dynamic or none is.
-    pub(crate) fn new(keys: Vec<String>, dynamic: bool) -> Self {
+    /// A table for a sweep of these keys, in which some case is dynamic or none is, and a lift is tuned in some or in
+    /// none.
+    pub(crate) fn new(keys: Vec<String>, dynamic: bool, lift: bool) -> Self {
         let statistics = DynamicOutcome::quantities()
             .filter(|_| dynamic)
             .flat_map(|quantity| STATISTICS.map(|statistic| [quantity, statistic]))
@@ -53,6 +59,7 @@ impl SweepTable {
         Self {
             keys,
             statistics,
+            lift,
             rows: Vec::new(),
         }
     }
@@ -89,7 +96,7 @@ impl SweepTable {
         }
     }
 
-    /// The table: varied keys, model and operation, scalars, statistics, how it ended, and where the
+    /// The table: varied keys, model and operation, scalars, statistics, the lift, how it ended, and where the
     /// rest of it lies.
     pub(crate) fn table(&self) -> Table {
         let text = |name: &str, of: &dyn Fn(&Row) -> String| Column {
@@ -125,6 +132,11 @@ impl SweepTable {
             columns.push(number(name, &|row| {
                 let statistics = row.solved.get("statistics")?;
                 statistics.get(quantity)?.get(statistic)?.as_f64()
+            }));
+        }
+        for name in LIFT.into_iter().filter(|_| self.lift) {
+            columns.push(number(format!("lift_{name}"), &|row| {
+                row.solved.get("lift")?.get(name)?.as_f64()
             }));
         }
         columns.extend(["status", "message"].map(word));

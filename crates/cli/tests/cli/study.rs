@@ -3,6 +3,7 @@
 use std::{fs, path::Path, process::Output};
 
 use insta::assert_snapshot;
+use wholestring_results::{Data, Table};
 
 use crate::{
     desk::{Desk, masked, transcript},
@@ -93,7 +94,7 @@ fn the_small_study_meets_its_closed_forms() {
     let svg = read(&desk, "figures/torque.svg");
     assert!(svg.contains("what a small top drive gives") && svg.contains("bit depth 2000 m"));
     let page = read(&desk, "report.html");
-    assert_eq!(page.matches("<svg").count(), 4);
+    assert_eq!(page.matches("<svg").count(), 5);
     assert_eq!(page.matches("<table>").count(), 2);
     assert_eq!(page.matches("class=\"differs\"").count(), 2);
     for from_elsewhere in ["src=\"", "href=\"http", "@import", "url(h"] {
@@ -104,6 +105,217 @@ fn the_small_study_meets_its_closed_forms() {
         markdown.contains("| soft string | dynamics |"),
         "{markdown}"
     );
+}
+
+/// A study of the test's own case: two wells in two sweeps, and maps of contact.
+const MAPS: &str = r#"
+name = "Maps"
+
+[[sweep]]
+name = "slow"
+case = "slant.toml"
+set = { "operation.kind" = "rotate_off_bottom", model = "dynamic", rpm = 30 }
+vary = { bit_depth = ["300 m", "500 m"] }
+
+[[sweep]]
+name = "steeper"
+case = "slant.toml"
+set = { "operation.kind" = "rotate_off_bottom", model = "soft", "well.stations" = [[0, 30, 0], [600, 30, 0]] }
+vary = { bit_depth = ["300 m", "500 m"] }
+
+[[figure]]
+name = "map"
+title = "Where it touches"
+sweeps = "slow"
+from = "contact"
+x = "time_s"
+y = "md_m"
+colour = "side_force_N_per_m"
+window = ["0.5 s", "1.5 s"]
+
+[[figure.level]]
+label = "a seam"
+value = "100 m"
+
+[[figure]]
+name = "path"
+title = "The well"
+sweeps = "slow"
+only = { bit_depth = "500 m" }
+from = "path"
+x = "inclination_rad"
+y = "md_m"
+
+[[figure]]
+name = "paths"
+title = "The wells"
+only = { bit_depth = "500 m" }
+from = "path"
+x = "inclination_rad"
+y = "md_m"
+
+[[table]]
+name = "contact"
+title = "Contact"
+sweeps = "slow"
+only = { bit_depth = "500 m" }
+
+[[table.row]]
+label = "side force at a depth and a time"
+from = "contact"
+column = "side_force_N_per_m"
+depth = "250 m"
+time = "1.5 s"
+
+[[table.row]]
+label = "least of a time"
+from = "contact"
+column = "side_force_N_per_m"
+time = "1.5 s"
+statistic = "min"
+
+[[table.row]]
+label = "most force of the window"
+from = "contact"
+column = "contact_force_N_per_m"
+statistic = "max"
+"#;
+
+/// Maps show what the table of contact holds, wells are drawn once and named where there are several, and what is set
+/// on the command line holds for every case.
+#[test]
+fn maps_and_wells_are_drawn() {
+    let desk = Desk::new();
+    fs::write(desk.path("maps.toml"), MAPS).unwrap();
+    let run = |more: &[&str]| {
+        let study = ["study", "maps.toml", "-o", "results", "--quiet"];
+        desk.run(&[&study, more].concat())
+    };
+    let output = run(&["--set", "mesh.element_length=8 m", "--png"]);
+    assert!(output.status.success(), "{}", transcript(&output));
+    for case in ["slow/bit_depth=300 m", "steeper/bit_depth=500 m"] {
+        let summary = desk.summary(&format!("results/{case}"));
+        assert_eq!(summary.settings["mesh"]["element_length_m"], 8.0, "{case}");
+    }
+
+    // Two maps of the half second on either side of where the window begins, and a line across each.
+    let map = read(&desk, "figures/map.svg");
+    assert_eq!(
+        map.matches("<image").count(),
+        2 * 2,
+        "each with its colours"
+    );
+    for text in ["Bit depth 300 m", "Bit depth 500 m", "a seam", "high side"] {
+        assert!(map.contains(text), "{text}");
+    }
+    let contact = desk
+        .path("results/slow/bit_depth=500 m")
+        .join("contact.parquet");
+    let contact = Table::read_parquet(&contact).unwrap();
+    let column = |name: &str| match &contact.column(name).unwrap().data {
+        Data::Number(values) => values.iter().map(|of| of.unwrap()).collect::<Vec<f64>>(),
+        Data::Text(_) => panic!("{name} is a number"),
+    };
+    let (times, depths) = (column("time_s"), column("md_m"));
+    let forces = column("side_force_N_per_m");
+    let data = read(&desk, "figures/map.csv");
+    let mut lines = data.lines();
+    assert_eq!(
+        lines.next(),
+        Some("sweep,model,operation,bit_depth,time_s,md_m,quantity,value")
+    );
+    let seen: Vec<Vec<f64>> = lines
+        .map(split)
+        .filter(|cells| cells[3] == "500 m")
+        .map(|cells| [4, 5, 7].map(|of: usize| cells[of].parse().unwrap()).into())
+        .collect();
+    let kept = (0..times.len()).filter(|row| times[*row] > 0.5 + 1e-6 && times[*row] < 1.5 + 1e-6);
+    let kept: Vec<Vec<f64>> = kept
+        .map(|row| vec![times[row], depths[row], forces[row]])
+        .collect();
+    assert!(kept.len() > 1000, "{}", kept.len());
+    assert_eq!(seen, kept);
+
+    // The table's numbers are of the same rows.
+    let numbers = rows(&desk, "contact.csv");
+    let computed: Vec<f64> = numbers.iter().map(|row| row[2].parse().unwrap()).collect();
+    // A sample is a whole number of steps: no row ends at the half second exactly.
+    let near = |of: &f64, wanted: f64| (of - wanted).abs();
+    let nearest = |values: &[f64], wanted: f64| {
+        let all = values.iter().copied();
+        all.min_by(|a, b| near(a, wanted).total_cmp(&near(b, wanted)))
+    };
+    let time_s = nearest(&times, 1.5).unwrap();
+    let rows: Vec<usize> = (0..times.len())
+        .filter(|row| times[*row] == time_s)
+        .collect();
+    let there: Vec<f64> = rows.iter().map(|row| depths[*row]).collect();
+    let depth_m = nearest(&there, 250.0).unwrap();
+    let row = rows.iter().find(|row| depths[**row] == depth_m).unwrap();
+    assert_eq!(computed[0], forces[*row]);
+    let at_time = rows.iter().map(|row| forces[*row]);
+    assert_eq!(computed[1], at_time.fold(f64::INFINITY, f64::min));
+    let sizes = column("contact_force_N_per_m").into_iter().zip(&times);
+    let window = sizes.filter(|(_, time_s)| **time_s > 1.0);
+    let most = window.map(|(size, _)| size).fold(0.0, f64::max);
+    assert_eq!(computed[2], most);
+
+    // One well has no name, two have those of their sweeps; each is drawn once.
+    let texts = |name: &str| read(&desk, &format!("figures/{name}.svg"));
+    let one = texts("path");
+    assert!(!one.contains("dynamics") && !one.contains("soft string"));
+    let two = texts("paths");
+    for name in ["slow", "steeper"] {
+        assert!(two.contains(name), "{name}");
+    }
+    let page = read(&desk, "report.html");
+    for name in ["map", "path", "paths"] {
+        assert!(page.contains(&format!("href=\"figures/{name}.png\"")));
+        let painted = fs::read(desk.path(&format!("results/figures/{name}.png"))).unwrap();
+        assert_eq!(painted[..4], *b"\x89PNG");
+    }
+
+    // What a sweep varies cannot be set for all; what was painted goes where it is not asked for again.
+    let output = run(&["--set", "bit_depth=400m"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        transcript(&output).contains("error: `bit_depth` cannot be set, sweep `slow` varies it"),
+        "{}",
+        transcript(&output)
+    );
+    let output = run(&["--set", "mesh.element_length=8 m", "--resume"]);
+    assert!(output.status.success(), "{}", transcript(&output));
+    assert!(!desk.path("results/figures/map.png").exists());
+}
+
+/// The study of the book's tour does what the book says, by the soft string.
+#[test]
+fn the_tours_study_answers_as_told() {
+    let desk = Desk::new();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    fs::copy(root.join("cases/slant.toml"), desk.path("my-well.toml")).unwrap();
+    let tour = fs::read_to_string(root.join("docs/src/tour.md")).unwrap();
+    let (_, rest) = tour.split_once("```toml\n").unwrap();
+    let (study, rest) = rest.split_once("```").unwrap();
+    fs::write(desk.path("my-study.toml"), study).unwrap();
+    let output = desk.run(&["study", "my-study.toml", "--set", "model=soft"]);
+    let told = transcript(&output);
+    let folder = "out/Is the top drive strong enough-";
+    assert!(told.contains("12 of 12 cases finished"), "{told}");
+    assert!(told.contains(folder) && rest.contains(folder), "{told}");
+    let table = fs::read_to_string(desk.path(folder).join("tables/table-01.md")).unwrap();
+    let numbers = |text: &str| -> Vec<[String; 2]> {
+        let rows = text
+            .lines()
+            .filter(|line| line.starts_with("| torque with"));
+        rows.map(|row| {
+            let cells: Vec<&str> = row.split('|').map(str::trim).collect();
+            [1, 4].map(|cell| cells[cell].to_owned())
+        })
+        .collect()
+    };
+    assert_eq!(numbers(&table).len(), 2, "{table}");
+    assert_eq!(numbers(rest), numbers(&table));
 }
 
 /// Shares leave what a resumed study finds, which solves nothing again and shows all of it.

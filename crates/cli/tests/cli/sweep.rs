@@ -132,6 +132,41 @@ fn threads_leave_the_numbers_alone() {
     assert_same(&desk, "alone", &format!("1/{}", CASES[4]));
 }
 
+/// A lift that is tuned stands in the table, in a share of its cases too.
+#[test]
+fn a_tuned_lift_is_in_the_table() {
+    let desk = Desk::new();
+    let output = desk.run(&[
+        "sweep",
+        "slant.toml",
+        "--set",
+        "operation.kind=drill",
+        "--set",
+        "hoist.control=tuned-lift",
+        "--vary",
+        "model=soft,dynamic",
+        "--quiet",
+        "-o",
+        "results",
+    ]);
+    assert!(output.status.success(), "{}", transcript(&output));
+    let table = rows(&desk, "results");
+    let place = |name: &str| table[0].iter().position(|cell| cell == name).expect(name);
+    let solved = &desk.summary("results/model=dynamic").operations[0];
+    let lift = solved.lift.expect("a lift");
+    for (name, value) in [
+        ("lift_hook_load_N", lift.hook_load_N),
+        ("lift_weight_on_bit_N", lift.weight_on_bit_N),
+        ("lift_runs", lift.runs as f64),
+    ] {
+        assert_eq!(table[1][place(name)], "", "a soft string has none");
+        assert_eq!(table[2][place(name)].parse(), Ok(value), "{name}");
+    }
+    // A key that is named like a column of its own has its place on the page.
+    let page = fs::read_to_string(desk.path("results/report.html")).unwrap();
+    assert!(page.contains("\"heads\":[\"model\",\"Model\""));
+}
+
 /// A lift of ten thousand tonnes throws the string out of the hole; the others are solved.
 #[test]
 fn one_case_that_fails() {

@@ -269,7 +269,7 @@ pub fn span(chain: &mut Chain<impl Real>, anchors: &[Anchor], index: usize) {
 
 /// The chain with its inertia, stiffness, weight and drag; nothing is placed yet.
 pub fn chain(model: &Model, mesh: &Mesh, plan: &StepPlan) -> Chain {
-    let mut chain = Chain::new(mesh.nodes.len());
+    let mut chain = Chain::patterned(mesh.nodes.len(), mesh.nodes_per_joint());
     let mud = &model.mud;
     let last = mesh.nodes.len() - 1;
     for (index, element) in mesh.elements.iter().enumerate() {

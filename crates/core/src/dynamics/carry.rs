@@ -5,6 +5,33 @@ use crate::rod::mesh::Mesh;
 /// Longest stretch of string that one contact is taken to carry on either side of it, m.
 pub const LONGEST_REACH_M: f64 = 10.0;
 
+/// A contact, and how far up and down the string it carries, m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reach {
+    pub contact: usize,
+    pub above_m: f64,
+    pub below_m: f64,
+}
+
+/// Shares the string out among the nodes that touch, by the nodes' distances from the bit, from the surface down: each
+/// carries half the way to the next contact on either side, at most [`LONGEST_REACH_M`].
+pub fn reaches(from_bit_m: &[f64], touches: impl Fn(usize) -> bool) -> Vec<Reach> {
+    let touching: Vec<usize> = (0..from_bit_m.len())
+        .filter(|index| touches(*index))
+        .collect();
+    let half = |contact: usize, other: Option<&usize>| {
+        other.map_or(LONGEST_REACH_M, |other| {
+            (0.5 * (from_bit_m[*other] - from_bit_m[contact]).abs()).min(LONGEST_REACH_M)
+        })
+    };
+    let reach = |(k, &contact): (usize, &usize)| Reach {
+        contact,
+        above_m: half(contact, k.checked_sub(1).and_then(|k| touching.get(k))),
+        below_m: half(contact, touching.get(k + 1)),
+    };
+    touching.iter().enumerate().map(reach).collect()
+}
+
 /// A contact and the stretch of string that it carries: the nodes `first..=last` over `length_m`.
 pub struct Carries {
     contact: usize,
@@ -13,42 +40,30 @@ pub struct Carries {
     length_m: f64,
 }
 
-/// Shares the string out among the nodes that touch: each carries half the way to the next contact on
-/// either side, at most [`LONGEST_REACH_M`].
+/// Shares the string out among the nodes that touch, as [`reaches`] does, in nodes.
 pub fn carried(mesh: &Mesh, touches: impl Fn(usize) -> bool) -> Vec<Carries> {
-    let at = |i: usize| -mesh.nodes[i].from_bit_m;
-    let touching: Vec<usize> = (0..mesh.nodes.len())
-        .filter(|index| touches(*index))
-        .collect();
-    touching
-        .iter()
-        .enumerate()
-        .map(|(k, &contact)| {
-            let half = |other: Option<&usize>| {
-                other.map_or(LONGEST_REACH_M, |o| {
-                    (0.5 * (at(*o) - at(contact)).abs()).min(LONGEST_REACH_M)
-                })
-            };
-            let above = half(k.checked_sub(1).and_then(|k| touching.get(k)));
-            let below = half(touching.get(k + 1));
-            let low = at(contact) - above - 1e-9;
-            let high = at(contact) + below + 1e-9;
-            let mut first = contact;
-            while first > 0 && at(first - 1) >= low {
-                first -= 1;
-            }
-            let mut last = contact;
-            while last + 1 < mesh.nodes.len() && at(last + 1) <= high {
-                last += 1;
-            }
-            Carries {
-                contact,
-                first,
-                last,
-                length_m: above + below,
-            }
-        })
-        .collect()
+    let from_bit_m: Vec<f64> = mesh.nodes.iter().map(|node| node.from_bit_m).collect();
+    let at = |i: usize| -from_bit_m[i];
+    let carries = |reach: &Reach| {
+        let contact = reach.contact;
+        let low = at(contact) - reach.above_m - 1e-9;
+        let high = at(contact) + reach.below_m + 1e-9;
+        let mut first = contact;
+        while first > 0 && at(first - 1) >= low {
+            first -= 1;
+        }
+        let mut last = contact;
+        while last + 1 < from_bit_m.len() && at(last + 1) <= high {
+            last += 1;
+        }
+        Carries {
+            contact,
+            first,
+            last,
+            length_m: reach.above_m + reach.below_m,
+        }
+    };
+    reaches(&from_bit_m, touches).iter().map(carries).collect()
 }
 
 /// Spreads what contacts carry over the stretches that they carry it for, per metre; a node on the

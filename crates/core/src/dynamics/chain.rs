@@ -15,7 +15,8 @@ use serde::{Deserialize, Serialize};
 use super::layout::{Layout, Strands};
 use crate::rod::{
     element::{Pose, Stiffness},
-    number::Real,
+    lanes::SINGLES,
+    number::{Number, Real},
     vector::Vector,
 };
 
@@ -29,6 +30,8 @@ pub use rows::{Row, Rows};
 #[serde(bound = "")]
 pub struct Chain<R: Real = f64> {
     nodes: usize,
+    /// Number of nodes after which the string looks the same: from joint to joint.
+    pattern: usize,
     strands: Strands,
     /// Rest length of each element, m: however the chain keeps its numbers, its chords are held against these.
     lengths_m: Vec<f64>,
@@ -62,17 +65,24 @@ macro_rules! vector_access {
 
 impl Chain {
     /// A chain of `nodes` idle nodes.
+    #[cfg(test)]
     pub fn new(nodes: usize) -> Self {
-        Self::idle(nodes)
+        Self::idle(nodes, 1)
+    }
+
+    /// A chain of `nodes` idle nodes for a string that looks the same after every `pattern` of them.
+    pub fn patterned(nodes: usize, pattern: usize) -> Self {
+        Self::idle(nodes, pattern)
     }
 }
 
 impl<R: Real> Chain<R> {
-    fn idle(nodes: usize) -> Self {
-        let strands = Strands::new(nodes, R::LANES);
+    fn idle(nodes: usize, pattern: usize) -> Self {
+        let strands = Strands::new(nodes, R::LANES, pattern);
         let rows = strands.rows();
         Self {
             nodes,
+            pattern,
             strands,
             lengths_m: vec![1.0; nodes],
             states: vec![StateBlock::at_rest(); rows + 1],
@@ -83,7 +93,7 @@ impl<R: Real> Chain<R> {
 
     /// The same chain in another kind of number.
     pub fn converted<S: Real>(&self) -> Chain<S> {
-        let mut chain = Chain::<S>::idle(self.nodes);
+        let mut chain = Chain::<S>::idle(self.nodes, self.pattern);
         chain.lengths_m.clone_from(&self.lengths_m);
         for index in 0..self.nodes {
             let ((row, lane), (from, from_lane)) = (chain.place(index), self.place(index));
@@ -96,7 +106,7 @@ impl<R: Real> Chain<R> {
 
     /// Where what is kept of its nodes in double precision lies.
     pub fn layout(&self) -> Layout {
-        Layout::beside::<R>(self.nodes)
+        Layout::beside::<R>(self.strands)
     }
 
     /// Row and lane of a node, and of the element below it.
@@ -138,13 +148,47 @@ impl<R: Real> Chain<R> {
         slid
     }
 
-    /// Effective tension of each element at the last step, from the top down, N.
-    pub fn tensions_N(&self) -> impl Iterator<Item = f64> {
+    /// Finds what the mud's lateral drag takes of the nodes' velocities in a step of `dt`, as they move now. A hundredth in
+    /// any mud; a brake still at any speed.
+    pub fn find_drag(&mut self, dt: f64) {
+        let (dt, half) = (R::from_f64(dt), R::from_f64(0.5));
+        for (node, state) in self.node_blocks.iter_mut().zip(&self.states) {
+            for lane in 0..R::LANES {
+                let part = |rows: &Rows<R>, axis: usize| rows[axis].0[lane];
+                let dot = |a: &Rows<R>, b: &Rows<R>| {
+                    part(a, 0) * part(b, 0) + part(a, 1) * part(b, 1) + part(a, 2) * part(b, 2)
+                };
+                let along = dot(&node.tangent, &state.v);
+                let square = dot(&state.v, &state.v) - along * along;
+                let speed = Number::max(square, R::default()).sqrt();
+                let drag = node.drag_linear.0[lane] + node.drag_quadratic.0[lane] * speed;
+                let slowed = dt * node.inv_mass_lateral.0[lane] * drag;
+                node.slowed.0[lane] = Number::min(slowed, half);
+            }
+        }
+    }
+
+    /// The upper strands in whose elements the effective tension was more than `least_N` at the last step.
+    pub fn strands_above_N(&self, least_N: f64) -> usize {
+        let least = R::from_f64(least_N);
+        let mut above = [true; SINGLES];
+        for block in &self.element_blocks {
+            for (above, tension) in above.iter_mut().zip(block.tension.0.as_ref()) {
+                *above &= *tension > least;
+            }
+        }
+        above[..R::LANES].iter().take_while(|above| **above).count()
+    }
+
+    /// Effective tension of each element at the last step, from the first of a strand down, N, and its index.
+    pub fn tensions_N(&self, strand: usize) -> impl Iterator<Item = (usize, f64)> {
         let along = |lane| {
             let blocks = self.element_blocks.iter();
             blocks.map(move |block: &ElementBlock<R>| block.tension.0[lane].to_f64())
         };
-        (0..R::LANES).flat_map(along).take(self.elements())
+        let first = strand * self.strands.rows();
+        let tensions = (strand..R::LANES).flat_map(along);
+        (first..self.elements()).zip(tensions)
     }
 
     /// Work that friction has done at each node since the last sample, from the top down, J.

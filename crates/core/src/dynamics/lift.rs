@@ -14,7 +14,7 @@ use crate::{
     statics::soft::{self, SoftError, SoftSettings},
 };
 
-/// How far the mean weight on bit may be from what is asked for, as a fraction of it.
+/// How far the mean weight on bit may be from what is asked for where nobody says, as a fraction of it.
 pub const LIFT_TOLERANCE: f64 = 0.01;
 
 /// Runs after which the search gives up.
@@ -69,7 +69,7 @@ pub enum LiftError {
 }
 
 /// Finds the constant lift under which the mean weight on bit over the window is the operation's, within
-/// [`LIFT_TOLERANCE`], and gives back the run with it, finished.
+/// [`DynamicsSettings::lift_tolerance`], and gives back the run with it, finished.
 ///
 /// Each try is the whole run, from its start to the end of its window. The first is the hook load of the soft string
 /// (for [`FrictionLaw::Independent`] that of a string which slides, as that law drags). From there the lift goes on by the
@@ -115,11 +115,11 @@ pub fn tune_lift(
         }
         let found = TunedLift {
             hook_load_N: search.lift_N,
-            weight_on_bit_N: simulation.outcome().scalars.weight_on_bit_N,
+            weight_on_bit_N: simulation.mean_weight_on_bit_N(),
             runs: run,
         };
         let excess_N = found.weight_on_bit_N - target_N;
-        if excess_N.abs() <= LIFT_TOLERANCE * target_N {
+        if excess_N.abs() <= settings.lift_tolerance * target_N {
             return Ok((found, simulation));
         }
         if nearest.is_none_or(|best| excess_N.abs() < (best.weight_on_bit_N - target_N).abs()) {

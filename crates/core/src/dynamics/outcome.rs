@@ -156,6 +156,8 @@ pub struct NodeProfile {
     /// Mean signed side force per metre, positive on the high side, N/m: the contact forces of the
     /// nodes around, over the length of string that they carry.
     pub side_force_N_per_m: Vec<f64>,
+    /// Its percentiles, N/m: those of the contact force of the nodes around, over the same length.
+    pub side_force_percentiles_N_per_m: Percentiles,
     /// Mean contact force of the node itself, N.
     pub contact_force_N: Vec<f64>,
     /// Standard deviation of the contact force, N.

@@ -138,6 +138,11 @@ impl Simulation {
         either!(&self.0, run => run.outcome())
     }
 
+    /// Mean weight on bit of [`outcome`](Self::outcome), N, without the rest of it.
+    pub fn mean_weight_on_bit_N(&self) -> f64 {
+        either!(&self.0, run => run.mean_weight_on_bit_N())
+    }
+
     /// The whole string as it is now, at the end of a sample: after [`advance`](Self::advance).
     pub fn frame(&self) -> Frame {
         either!(&self.0, run => run.frame())

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{bit::BitSettings, schedule::Schedule, signal::Probe};
+use super::{bit::BitSettings, lift::LIFT_TOLERANCE, schedule::Schedule, signal::Probe};
 use crate::wall::friction::STRIBECK_SPEED_M_PER_S;
 
 /// How the string lies at time zero.
@@ -230,6 +230,9 @@ pub struct DynamicsSettings {
     /// Hoist control; `None` takes what the operation asks for: the autodriller on bottom, a
     /// constant block velocity otherwise.
     pub hoist_control: Option<HoistControl>,
+    /// How far the mean weight on bit may be from the operation's under a lift that is [tuned](super::tune_lift) for it, as
+    /// a part of it. Raising it takes fewer runs.
+    pub lift_tolerance: f64,
     /// The autodriller, wherever it is in control.
     pub autodriller: Autodriller,
     /// Hoist line.
@@ -294,6 +297,7 @@ impl Default for DynamicsSettings {
                 stiffness_s: 1e-5,
             },
             hoist_control: None,
+            lift_tolerance: LIFT_TOLERANCE,
             autodriller: Autodriller::default(),
             hoist_line: HoistLine {
                 stiffness_N_per_m: 1e7,

@@ -8,7 +8,7 @@ use super::{
     energy::StepWork,
     frame::{self, Frame},
     hoist::Target,
-    outcome::DynamicOutcome,
+    outcome::{DynamicOutcome, Statistic},
     schedule::{HoistNow, HoistSetPoint},
     settings::{DynamicsSettings, HoistControl, Start},
     setup::Basis,
@@ -41,7 +41,8 @@ use state::State;
 /// Extra damping of the first seconds of a prepared start, relative to the rigid motion, 1/s.
 const FADING_DAMPING_PER_S: f64 = 4.0;
 
-/// Steps after which anchors follow their nodes and mass-proportional damping acts: at 3.2 m elements some 10 ms.
+/// Steps after which anchors follow their nodes, the mud's lateral drag is found anew and mass-proportional damping acts:
+/// at 3.2 m elements some 10 ms, a fifth of the shortest period that they have across the hole.
 const FOLLOW_STEPS: u64 = 16;
 
 /// Steps after which directors are squared up.
@@ -195,6 +196,7 @@ impl<R: Real> Run<R> {
         {
             self.state.squeezed_m = squeezed_m(&self.mesh, self.mud, anchors);
         }
+        chain.find_drag(self.plan.dt_s);
         if let Some(mud) = &mut self.state.viscous {
             mud.update(chain, anchors, &self.surroundings, self.plan.dt_s);
         }
@@ -308,13 +310,13 @@ impl<R: Real> Run<R> {
             _ => 0.0,
         };
         let rate_per_s = self.settings.damping.mass_per_s + fading;
-        if rate_per_s == 0.0 {
-            return;
-        }
         let rotation =
             self.settings.start_ramp(time) * self.state.set_points.rotary_speed_rad_per_s(time);
+        let time_s = steps as f64 * self.plan.dt_s;
         let calming = Calming {
-            left: (-rate_per_s * steps as f64 * self.plan.dt_s).exp(),
+            time_s,
+            dt: self.plan.dt_s,
+            left: (-rate_per_s * time_s).exp(),
             rigid_velocity: self.state.rigid_velocity_m_per_s,
             rigid_spin: self.state.top_drive.rigid_spin(&self.chain, rotation),
         };
@@ -351,6 +353,12 @@ impl<R: Real> Run<R> {
     /// Time between two samples, s: the setting, rounded to whole steps.
     pub fn sample_interval_s(&self) -> f64 {
         self.steps_per_sample as f64 * self.plan.dt_s
+    }
+
+    /// Mean weight on bit of [`outcome`](Self::outcome), N.
+    pub fn mean_weight_on_bit_N(&self) -> f64 {
+        let record = &self.state.record;
+        Statistic::of(&record.series.weight_on_bit_N[record.window_row..]).map_or(0.0, |s| s.mean)
     }
 
     /// The answer so far: over the window if it has begun, over everything sampled otherwise.

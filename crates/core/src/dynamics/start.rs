@@ -381,8 +381,11 @@ impl Laying<'_> {
 
     /// Lets the string find its place across the hole, axial motion and spin held.
     fn settle(&mut self, stepper: &Stepper, input: &StepInput, operation: &Operation) {
+        let time_s = CALM_STEPS as f64 * input.dt;
         let calming = Calming {
-            left: (-SETTLING_DAMPING_PER_S * CALM_STEPS as f64 * input.dt).exp(),
+            time_s,
+            dt: input.dt,
+            left: (-SETTLING_DAMPING_PER_S * time_s).exp(),
             rigid_velocity: 0.0,
             rigid_spin: operation.rotation_rad_per_s(),
         };
@@ -410,6 +413,7 @@ impl Laying<'_> {
             self.body.follow(&mut self.chain, input.dt);
             if step % CALM_STEPS == 0 {
                 stepper.calm(&mut self.chain, &calming);
+                self.chain.find_drag(input.dt);
             }
         }
         assembly::release(&mut self.chain);

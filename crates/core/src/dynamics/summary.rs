@@ -7,7 +7,9 @@ use super::{
     energy::EnergyBalance,
     flow_pressures::FlowPressures,
     indicators::{Indicators, Motion},
-    outcome::{DynamicOutcome, HoleWear, NodeProfile, Numerics, Statistic, TimeSeries},
+    outcome::{
+        DynamicOutcome, HoleWear, NodeProfile, Numerics, Percentiles, Statistic, TimeSeries,
+    },
     record::{Quantity, Record, Spread},
     wear::{HOLE_STEP_M, Wear},
 };
@@ -195,6 +197,11 @@ fn profile(s: &Sources<'_>, from: usize) -> NodeProfile {
     (p.tension_N[n - 1], p.tension_std_N[n - 1]) = (-weight - jet, weight_std);
     let carries = carry::carried(s.mesh, |i| record.normal(i).mean > 0.0);
     p.side_force_N_per_m = carry::spread(&carries, n, |i| record.signed(i));
+    let sides: Vec<[f64; 3]> = (0..n)
+        .map(|i| record.percentiles(Quantity::Side, i))
+        .collect();
+    let [p05, p50, p95] = [0, 1, 2].map(|k| carry::spread(&carries, n, |i| sides[i][k]));
+    p.side_force_percentiles_N_per_m = Percentiles { p05, p50, p95 };
     p.axial_friction_N_per_m = carry::spread(&carries, n, |i| -record.axial(i));
     p.friction_torque_N_m_per_m = carry::spread(&carries, n, |i| record.rub(i));
     p.wear_work_J_per_m = carry::spread(&carries, n, |i| s.wear.string_J(i));

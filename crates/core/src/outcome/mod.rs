@@ -2,7 +2,7 @@
 
 mod profile;
 
-pub(crate) use profile::neutral_point_among;
+pub(crate) use profile::{SLACK, neutral_point_among};
 pub use profile::{cutoff_depth_m, cutoff_in_build_m, neutral_point_m};
 
 /// The models that answer with [`Scalars`].

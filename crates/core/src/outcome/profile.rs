@@ -9,7 +9,7 @@ const MEAN_LENGTH_M: f64 = 30.0;
 const NO_CONTACT: f64 = 1e-9;
 
 /// A tension below this fraction of the largest one is neither tension nor compression.
-const SLACK: f64 = 1e-3;
+pub(crate) const SLACK: f64 = 1e-3;
 
 /// Measured depth of the shallowest change between tension and compression, m; `None` if there is
 /// none.
@@ -21,18 +21,19 @@ pub fn neutral_point_m(md_m: &[f64], tension_N: &[f64]) -> Option<f64> {
     let largest_N = tension_N
         .iter()
         .fold(0.0_f64, |largest, tension| largest.max(tension.abs()));
-    let tensions_N = tension_N.iter().copied().take(md_m.len());
+    let tensions_N = tension_N.iter().copied().take(md_m.len()).enumerate();
     neutral_point_among(tensions_N, largest_N, |index| md_m[index])
 }
 
-/// [`neutral_point_m`] of a profile that is read place by place and whose largest magnitude is known.
+/// [`neutral_point_m`] of a profile that is read place by place, with their indices, and whose largest magnitude is
+/// known.
 pub(crate) fn neutral_point_among(
-    tension_N: impl Iterator<Item = f64>,
+    tension_N: impl Iterator<Item = (usize, f64)>,
     largest_N: f64,
     md_m: impl Fn(usize) -> f64,
 ) -> Option<f64> {
     let mut previous: Option<(usize, f64)> = None;
-    for (index, tension) in tension_N.enumerate() {
+    for (index, tension) in tension_N {
         if tension.abs() <= SLACK * largest_N {
             continue;
         }

@@ -122,6 +122,9 @@ impl<R: Real> Number for Counted<R> {
     fn min(self, other: Self) -> Self {
         Self(self.0.min(other.0))
     }
+    fn any_positive(self) -> bool {
+        self.0.any_positive()
+    }
     fn if_positive(self, then: Self, otherwise: Self) -> Self {
         Self(self.0.if_positive(then.0, otherwise.0))
     }

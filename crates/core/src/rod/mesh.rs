@@ -133,6 +133,24 @@ impl Mesh {
             .expect("a bend has a node between the ends")
     }
 
+    /// From how many nodes to how many most of the string has a node that stands out over the one below it, as tool joints
+    /// do; one where there is no such rule.
+    pub fn nodes_per_joint(&self) -> usize {
+        let stands_out = |pair: &[MeshNode]| {
+            pair[0].contact_radius_m > pair[1].contact_radius_m + BLADE_HEIGHT_M
+        };
+        let pairs = self.nodes.windows(2).enumerate();
+        let joints: Vec<usize> = pairs
+            .filter(|(_, p)| stands_out(p))
+            .map(|(i, _)| i)
+            .collect();
+        let gaps = || joints.windows(2).map(|pair| pair[1] - pair[0]);
+        let many = |gap: usize| gaps().filter(|g| *g == gap).count() * gap;
+        gaps()
+            .find(|gap| 2 * many(*gap) > self.nodes.len())
+            .unwrap_or(1)
+    }
+
     /// Length of the unloaded string, m.
     pub fn length_m(&self) -> f64 {
         self.nodes[0].from_bit_m

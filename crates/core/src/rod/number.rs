@@ -137,6 +137,8 @@ pub trait Number:
     fn min(self, other: Self) -> Self;
     /// `then` where `self > 0`, `otherwise` elsewhere.
     fn if_positive(self, then: Self, otherwise: Self) -> Self;
+    /// Whether one of the numbers at least is positive.
+    fn any_positive(self) -> bool;
     /// Zero.
     #[inline(always)]
     fn zero() -> Self {
@@ -196,6 +198,10 @@ macro_rules! number {
                 } else {
                     other
                 }
+            }
+            #[inline(always)]
+            fn any_positive(self) -> bool {
+                $get(self) > 0.0
             }
             #[inline(always)]
             fn if_positive(self, then: Self, otherwise: Self) -> Self {

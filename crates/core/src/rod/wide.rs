@@ -83,6 +83,11 @@ impl<N: Number> Number for Pair<N> {
         Self(self.0.min(other.0), self.1.min(other.1))
     }
     #[inline(always)]
+    fn any_positive(self) -> bool {
+        // Both are asked: a branch between them would be one more to guess.
+        self.0.any_positive() | self.1.any_positive()
+    }
+    #[inline(always)]
     fn if_positive(self, then: Self, otherwise: Self) -> Self {
         Self(
             self.0.if_positive(then.0, otherwise.0),
@@ -125,7 +130,8 @@ pub mod x86 {
             $(#[$doc:meta])* $name:ident, $register:ty, $real:ty, $width:literal, $tiny:literal,
             $set1:ident, $load:ident, $store:ident,
             $add:ident, $sub:ident, $mul:ident, $div:ident, $sqrt:ident, $max:ident, $min:ident,
-            |$a:ident, $b:ident, $c:ident| $fma:expr, $fnma:expr, |$x:ident, $then:ident, $otherwise:ident| $select:expr
+            |$a:ident, $b:ident, $c:ident| $fma:expr, $fnma:expr, |$x:ident, $then:ident, $otherwise:ident| $select:expr,
+            |$any_x:ident| $any:expr
         ) => {
             $(#[$doc])*
             #[derive(Debug, Clone, Copy)]
@@ -193,6 +199,12 @@ pub mod x86 {
                     unsafe { Self($min(self.0, other.0)) }
                 }
                 #[inline(always)]
+                fn any_positive(self) -> bool {
+                    let $any_x = self.0;
+                    // SAFETY: see the module.
+                    unsafe { $any }
+                }
+                #[inline(always)]
                 fn if_positive(self, then: Self, otherwise: Self) -> Self {
                     let ($x, $then, $otherwise) = (self.0, then.0, otherwise.0);
                     // SAFETY: see the module.
@@ -211,7 +223,8 @@ pub mod x86 {
         |x, then, otherwise| {
             let mask = _mm512_cmp_pd_mask::<_CMP_GT_OQ>(x, _mm512_setzero_pd());
             _mm512_mask_blend_pd(mask, otherwise, then)
-        }
+        },
+        |x| _mm512_cmp_pd_mask::<_CMP_GT_OQ>(x, _mm512_setzero_pd()) != 0
     );
     register!(
         /// Sixteen `f32`: AVX-512.
@@ -222,7 +235,8 @@ pub mod x86 {
         |x, then, otherwise| {
             let mask = _mm512_cmp_ps_mask::<_CMP_GT_OQ>(x, _mm512_setzero_ps());
             _mm512_mask_blend_ps(mask, otherwise, then)
-        }
+        },
+        |x| _mm512_cmp_ps_mask::<_CMP_GT_OQ>(x, _mm512_setzero_ps()) != 0
     );
     register!(
         /// Four `f64`: AVX2 with FMA.
@@ -233,7 +247,8 @@ pub mod x86 {
         |x, then, otherwise| {
             let mask = _mm256_cmp_pd::<_CMP_GT_OQ>(x, _mm256_setzero_pd());
             _mm256_blendv_pd(otherwise, then, mask)
-        }
+        },
+        |x| _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_GT_OQ>(x, _mm256_setzero_pd())) != 0
     );
     register!(
         /// Eight `f32`: AVX2 with FMA.
@@ -244,7 +259,8 @@ pub mod x86 {
         |x, then, otherwise| {
             let mask = _mm256_cmp_ps::<_CMP_GT_OQ>(x, _mm256_setzero_ps());
             _mm256_blendv_ps(otherwise, then, mask)
-        }
+        },
+        |x| _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_GT_OQ>(x, _mm256_setzero_ps())) != 0
     );
     register!(
         /// Two `f64`: every x86-64.
@@ -255,7 +271,8 @@ pub mod x86 {
         |x, then, otherwise| {
             let mask = _mm_cmpgt_pd(x, _mm_setzero_pd());
             _mm_or_pd(_mm_and_pd(mask, then), _mm_andnot_pd(mask, otherwise))
-        }
+        },
+        |x| _mm_movemask_pd(_mm_cmpgt_pd(x, _mm_setzero_pd())) != 0
     );
     register!(
         /// Four `f32`: every x86-64.
@@ -266,6 +283,7 @@ pub mod x86 {
         |x, then, otherwise| {
             let mask = _mm_cmpgt_ps(x, _mm_setzero_ps());
             _mm_or_ps(_mm_and_ps(mask, then), _mm_andnot_ps(mask, otherwise))
-        }
+        },
+        |x| _mm_movemask_ps(_mm_cmpgt_ps(x, _mm_setzero_ps())) != 0
     );
 }

@@ -74,6 +74,15 @@ fn a_pipe_in_an_arc_bends_most_where_it_is_held() {
             ContactClass::Continuous
         );
         assert!(nodes.side_force_N_per_m[i] > 0.0, "on the high side");
+        // Nothing but the tension in its curve presses it there, the signed force's median as its mean.
+        let sides = &nodes.side_force_percentiles_N_per_m;
+        close(
+            "side force",
+            nodes.side_force_N_per_m[i],
+            TENSION_N / radius_m,
+        );
+        close("its median", sides.p50[i], TENSION_N / radius_m);
+        assert!(sides.p05[i] <= sides.p50[i] && sides.p50[i] <= sides.p95[i]);
         assert!(nodes.whirl_coherence[i] < 0.5, "it does not whirl");
     }
     assert!(seen > 100, "{seen} nodes");

@@ -109,6 +109,7 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         ("contact force of the map", &c.contact_force_N_per_m),
         ("low tension", &p.tension_percentiles_N.p05),
         ("middle torque", &p.torque_percentiles_N_m.p50),
+        ("low side force", &p.side_force_percentiles_N_per_m.p05),
         ("high contact force", &p.contact_force_percentiles_N.p95),
         ("high moment", &p.bending_moment_percentiles_N_m.p95),
         ("true tension", &p.true_tension_N),

@@ -52,8 +52,8 @@ pub(super) fn shape(on: &mut Drawing, shape: Shape, (x, y): (f64, f64), ink: Ink
     );
 }
 
-/// Draws a mark where it is to be seen.
-pub(super) fn draw(on: &mut Drawing, mark: &Mark, place: &Place) {
+/// Draws a mark where it is to be seen, among all those of its panel.
+pub(super) fn draw(on: &mut Drawing, mark: &Mark, all: &[Mark], place: &Place) {
     match mark {
         Mark::Curve {
             ink,
@@ -97,8 +97,8 @@ pub(super) fn draw(on: &mut Drawing, mark: &Mark, place: &Place) {
                 }
             }
         }
-        Mark::SharedRule { at, label } => rule(on, place.shared_line(*at), label),
-        Mark::OwnRule { at, label } => rule(on, place.own_line(*at), label),
+        Mark::SharedRule { at, label } => rule(on, place.shared_line(*at), label, all, place),
+        Mark::OwnRule { at, label } => rule(on, place.own_line(*at), label, all, place),
         Mark::Shade { from, to } => {
             let [a, b] = place.shared_line(*from);
             let [d, c] = place.shared_line(*to);
@@ -130,8 +130,8 @@ fn band(on: &mut Drawing, points: &[(f64, f64, f64)], (ink, opacity): (Ink, f64)
     }
 }
 
-/// A dashed line with its name, on a ground of paper: it may lie on a map.
-fn rule(on: &mut Drawing, line: [(f64, f64); 2], label: &str) {
+/// A dashed line with its name, where few curves run, on a ground of paper: it may lie on a map.
+fn rule(on: &mut Drawing, line: [(f64, f64); 2], label: &str, all: &[Mark], place: &Place) {
     const SIZE: f64 = 6.5;
     on.line(&line, Pen::new(Ink::Paper, 1.4));
     on.line(
@@ -146,19 +146,49 @@ fn rule(on: &mut Drawing, line: [(f64, f64); 2], label: &str) {
     }
     let width = text_width(label, SIZE);
     let [(left, y), (right, other)] = line;
-    let (left, y) = if y == other {
-        (right - width - 4.0, y - 6.5)
-    } else {
-        (left + 3.5, y.min(other) + 7.0)
-    };
-    let ground = Box {
+    let ground = |(left, y): (f64, f64)| Box {
         left: left - 1.5,
         top: y - 4.0,
         width: width + 3.0,
         height: 8.0,
     };
-    on.fill(ground.corners().to_vec(), Ink::Paper, 0.75);
-    on.text(label, (left, y), SIZE, Ink::Text, Anchor::Start);
+    let at = if y == other {
+        let ends = [right - width - 4.0, left + 4.0];
+        let places = [-6.5, 6.5].map(|off| ends.map(|left| (left, y + off)));
+        let within = |at: &(f64, f64)| {
+            let ground = ground(*at);
+            ground.top >= place.frame.top && ground.bottom() <= place.frame.bottom()
+        };
+        let free = places.concat().into_iter().filter(within);
+        let free = free.min_by_key(|at| crowd(&ground(*at), all, place));
+        free.unwrap_or(places[0][0])
+    } else {
+        (left + 3.5, y.min(other) + 7.0)
+    };
+    on.fill(ground(at).corners().to_vec(), Ink::Paper, 0.75);
+    on.text(label, at, SIZE, Ink::Text, Anchor::Start);
+}
+
+/// How many pieces of curves run through a box.
+fn crowd(room: &Box, all: &[Mark], place: &Place) -> usize {
+    let runs_through = |pair: &[(f64, f64)]| {
+        let [a, b] = [place.of(pair[0]), place.of(pair[1])];
+        // In so many steps that none jumps over the box.
+        let steps = ((a.0 - b.0).abs() + (a.1 - b.1).abs()) / (0.5 * room.height);
+        let steps = if steps.is_finite() { steps.ceil() } else { 0.0 };
+        (0..=steps as usize).any(|step| {
+            let part = step as f64 / steps.max(1.0);
+            let (x, y) = (a.0 + part * (b.0 - a.0), a.1 + part * (b.1 - a.1));
+            (room.left..=room.right()).contains(&x) && (room.top..=room.bottom()).contains(&y)
+        })
+    };
+    let curves = all.iter().filter_map(|mark| match mark {
+        Mark::Curve { points, .. } => Some(points),
+        _ => None,
+    });
+    curves
+        .map(|points| points.windows(2).filter(|pair| runs_through(pair)).count())
+        .sum()
 }
 
 /// Colours as pixels: as many as there are values where those are few, and no more than print.

@@ -188,7 +188,7 @@ pub(super) fn draw(on: &mut Drawing, figure: &Figure, panel: &Panel, place: &Pla
     let shade = |mark: &&Mark| matches!(mark, Mark::Shade { .. });
     on.within(frame, |on| {
         for mark in panel.marks.iter().filter(shade) {
-            marks::draw(on, mark, place);
+            marks::draw(on, mark, &panel.marks, place);
         }
     });
     grid(on, figure, place);
@@ -204,7 +204,7 @@ pub(super) fn draw(on: &mut Drawing, figure: &Figure, panel: &Panel, place: &Pla
     }
     on.within(frame, |on| {
         for mark in panel.marks.iter().filter(|mark| !shade(mark)) {
-            marks::draw(on, mark, place);
+            marks::draw(on, mark, &panel.marks, place);
         }
     });
     on.frame(frame, Pen::new(Ink::Frame, FRAME));

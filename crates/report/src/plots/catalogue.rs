@@ -74,6 +74,7 @@ pub(crate) const TRACKS: &[Track] = &[
         title: "Side force",
         dimension: "force per length",
         column: "side_force_N_per_m",
+        band: Some(["side_force_p05_N_per_m", "side_force_p95_N_per_m"]),
         zero: true,
         sides: true,
         ..TRACK

@@ -6,7 +6,89 @@ use crate::{
     figure::{Axis, Direction, Figure, Hue, Layout, Map, Mark, Panel, Range},
 };
 
-/// Side force by side, and contact force, each as a map: of two runs one below the other, with the same colours.
+/// Contact over depth and time of one run, in the reader's units.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ContactMap {
+    /// What its depths are called, unit included.
+    pub label: String,
+    /// When the first row begins, s.
+    pub from: f64,
+    /// When each row ends, s.
+    pub ends: Vec<f64>,
+    /// Depths of the middles of the stretches.
+    pub middles: Vec<f64>,
+    /// A value for each stretch, row after row.
+    pub values: Vec<f64>,
+    /// When the window of the statistics begins, s.
+    pub window_from: f64,
+    /// Depths of the casing's shoes.
+    pub shoes: Vec<f64>,
+    /// What else is drawn over it.
+    pub marks: Vec<Mark>,
+}
+
+/// Maps one below the other, over the same depths and in the same colours; `label` says what these tell, unit
+/// included.
+pub fn contact_figure(
+    title: String,
+    subtitle: String,
+    (label, hue): (&str, Hue),
+    maps: Vec<ContactMap>,
+) -> Figure {
+    let sizes = maps.iter().flat_map(|map| &map.values);
+    let largest = largest(sizes.map(|value| value.abs()).collect());
+    let depths = maps.iter().filter_map(|map| map.middles.last().copied());
+    let deepest = depths.fold(0.0, f64::max);
+    let panel_mm = if maps.len() > 1 { 75.0 } else { 95.0 };
+    let panel = |map: ContactMap| {
+        let mut marks = vec![Mark::Map(Map {
+            from: map.from,
+            ends: map.ends,
+            middles: map.middles,
+            values: map.values,
+            hue,
+            largest,
+            label: label.to_owned(),
+            sides: (hue == Hue::Side).then(|| ["low side".into(), "high side".into()]),
+        })];
+        if map.window_from > map.from {
+            marks.push(Mark::SharedRule {
+                at: map.window_from,
+                label: "window begins".into(),
+            });
+        }
+        let shoes = map.shoes.into_iter().filter(|at| *at < deepest);
+        marks.extend(shoes.map(|at| Mark::OwnRule {
+            at,
+            label: "casing shoe".into(),
+        }));
+        marks.extend(map.marks);
+        Panel {
+            axis: Axis {
+                down: true,
+                ..Axis::new(map.label, Range::Fixed(0.0, deepest))
+            },
+            marks,
+            keys: Vec::new(),
+        }
+    };
+    Figure {
+        title,
+        subtitle,
+        keys: Vec::new(),
+        layout: Layout {
+            direction: Direction::Across,
+            columns: 1,
+            width_mm: 180.0,
+            panel_mm,
+        },
+        shared: Axis::new("Time, s", Range::Tight),
+        panels: maps.into_iter().map(panel).collect(),
+        hole: Vec::new(),
+    }
+}
+
+/// Side force by side, and contact force, each as a map: of two runs one below the other.
 pub(super) fn plots(
     runs: &[Run<'_>],
     operation: &str,
@@ -25,74 +107,32 @@ pub(super) fn plots(
     if pictures.is_empty() {
         return Vec::new();
     }
-    let deepest = pictures
-        .iter()
-        .filter_map(|(_, _, picture)| picture.md_m.values().last().copied())
-        .fold(0.0, f64::max);
     let figure = |title: &str, hue: Hue, values: &dyn Fn(&ContactPicture) -> Vec<f64>| {
-        let sizes: Vec<f64> = pictures.iter().flat_map(|(_, _, of)| values(of)).collect();
-        let largest = largest(&sizes);
-        let panel = |(run, window_s, picture): &(&Run<'_>, f64, &ContactPicture)| {
-            let length = |si: f64| shown.value(si, "length");
-            let force = |si: f64| shown.value(si, "force per length");
-            let mut marks = vec![Mark::Map(Map {
+        let map = |(run, window_s, picture): &(&Run<'_>, f64, &ContactPicture)| {
+            let name = match runs.len() {
+                1 => "Measured depth",
+                _ => run.name,
+            };
+            let cased = run.report.hole.iter().filter(|of| of.kind == "casing");
+            ContactMap {
+                label: shown.label(name, "length"),
                 from: picture.from_s,
                 ends: picture.time_s.values(),
-                middles: picture.md_m.values().into_iter().map(length).collect(),
-                values: values(picture).into_iter().map(force).collect(),
-                hue,
-                largest: force(largest),
-                label: shown.label(title, "force per length"),
-                sides: (hue == Hue::Side).then(|| ["low side".into(), "high side".into()]),
-            })];
-            if *window_s > picture.from_s {
-                marks.push(Mark::SharedRule {
-                    at: *window_s,
-                    label: "window begins".into(),
-                });
-            }
-            for section in run
-                .report
-                .hole
-                .iter()
-                .filter(|of| of.kind == "casing" && of.to_m < deepest)
-            {
-                marks.push(Mark::OwnRule {
-                    at: length(section.to_m),
-                    label: "casing shoe".into(),
-                });
-            }
-            let name = if runs.len() > 1 {
-                run.name
-            } else {
-                "Measured depth"
-            };
-            Panel {
-                axis: Axis {
-                    down: true,
-                    ..Axis::new(
-                        shown.label(name, "length"),
-                        Range::Fixed(0.0, length(deepest)),
-                    )
-                },
-                marks,
-                keys: Vec::new(),
+                middles: shown.values(&picture.md_m.values(), "length"),
+                values: shown.values(&values(picture), "force per length"),
+                window_from: *window_s,
+                shoes: cased
+                    .map(|section| shown.value(section.to_m, "length"))
+                    .collect(),
+                marks: Vec::new(),
             }
         };
-        Figure {
-            title: super::title(runs),
-            subtitle: subtitle.to_owned(),
-            keys: Vec::new(),
-            layout: Layout {
-                direction: Direction::Across,
-                columns: 1,
-                width_mm: 180.0,
-                panel_mm: if runs.len() > 1 { 75.0 } else { 95.0 },
-            },
-            shared: Axis::new("Time, s", Range::Tight),
-            panels: pictures.iter().map(panel).collect(),
-            hole: Vec::new(),
-        }
+        contact_figure(
+            super::title(runs),
+            subtitle.to_owned(),
+            (&shown.label(title, "force per length"), hue),
+            pictures.iter().map(map).collect(),
+        )
     };
     vec![
         Plot {
@@ -108,11 +148,10 @@ pub(super) fn plots(
     ]
 }
 
-/// The value that nearly all magnitudes stay below: the few largest must not take the colour from the rest.
-fn largest(values: &[f64]) -> f64 {
+/// The value that nearly all sizes stay below: the few largest must not take the colour from the rest.
+fn largest(mut sizes: Vec<f64>) -> f64 {
     const PART: f64 = 0.985;
-    let sizes = values.iter().map(|value| value.abs());
-    let mut sizes: Vec<f64> = sizes.filter(|size| size.is_finite()).collect();
+    sizes.retain(|size| size.is_finite());
     sizes.sort_by(f64::total_cmp);
     let place = PART * (sizes.len().saturating_sub(1)) as f64;
     let value = sizes.get(place as usize).copied().unwrap_or(0.0);

@@ -9,6 +9,7 @@ mod shown;
 mod spectra;
 mod tracks;
 
+pub use self::contact::{ContactMap, contact_figure};
 use self::look::Looks;
 pub(crate) use self::{
     look::spoken,

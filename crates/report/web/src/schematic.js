@@ -3,6 +3,9 @@
 import { svg } from "./dom.js";
 import { quantity } from "./units.js";
 
+/** Longer than any bit, m. */
+const LONGEST_BIT_M = 5;
+
 const name = (section) => (section.kind === "casing" ? "casing" : "open hole");
 
 /** What lies at a depth, in a few words. */
@@ -51,7 +54,9 @@ export function schematic(report, { left, width, top, height }, [from, to], y) {
         group.append(svg("path", { d: `M${x} ${y2}h${side * 8}L${x} ${y2 - 9}Z`, class: "shoe" }));
     }
   }
-  const deepest = report.string.at(-1);
+  // What is last may be plain pipe, and is no bit then.
+  const last = report.string.at(-1);
+  const bit = last && last.to_m - last.from_m < LONGEST_BIT_M ? last : null;
   for (const part of report.string) {
     if (part.to_m < from || part.from_m > to) continue;
     const [y1, y2, w] = [clip(part.from_m), clip(part.to_m), Math.max(half(part.od_m), 1.5)];
@@ -60,9 +65,9 @@ export function schematic(report, { left, width, top, height }, [from, to], y) {
       {},
       `${part.name}, OD ${quantity(part.od_m, "diameter")}, ${quantity(part.from_m, "length", 5)} to ${quantity(part.to_m, "length", 5)}`,
     );
-    const kind = /drill pipe/i.test(part.name) && !/heavy/i.test(part.name) ? "pipe" : "tool";
+    const kind = /pipe/i.test(part.name) && !/heavy/i.test(part.name) ? "pipe" : "tool";
     const shape =
-      part === deepest
+      part === bit
         ? svg("path", {
             d: `M${middle - w} ${Math.min(y1, y2 - 5)}h${2 * w}v${Math.max(y2 - y1, 5) * 0.5}L${middle} ${y2 + 3}L${middle - w} ${y2 - Math.max(y2 - y1, 5) * 0.5}Z`,
             class: "bit",

@@ -14,6 +14,18 @@ export function ticks(from, to, count) {
   return { values, step };
 }
 
+/** As many round numbers as stand side by side over so many pixels, in letters of a track. */
+export function roomyTicks(from, to, width) {
+  const LETTER = 6.2;
+  for (let count = Math.floor(width / 24); count > 1; count--) {
+    const scale = ticks(from, to, count);
+    const letters = Math.max(...scale.values.map((value) => tickText(value, scale.step).length));
+    // What stands at an edge is pushed inwards, towards its neighbour.
+    if (1.25 * LETTER * letters + 5 <= (scale.step / (to - from)) * width) return scale;
+  }
+  return ticks(from, to, 1);
+}
+
 /** A tick as text, with no more decimals than the step needs. */
 export function tickText(value, step) {
   const rounded = Math.abs(value) < step * 1e-6 ? 0 : value;

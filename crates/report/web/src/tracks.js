@@ -7,7 +7,7 @@ import { schematic, lies } from "./schematic.js";
 import { chosen, curveName, look, operations } from "./solutions.js";
 import { choose, on, state } from "./state.js";
 import { isPrinting } from "./theme.js";
-import { domain, ticks, tickText } from "./ticks.js";
+import { domain, roomyTicks, ticks, tickText } from "./ticks.js";
 import { tracksOf } from "./track.js";
 import { digits, shown, si, symbol } from "./units.js";
 
@@ -166,7 +166,7 @@ export function tracks(report) {
       height: box.height,
       viewBox: `${box.left} ${box.top} ${box.width} ${box.height}`,
     });
-    const scale = ticks(shown(range[0], track.dimension), shown(range[1], track.dimension), box.width / 44);
+    const scale = roomyTicks(shown(range[0], track.dimension), shown(range[1], track.dimension), box.width);
     for (const value of scale.values) {
       const at = x(si(value, track.dimension));
       const place = at < box.left + 8 ? "start" : at > box.left + box.width - 8 ? "end" : "middle";

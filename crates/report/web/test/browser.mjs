@@ -25,7 +25,8 @@ export async function browse(executablePath, file, { args = [], timeout_ms }) {
     page.on("pageerror", (error) => complaints.push(String(error)));
     page.on("request", (request) => requests.push(request.url()));
     await page.goto(address);
-    await page.waitForSelector("html[data-ready]");
+    // A page without a program of its own is ready as it is.
+    await page.waitForSelector("html[data-ready], main.study");
     return page;
   }
 

@@ -58,6 +58,21 @@ await check("every track has a curve", async () => {
   assert.equal(broken, 0, "no coordinate is missing");
 });
 
+await check("no two numbers of an axis overlap", async () => {
+  const overlaps = await page.evaluate(() => {
+    const found = [];
+    for (const picture of document.querySelectorAll(".tracks > svg")) {
+      const ticks = [...picture.querySelectorAll(".tick")].filter((tick) => tick.getAttribute("y") < 82);
+      const boxes = ticks.map((tick) => [tick.getBoundingClientRect(), tick.textContent]);
+      boxes.sort(([a], [b]) => a.left - b.left);
+      for (let i = 1; i < boxes.length; i++)
+        if (boxes[i][0].left < boxes[i - 1][0].right) found.push(`${boxes[i - 1][1]} and ${boxes[i][1]}`);
+    }
+    return found;
+  });
+  assert.deepEqual(overlaps, []);
+});
+
 await check("every time history is drawn", async () => {
   const count = await page.locator(".history canvas").count();
   assert.ok(count >= 6, `${count} histories`);

@@ -96,6 +96,21 @@ pub const NODES: &[ColumnSpec] = &[
     ColumnSpec::number("torque_p50_N_m", "N·m", "Median of `torque_N_m`"),
     ColumnSpec::number("torque_p95_N_m", "N·m", "95th percentile of `torque_N_m`"),
     ColumnSpec::number(
+        "side_force_p05_N_per_m",
+        "N/m",
+        "5th percentile of `side_force_N_per_m`",
+    ),
+    ColumnSpec::number(
+        "side_force_p50_N_per_m",
+        "N/m",
+        "Median of `side_force_N_per_m`",
+    ),
+    ColumnSpec::number(
+        "side_force_p95_N_per_m",
+        "N/m",
+        "95th percentile of `side_force_N_per_m`",
+    ),
+    ColumnSpec::number(
         "contact_force_p05_N",
         "N",
         "5th percentile of `contact_force_N`",

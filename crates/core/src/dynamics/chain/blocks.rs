@@ -108,10 +108,8 @@ block! {
         pub friction: Row<R>,
         /// Contact stiffness, N/m or N/m^1.5.
         pub stiffness: Row<R>,
-        /// Linear lateral drag, N·s/m.
-        pub drag_linear: Row<R>,
-        /// Quadratic lateral drag, N·s²/m².
-        pub drag_quadratic: Row<R>,
+        /// Part of the velocity across the hole that the mud's drag takes in a step.
+        pub slowed: Row<R>,
         /// Sum over steps of the contact force, N.
         pub sum_normal: Row<R>,
         /// Sum over steps of the axial friction on the wall, N, along the hole.
@@ -120,6 +118,10 @@ block! {
         pub sum_torque: Row<R>,
         /// Work that friction has done, J: force times sliding distance.
         pub sum_wear: Row<R>,
+        /// Linear lateral drag, N·s/m.
+        pub drag_linear: Row<R>,
+        /// Quadratic lateral drag, N·s²/m².
+        pub drag_quadratic: Row<R>,
         /// Inertia along the hole, kg: steel.
         pub mass_axial: Row<R>,
         /// Moment of inertia about the director, kg·m².
@@ -202,6 +204,7 @@ impl<R: Real> NodeBlock<R> {
             friction_around: one,
             stiffness: zero,
             damping: zero,
+            slowed: zero,
             drag_linear: zero,
             drag_quadratic: zero,
             mud_axial: zero,

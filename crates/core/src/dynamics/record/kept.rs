@@ -3,7 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::look::Look;
+use super::look::{Lane, Look};
 use crate::{dynamics::outcome::percentile, rod::lanes::DOUBLES};
 
 /// What is kept of every node.
@@ -13,10 +13,12 @@ pub enum Quantity {
     Tension,
     /// Torque of the element below, in the sign of the chain.
     Torque,
-    /// Contact force.
-    Contact,
+    /// Contact force, positive on the high side.
+    Side,
     /// Bending moment.
     Bending,
+    /// Contact force, whatever its side: nothing of its own is kept of it.
+    Contact,
 }
 
 const QUANTITIES: usize = 4;
@@ -30,13 +32,15 @@ const ROWS: [usize; 2] = [64, 4096];
 /// Kept samples.
 ///
 /// Of every `stride` samples one is kept, at a place in them that a fixed sequence of random numbers
-/// chooses, so that nothing periodic hides between. When memory is full, one of each pair of kept
-/// samples stays and the stride doubles.
+/// chooses, so that nothing periodic hides between. The stride is such that what a window is expected to
+/// take fits. When memory is full nevertheless, one of each pair of kept samples stays and the stride doubles.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Kept {
     /// Numbers in a row: the lanes of all blocks.
     width: usize,
     most_rows: usize,
+    /// Samples that the window is expected to take.
+    expected: u64,
     rows: usize,
     stride: u64,
     /// Samples since the last one that began a stride.
@@ -54,7 +58,16 @@ impl KeptRow<'_> {
     /// Puts the values of a block.
     #[inline(always)]
     pub fn put(&mut self, block: usize, look: &Look) {
-        let values = [&look.tension, &look.torque, &look.normal, &look.bending];
+        // By the side on which the node lies, as the sums count it; what does not touch is +0.
+        let side: Lane = std::array::from_fn(|lane| {
+            let normal = look.normal[lane];
+            if look.up[lane] < 0.0 {
+                0.0 - normal
+            } else {
+                normal
+            }
+        });
+        let values = [&look.tension, &look.torque, &side, &look.bending];
         for (row, values) in self.0.iter_mut().zip(values) {
             let lanes = &mut row[block * DOUBLES..(block + 1) * DOUBLES];
             for lane in 0..DOUBLES {
@@ -65,15 +78,16 @@ impl KeptRow<'_> {
 }
 
 impl Kept {
-    /// None yet of a chain of so many blocks.
-    pub fn new(blocks: usize) -> Self {
+    /// None yet of a chain of so many blocks, of which so many samples are expected.
+    pub fn new(blocks: usize, expected: u64) -> Self {
         let width = blocks * DOUBLES;
         let most_rows = (MOST_NUMBERS / width).clamp(ROWS[0], ROWS[1]) / 2 * 2;
         Self {
             width,
             most_rows,
+            expected,
             rows: 0,
-            stride: 1,
+            stride: first_stride(expected, most_rows),
             place: 0,
             chosen: 0,
             random: 0,
@@ -85,7 +99,7 @@ impl Kept {
     /// Forgets all.
     pub fn clear(&mut self) {
         self.rows = 0;
-        self.stride = 1;
+        self.stride = first_stride(self.expected, self.most_rows);
         self.place = 0;
         self.chosen = 0;
         self.values.iter_mut().for_each(Vec::clear);
@@ -139,15 +153,28 @@ impl Kept {
 
     /// 5th, 50th and 95th percentile of a quantity at a node's place; zeros where nothing was kept.
     pub fn percentiles(&self, quantity: Quantity, (block, lane): (usize, usize)) -> [f64; 3] {
-        let values = &self.values[quantity as usize];
+        let (of, magnitude) = match quantity {
+            Quantity::Contact => (Quantity::Side, true),
+            other => (other, false),
+        };
+        let values = &self.values[of as usize];
         let mut kept: Vec<f32> = (0..self.rows)
             .map(|row| values[row * self.width + block * DOUBLES + lane])
+            .map(|value| if magnitude { value.abs() } else { value })
             .collect();
         if kept.is_empty() {
             return [0.0; 3];
         }
         [0.05, 0.5, 0.95].map(|part| percentile(&mut kept, part))
     }
+}
+
+/// The smallest power of two of which so many samples fill no more rows than there are.
+fn first_stride(expected: u64, most_rows: usize) -> u64 {
+    expected
+        .div_ceil(most_rows as u64)
+        .max(1)
+        .next_power_of_two()
 }
 
 #[cfg(test)]

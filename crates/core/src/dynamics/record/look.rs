@@ -57,11 +57,9 @@ struct Stretch<'a, R> {
     u2: [&'a [R; DOUBLES]; 3],
     d2: [&'a [R; DOUBLES]; 3],
     chord: [&'a [R; DOUBLES]; 3],
-    length: &'a [R; DOUBLES],
     tension: &'a [R; DOUBLES],
     torque: &'a [R; DOUBLES],
     twist: &'a [R; DOUBLES],
-    axial: &'a [R; DOUBLES],
     bending_far: &'a [R; DOUBLES],
     half_bow_near: &'a [R; DOUBLES],
     bow_far: &'a [R; DOUBLES],
@@ -131,12 +129,14 @@ impl Look {
             let (tangent, curvature) = (of(tangents, lane), of(curvatures, lane));
             let z = u.dot(tangent);
             let across = u.minus(tangent, z).minus(curvature, 0.5 * z * z);
-            let offset = across.dot(across).sqrt();
+            // The root and the division do not wait for one another.
+            let square = across.dot(across);
+            let offset = square.sqrt();
+            let per_offset = offset * (1.0 / square.max(f64::MIN_POSITIVE));
             let lateral = v.minus(tangent, v.dot(tangent));
             let touchable = stiffness[lane].to_f64() > 0.0;
             let clearance = clearances[lane].to_f64() + slopes[lane].to_f64() * z;
             let penetration = offset - clearance;
-            let per_offset = 1.0 / offset.max(f64::MIN_POSITIVE);
             self.offset[lane] = offset;
             self.penetration[lane] = if touchable { penetration } else { 0.0 };
             self.up[lane] = across.dot(h) * per_offset;
@@ -166,11 +166,9 @@ impl Look {
             u2: parts(&ends.u, part),
             d2: parts(&ends.d, part),
             chord: parts(&elements.chord, part),
-            length: elements.length.part(part),
             tension: elements.tension.part(part),
             torque: elements.torque.part(part),
             twist: elements.twist.part(part),
-            axial: elements.axial.part(part),
             bending_far: elements.bending_far.part(part),
             half_bow_near: elements.half_bow_near.part(part),
             bow_far: elements.bow_far.part(part),
@@ -200,7 +198,7 @@ impl Look {
         let chord = of(stretch.chord, lane) + (u2 - u1);
         // Newton's step from the rest length to the inverse of the chord's: a stretch of 1e-3 leaves
         // 1.5e-6, and no root is drawn.
-        let rest = 1.0 / number(stretch.length);
+        let rest = stretch.metal.per_length[lane];
         let t = chord.scaled(rest * (1.5 - 0.5 * chord.dot(chord) * rest * rest));
         let (tension, torque) = (number(stretch.tension), number(stretch.torque));
         // The gradient of the element's energy on its upper director: `rod::element`.
@@ -214,10 +212,13 @@ impl Look {
         self.tension[lane] = tension;
         self.torque[lane] = torque;
         // Below the bit there is no element, whatever its rows hold.
-        let axial = number(stretch.axial);
-        let there = axial > 0.0;
-        self.twist[lane] = if there { number(stretch.twist) } else { 0.0 };
-        self.longer[lane] = if there { tension / axial } else { 0.0 };
+        let compliance = stretch.metal.compliance[lane];
+        self.twist[lane] = if compliance > 0.0 {
+            number(stretch.twist)
+        } else {
+            0.0
+        };
+        self.longer[lane] = tension * compliance;
         self.bending[lane] = bending;
         self.stress[lane] = stretch.metal.stress_Pa(lane, tension, bending, torque);
     }

@@ -72,13 +72,13 @@ pub struct Record {
 }
 
 impl Record {
-    /// An empty record of a string, beside a chain of that layout.
-    pub fn new(model: &Model, mesh: &Mesh, layout: Layout) -> Self {
+    /// An empty record of a string, beside a chain of that layout, whose window is expected to take so many `samples`.
+    pub fn new(model: &Model, mesh: &Mesh, layout: Layout, samples: u64) -> Self {
         Self {
             layout,
             strength: Strength::new(model, mesh, layout),
             sums: vec![SumBlock::EMPTY; layout.blocks()],
-            kept: Kept::new(layout.blocks()),
+            kept: Kept::new(layout.blocks(), samples),
             sides: Sides::new(mesh.nodes.len()),
             contact: MapKeeper::new(mesh),
             samples: 0,

@@ -18,7 +18,7 @@ pub struct Strength {
     yield_Pa: Vec<Option<f64>>,
 }
 
-/// The metal at a block of nodes.
+/// The metal at a block of nodes, and of the elements below them.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct Metal {
     /// Inverse of the metal's area, 1/m².
@@ -31,6 +31,10 @@ pub struct Metal {
     pub bore_per_area: Lane,
     /// Square of what the pressure inside has over that outside, Pa².
     pub burst_square: Lane,
+    /// Inverse of the rest length of the element below, 1/m.
+    pub per_length: Lane,
+    /// What a newton lengthens the element below by, m/N; zero below the bit, where there is none.
+    pub compliance: Lane,
 }
 
 impl Metal {
@@ -70,6 +74,8 @@ impl Strength {
                 bore_part: [0.0; DOUBLES],
                 bore_per_area: [0.0; DOUBLES],
                 burst_square: [0.0; DOUBLES],
+                per_length: [0.0; DOUBLES],
+                compliance: [0.0; DOUBLES],
             };
             layout.blocks()
         ];
@@ -95,6 +101,10 @@ impl Strength {
             metal.per_modulus[lane] = 1.0 / modulus(weakest);
             metal.bore_part[lane] = component.id_m / component.od_m;
             metal.bore_per_area[lane] = component.inner_area_m2() / component.area_m2();
+            if let Some(element) = mesh.elements.get(index) {
+                metal.per_length[lane] = 1.0 / element.length_m;
+                metal.compliance[lane] = element.length_m / element.section.axial_stiffness_N;
+            }
             yield_Pa.push(component.yield_strength_Pa);
         }
         Self {

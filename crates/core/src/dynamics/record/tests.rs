@@ -104,7 +104,7 @@ fn whirl_goes_round_at_its_rate() {
         let expected = row["expected"]["backward_whirl_rad_s"].as_f64().unwrap();
         let backward = -spin * pipe / (hole - pipe);
         assert!((backward / expected - 1.0).abs() < 1e-12);
-        let mut record = Record::new(&model, &mesh, chain.layout());
+        let mut record = Record::new(&model, &mesh, chain.layout(), 37);
         for sample in 0..37 {
             let time = f64::from(sample) * 0.01;
             // Nodes 1, 2 and 3; while they go round, the string slides along the hole.
@@ -164,7 +164,7 @@ fn moment_and_stress_of_a_circle() {
         element!(chain, index, tension = TENSION_N);
         element!(chain, index, torque = TORQUE_N_M);
     }
-    let mut record = Record::new(&model, &mesh, chain.layout());
+    let mut record = Record::new(&model, &mesh, chain.layout(), 1);
     chain.close();
     record.sample(&chain, &high, &Body::default(), 1);
     let middle = |from_bit_m: f64| {
@@ -246,7 +246,7 @@ fn pressures_stress_the_tube_as_lame_has_it() {
 #[test]
 fn contact_is_averaged_and_signed() {
     let (model, mesh, mut chain, high) = string();
-    let mut record = Record::new(&model, &mesh, chain.layout());
+    let mut record = Record::new(&model, &mesh, chain.layout(), 1);
     for (index, side) in [(1, 1.0), (2, -1.0)] {
         chain.set_displacement(index, Vector(side * 0.02, 0.01, 0.0));
     }
@@ -275,11 +275,25 @@ fn contact_is_averaged_and_signed() {
             10.0,
             "the median"
         );
+        // Between nothing, 10 and 30 N a tenth of the way from either end.
+        let expected = if sign > 0.0 {
+            [1.0, 10.0, 28.0]
+        } else {
+            [-28.0, -10.0, -1.0]
+        };
+        for (found, expected) in record
+            .percentiles(Quantity::Side, index)
+            .into_iter()
+            .zip(expected)
+        {
+            // Kept in single precision.
+            assert!((found - expected).abs() < 1e-5, "{found} for {expected}");
+        }
     }
 }
 
 fn filled(samples: u32, value: impl Fn(u32) -> f64) -> Kept {
-    let mut kept = Kept::new(1);
+    let mut kept = Kept::new(1, 0);
     for sample in 0..samples {
         if let Some(mut row) = kept.next() {
             row.fill(value(sample) as f32);
@@ -294,7 +308,10 @@ fn percentiles_of_few_samples_are_exact() {
     let kept = filled(4001, |sample| f64::from((sample * 1234) % 4001));
     let found = kept.percentiles(Quantity::Bending, (0, 5));
     assert_eq!(found, [200.0, 2000.0, 3800.0]);
-    assert_eq!(Kept::new(1).percentiles(Quantity::Torque, (0, 0)), [0.0; 3]);
+    assert_eq!(
+        Kept::new(1, 0).percentiles(Quantity::Torque, (0, 0)),
+        [0.0; 3]
+    );
 }
 
 /// Whatever the length of a run, 2048 to 4096 samples of each node of a short string are kept. A percentile

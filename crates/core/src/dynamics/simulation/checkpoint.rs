@@ -8,7 +8,6 @@ use super::{Run, state::State};
 use crate::{
     dynamics::{
         chain::Chain,
-        layout::Layout,
         settings::DynamicsSettings,
         setup::{Basis, SetupError},
     },
@@ -100,10 +99,10 @@ impl<R: Real> Run<R> {
         if found != expected {
             return Err(ResumeError::AnotherString { found, expected });
         }
-        if checkpoint.state.record.layout() != Layout::beside::<R>(found) {
+        let chain = checkpoint.chain.converted::<R>();
+        if checkpoint.state.record.layout() != chain.layout() {
             return Err(ResumeError::AnotherPrecision);
         }
-        let chain = checkpoint.chain.converted();
         let state = checkpoint.state.into_owned();
         Ok(Self::of(model, operation, settings, basis, chain, state))
     }

@@ -71,6 +71,7 @@ impl<R: Real> Run<R> {
         };
         let initial = start::lay(&scene, chain, Body::new(model, mesh), bit_md_m)?;
         let (mut chain, anchors) = (initial.chain.converted(), initial.anchors);
+        chain.find_drag(dt);
         if let Some(mud) = &mut viscous {
             mud.attach(&mut chain, &anchors, dt);
             mud.update(&mut chain, &anchors, &basis.surroundings, dt);
@@ -107,7 +108,9 @@ impl<R: Real> Run<R> {
         bit.set_flow(first.flow_now_m3_per_s());
         let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
         let layout = chain.layout();
-        let mut record = Record::new(model, mesh, layout);
+        let interval_s = basis.steps_per_sample as f64 * basis.plan.dt_s;
+        let samples = (settings.duration_s / interval_s).ceil() as u64;
+        let mut record = Record::new(model, mesh, layout, samples);
         let probes = settings.probes.iter().map(|probe| Probed {
             node: mesh.nearest_node(operation.bit_depth_m - probe.md_m),
             signal: probe.signal,

@@ -1,4 +1,5 @@
-//! Mass-proportional damping: it is slow beside a step, and so acts once in several, between two of them.
+//! Mass-proportional damping: it is slow beside a step, and so acts once in several, between two of them. What precession
+//! has lengthened by then is taken out.
 
 use super::lane::{add, at, at3, lanes, put, put3};
 use crate::{
@@ -9,6 +10,10 @@ use crate::{
 /// What mass-proportional damping does over some time.
 #[derive(Debug, Clone, Copy)]
 pub struct Calming {
+    /// That time `T`, s.
+    pub time_s: f64,
+    /// The steps that it is made of, s.
+    pub dt: f64,
     /// What is left of the motion relative to the rigid one: `exp(−αT)`.
     pub left: f64,
     /// Axial velocity of the rigid motion, m/s.
@@ -21,7 +26,8 @@ pub struct Calming {
 #[inline(always)]
 pub(super) fn calm<N: Number>(chain: &mut Chain<N::Real>, calming: &Calming) -> f64 {
     let splat = N::splat;
-    let (zero, left) = (N::zero(), splat(calming.left));
+    let (zero, one, left) = (N::zero(), splat(1.0), splat(calming.left));
+    let lengthening = splat(0.5 * calming.dt * calming.time_s);
     let gone = splat(1.0 - calming.left);
     let (rigid_v, rigid_s) = (splat(calming.rigid_velocity), splat(calming.rigid_spin));
     let mut taken: Row<N::Real> = Row::filled(0.0);
@@ -47,8 +53,11 @@ pub(super) fn calm<N: Number>(chain: &mut Chain<N::Real>, calming: &Calming) -> 
             add(&mut taken, lane, lost);
             put3(&mut state.v, lane, v1);
             put(&mut state.spin, lane, s1);
+            // (1 + P²)^½ for each step, P the precession in it.
+            let precession = at::<N>(&n.gyroscopic, lane) * s0;
+            let longer = (lengthening * precession).mul_add(precession, one);
             let w = at3::<N>(&state.w, lane);
-            put3(&mut state.w, lane, w.scaled(left));
+            put3(&mut state.w, lane, w.scaled(left / longer));
         }
     }
     0.5 * taken.0.as_ref().iter().map(|x| x.to_f64()).sum::<f64>()

@@ -30,7 +30,7 @@ use crate::rod::{
 pub use calm::Calming;
 use elements::{Pull, Strains, bend, chord, strain, twist};
 use lane::lanes;
-use nodes::{Flight, fly, land, reach, rub, slow, turn};
+use nodes::{Flight, fly, land, reach, rub, turn};
 use touch::push;
 
 /// What is the same for all nodes in a step.
@@ -249,19 +249,17 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
     let rows = node_blocks.len();
     let mut losses = Losses::none();
     let (mut strains, mut flight) = (Strains::none(), Flight::none());
+    let mut pulls = [Pull::none(); 3];
     // The last row of elements pulls at the first row of nodes, too: it and the first come before all nodes.
-    let mut outermost = [Outermost::at(rows - 1), Outermost::at(0)];
-    let different = rows.min(2);
-    pull::<N>(
-        &mut outermost[..different],
-        element_blocks,
-        states,
-        input,
-        &mut losses,
-    );
-    let last = outermost[0].pull;
-    let first = outermost[different - 1].pull;
-    let mut pulls = [first, Pull::none(), last];
+    let (e, below) = (&mut element_blocks[rows - 1], ends(states, rows - 1));
+    pull::<N>(&mut pulls[2], &mut strains, e, below, input, &mut losses);
+    let last = pulls[2];
+    if rows > 1 {
+        let (e, below) = (&mut element_blocks[0], ends(states, 0));
+        pull::<N>(&mut pulls[0], &mut strains, e, below, input, &mut losses);
+    } else {
+        pulls[0] = last;
+    }
     pulls[2].go_on();
 
     for (row, n) in node_blocks.iter_mut().enumerate() {
@@ -279,17 +277,17 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
             *next = last;
             None
         };
-        for lane in lanes::<Pair<N>>() {
-            slow::<Pair<N>>(&mut flight, n, state, input, lane);
-        }
         for lane in lanes::<N>() {
             fly::<N, FULL>(&mut flight, n, state, above, below, input, lane);
         }
+        let mut touches = false;
         for lane in lanes::<N>() {
-            reach::<N, FULL>(&mut flight, n, state, input, lane);
+            touches |= reach::<N, FULL>(&mut flight, n, state, input, lane);
         }
-        for lane in lanes::<Pair<N>>() {
-            push::<Pair<N>, HERTZ>(&mut flight, n, input, lane);
+        if touches {
+            for lane in lanes::<Pair<N>>() {
+                push::<Pair<N>, HERTZ>(&mut flight, n, input, lane);
+            }
         }
         if let Some((e, ends)) = &mut elements {
             for lane in lanes::<Pair<N>>() {
@@ -299,8 +297,10 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
                 twist::<N>(next, &mut strains, e, ends, input, &mut losses, lane);
             }
         }
-        for lane in lanes::<Pair<N>>() {
-            rub::<Pair<N>, VECTOR, FULL>(&mut flight, n, input, lane);
+        if touches {
+            for lane in lanes::<Pair<N>>() {
+                rub::<Pair<N>, VECTOR, FULL>(&mut flight, n, input, lane);
+            }
         }
         if let Some((e, ends)) = &mut elements {
             for lane in lanes::<N>() {
@@ -310,8 +310,14 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
                 bend::<N>(next, &strains, e, ends, lane);
             }
         }
-        for lane in lanes::<N>() {
-            land::<N, FULL>(&flight, n, state, input, &mut losses, lane);
+        if touches {
+            for lane in lanes::<N>() {
+                land::<N, FULL, true>(&flight, n, state, input, &mut losses, lane);
+            }
+        } else {
+            for lane in lanes::<N>() {
+                land::<N, FULL, false>(&flight, n, state, input, &mut losses, lane);
+            }
         }
         for lane in lanes::<N>() {
             turn::<N>(n, state, above, below, input, lane);
@@ -325,54 +331,27 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
     }
 }
 
-/// A row of elements at an end of the strands, and what it does.
-struct Outermost<R: Real> {
-    row: usize,
-    pull: Pull<R>,
-    strains: Strains<R>,
-}
-
-impl<R: Real> Outermost<R> {
-    fn at(row: usize) -> Self {
-        Self {
-            row,
-            pull: Pull::none(),
-            strains: Strains::none(),
-        }
-    }
-}
-
-/// Rows of elements from their chords to what they do to their ends, side by side: one does not wait for the other.
+/// A row of elements from their chords to what they do to their ends.
 #[inline(always)]
 fn pull<N: Number>(
-    rows: &mut [Outermost<N::Real>],
-    element_blocks: &mut [ElementBlock<N::Real>],
-    states: &[StateBlock<N::Real>],
+    into: &mut Pull<N::Real>,
+    strains: &mut Strains<N::Real>,
+    e: &mut ElementBlock<N::Real>,
+    ends: &[StateBlock<N::Real>; 2],
     input: &StepInput,
     losses: &mut Losses<N::Real>,
 ) {
-    for lane in lanes::<N>() {
-        for Outermost { row, strains, .. } in rows.iter_mut() {
-            chord::<N>(strains, &element_blocks[*row], ends(states, *row), lane);
-        }
+    for lane in lanes::<Pair<N>>() {
+        chord::<Pair<N>>(strains, e, ends, lane);
     }
     for lane in lanes::<N>() {
-        for Outermost { row, pull, strains } in rows.iter_mut() {
-            let e = &mut element_blocks[*row];
-            twist::<N>(pull, strains, e, ends(states, *row), input, losses, lane);
-        }
+        twist::<N>(into, strains, e, ends, input, losses, lane);
     }
     for lane in lanes::<N>() {
-        for Outermost { row, strains, .. } in rows.iter_mut() {
-            let e = &mut element_blocks[*row];
-            strain::<N>(strains, e, ends(states, *row), input, losses, lane);
-        }
+        strain::<N>(strains, e, ends, input, losses, lane);
     }
     for lane in lanes::<N>() {
-        for Outermost { row, pull, strains } in rows.iter_mut() {
-            let e = &element_blocks[*row];
-            bend::<N>(pull, strains, e, ends(states, *row), lane);
-        }
+        bend::<N>(into, strains, e, ends, lane);
     }
 }
 

@@ -25,9 +25,7 @@ pub(super) struct Flight<R: Real> {
     give_spin: Row<R>,
     /// Velocity along the hole at the step's beginning.
     axial0: Row<R>,
-    /// What mud drag takes on the way: the part of the velocity across the hole, the velocity along it, and the spin.
-    slowed: Row<R>,
-    /// (These two with viscous mud alone.)
+    /// What viscous mud takes on the way of the velocity along the hole, and of the spin.
     slowed_axial: Row<R>,
     slowed_spin: Row<R>,
     /// Velocity, its part along the hole, and spin, before the wall acts.
@@ -57,7 +55,6 @@ impl<R: Real> Flight<R> {
             give_axial: zero,
             give_spin: zero,
             axial0: zero,
-            slowed: zero,
             slowed_axial: zero,
             slowed_spin: zero,
             v: [zero; 3],
@@ -75,28 +72,6 @@ impl<R: Real> Flight<R> {
     }
 }
 
-/// What the mud takes of the velocity across the hole.
-#[inline(always)]
-pub(super) fn slow<N: Number>(
-    flight: &mut Flight<N::Real>,
-    n: &NodeBlock<N::Real>,
-    state: &StateBlock<N::Real>,
-    input: &StepInput,
-    lane: usize,
-) {
-    let (half, dt) = (N::splat(0.5), N::splat(input.dt));
-    let th = at3::<N>(&n.tangent, lane);
-    let v0 = at3::<N>(&state.v, lane);
-    let axial0 = th.dot(v0);
-    let speed = axial0.neg_mul_add(axial0, v0.dot(v0)).max(N::zero()).sqrt();
-    let drag = at::<N>(&n.drag_quadratic, lane).mul_add(speed, at(&n.drag_linear, lane));
-    // A hundredth in any mud; a brake still at any speed.
-    let give = dt * at(&n.inv_mass_lateral, lane);
-    put(&mut flight.give, lane, give);
-    put(&mut flight.axial0, lane, axial0);
-    put(&mut flight.slowed, lane, (give * drag).min(half));
-}
-
 /// Kicks a row of nodes: how they would fly without a wall.
 #[inline(always)]
 pub(super) fn fly<N: Number, const FULL: bool>(
@@ -108,41 +83,45 @@ pub(super) fn fly<N: Number, const FULL: bool>(
     input: &StepInput,
     lane: usize,
 ) {
-    let splat = N::splat;
-    let (half, one, dt) = (splat(0.5), splat(1.0), splat(input.dt));
-    // Drag acts on the velocity that the node came with. The kick of rod and
-    // gravity is left whole: a wall or a hoist that takes it back within the step must feel all of it.
+    let dt = N::splat(input.dt);
     let th = at3::<N>(&n.tangent, lane);
-    let give = at::<N>(&flight.give, lane);
+    let give = dt * at(&n.inv_mass_lateral, lane);
     let give_axial = dt * at(&n.inv_mass_axial, lane);
     let give_spin = dt * at(&n.inv_polar, lane);
     let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));
-    let axial0 = at::<N>(&flight.axial0, lane);
+    let axial0 = th.dot(v0);
     let force = at3::<N>(&above.force, lane) - at3(&below.force, lane) + at3(&n.weight, lane);
     let along = th.dot(force);
-    let (mut kept_axial, mut kept_spin) = (axial0, s0);
+    let torque = at::<N>(&below.torque, lane) - at(&above.torque, lane);
+    let gained = give_axial * along;
+    // Drag acts on the velocity that the node came with. The kick of rod and gravity is left whole: a wall or a
+    // hoist that takes it back within the step must feel all of it.
+    let slowed = at::<N>(&n.slowed, lane);
+    let kept = N::splat(1.0) - slowed;
+    // What drag and the mass across the hole make of the part along it is replaced.
+    let mut instead = slowed.mul_add(axial0, give.neg_mul_add(along, gained));
+    let mut axial = axial0 + gained;
+    let mut spin = give_spin.mul_add(torque, s0);
     if FULL {
+        let half = N::splat(0.5);
         let slowed_axial = (give_axial * at(&n.mud_axial, lane)).min(half) * axial0;
         let slowed_spin = (give_spin * at(&n.mud_spin, lane)).min(half) * s0;
-        (kept_axial, kept_spin) = (axial0 - slowed_axial, s0 - slowed_spin);
+        (instead, axial) = (instead - slowed_axial, axial - slowed_axial);
+        spin = spin - slowed_spin;
         put(&mut flight.slowed_axial, lane, slowed_axial);
         put(&mut flight.slowed_spin, lane, slowed_spin);
     }
-    let kept = one - at(&flight.slowed, lane);
-    let axial = give_axial.mul_add(along, kept_axial);
-    // What the mass across the hole makes of the part along it is replaced.
-    let instead = give.neg_mul_add(along, kept.neg_mul_add(axial0, axial));
     let v = v0.scaled(kept).plus(force, give).plus(th, instead);
-    let torque = at::<N>(&below.torque, lane) - at(&above.torque, lane);
-    let spin = give_spin.mul_add(torque, kept_spin);
+    put(&mut flight.give, lane, give);
     put(&mut flight.give_axial, lane, give_axial);
     put(&mut flight.give_spin, lane, give_spin);
+    put(&mut flight.axial0, lane, axial0);
     put3(&mut flight.v, lane, v);
     put(&mut flight.axial, lane, axial);
     put(&mut flight.spin, lane, spin);
 }
 
-/// Where a row of nodes would end, against the curved wall.
+/// Where a row of nodes would end, against the curved wall; whether one of them would be in it.
 #[inline(always)]
 pub(super) fn reach<N: Number, const FULL: bool>(
     flight: &mut Flight<N::Real>,
@@ -150,7 +129,7 @@ pub(super) fn reach<N: Number, const FULL: bool>(
     state: &StateBlock<N::Real>,
     input: &StepInput,
     lane: usize,
-) {
+) -> bool {
     let (half, dt) = (N::splat(0.5), N::splat(input.dt));
     let th = at3::<N>(&n.tangent, lane);
     let v = at3::<N>(&flight.v, lane);
@@ -167,6 +146,9 @@ pub(super) fn reach<N: Number, const FULL: bool>(
     put3(&mut flight.offset, lane, offset);
     put(&mut flight.clearance, lane, clearance);
     put(&mut flight.inward, lane, v.dot(offset));
+    clearance
+        .neg_mul_add(clearance, offset.dot(offset))
+        .any_positive()
 }
 
 /// Rubs a row of nodes that are pushed on the wall.
@@ -224,9 +206,9 @@ pub(super) fn rub<N: Number, const VECTOR: bool, const FULL: bool>(
     put(&mut flight.rub_around, lane, rub_around);
 }
 
-/// Moves a row of nodes to where the step ends.
+/// Moves a row of nodes to where the step ends. Where none of them touches the wall, nothing of it is asked for.
 #[inline(always)]
-pub(super) fn land<N: Number, const FULL: bool>(
+pub(super) fn land<N: Number, const FULL: bool, const TOUCHES: bool>(
     flight: &Flight<N::Real>,
     n: &mut NodeBlock<N::Real>,
     state: &mut StateBlock<N::Real>,
@@ -239,51 +221,54 @@ pub(super) fn land<N: Number, const FULL: bool>(
     let half_dt = splat(0.5 * input.dt);
     let th = at3::<N>(&n.tangent, lane);
     let give = at::<N>(&flight.give, lane);
-    let radius = at::<N>(&n.radius, lane);
-    let (normal, around) = (
-        at3::<N>(&flight.normal, lane),
-        at3::<N>(&flight.around, lane),
-    );
-    let force = at::<N>(&flight.push, lane);
-    let along = at::<N>(&flight.rub_along, lane);
-    let across = at::<N>(&flight.rub_around, lane);
-    let torque = across * radius;
-    let stopped = at::<N>(&flight.give_axial, lane) * along;
-    let axial3 = at::<N>(&flight.axial, lane) - stopped;
-    let v3 = at3::<N>(&flight.v, lane)
-        .minus(normal, give * force)
-        .minus(around, give * across)
-        .minus(th, stopped);
-    let spin = at::<N>(&flight.spin, lane);
-    let s3 = at::<N>(&flight.give_spin, lane).neg_mul_add(torque, spin);
+    let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));
+    let (mut v3, mut s3) = (at3::<N>(&flight.v, lane), at::<N>(&flight.spin, lane));
+    let mut axial3 = at::<N>(&flight.axial, lane);
+    let axial0 = at::<N>(&flight.axial0, lane);
+    let mut both = v0 + v3;
 
     // Energy that left the string: every impulse but the rod's and gravity's works on the mean of
     // the velocities before and after the step.
-    let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));
-    let axial0 = at::<N>(&flight.axial0, lane);
-    let (both, both_axial, both_spin) = (v0 + v3, axial0 + axial3, s0 + s3);
-    let contact = force * normal.dot(both);
-    let slid = radius.mul_add(both_spin, around.dot(both));
-    let rubbed = half_dt * along.mul_add(both_axial, across * slid);
-    let drag = at::<N>(&n.mass_lateral, lane) * at(&flight.slowed, lane);
-    let across0 = axial0.neg_mul_add(both_axial, v0.dot(both));
-    let mut slowed = drag * across0;
+    if TOUCHES {
+        let radius = at::<N>(&n.radius, lane);
+        let (normal, around) = (
+            at3::<N>(&flight.normal, lane),
+            at3::<N>(&flight.around, lane),
+        );
+        let force = at::<N>(&flight.push, lane);
+        let along = at::<N>(&flight.rub_along, lane);
+        let across = at::<N>(&flight.rub_around, lane);
+        let torque = across * radius;
+        let stopped = at::<N>(&flight.give_axial, lane) * along;
+        axial3 = axial3 - stopped;
+        v3 = v3
+            .minus(normal, give * force)
+            .minus(around, give * across)
+            .minus(th, stopped);
+        s3 = at::<N>(&flight.give_spin, lane).neg_mul_add(torque, s3);
+        both = v0 + v3;
+        let contact = force * normal.dot(both);
+        let slid = radius.mul_add(s0 + s3, around.dot(both));
+        let rubbed = half_dt * along.mul_add(axial0 + axial3, across * slid);
+        add(&mut n.sum_normal, lane, force);
+        add(&mut n.sum_axial, lane, along);
+        add(&mut n.sum_torque, lane, torque);
+        add(&mut n.sum_wear, lane, rubbed);
+        add(&mut losses.contact, lane, contact);
+    }
+    let both_axial = axial0 + axial3;
+    let drag = at::<N>(&n.mass_lateral, lane) * at(&n.slowed, lane);
+    let mut slowed = drag * axial0.neg_mul_add(both_axial, v0.dot(both));
     if FULL {
         let drag_axial = at::<N>(&n.mass_axial, lane) * at(&flight.slowed_axial, lane);
         let drag_spin = at::<N>(&n.polar, lane) * at(&flight.slowed_spin, lane);
-        slowed = drag_axial.mul_add(both_axial, drag_spin.mul_add(both_spin, slowed));
+        slowed = drag_axial.mul_add(both_axial, drag_spin.mul_add(s0 + s3, slowed));
     }
-
+    add(&mut losses.mud, lane, slowed);
     let u0 = at3::<N>(&state.u, lane);
     put3(&mut state.u, lane, u0.plus(v3, dt));
     put3(&mut state.v, lane, v3);
     put(&mut state.spin, lane, s3);
-    add(&mut n.sum_normal, lane, force);
-    add(&mut n.sum_axial, lane, along);
-    add(&mut n.sum_torque, lane, torque);
-    add(&mut n.sum_wear, lane, rubbed);
-    add(&mut losses.contact, lane, contact);
-    add(&mut losses.mud, lane, slowed);
 }
 
 /// Turns the directors of nodes.
@@ -307,15 +292,11 @@ pub(super) fn turn<N: Number>(
     );
     let kick = moment.scaled(half_dt * at(&n.inv_rotary, lane));
     let halfway = w0 + kick;
-    let p = half_dt * at(&n.gyroscopic, lane) * at(&state.spin, lane);
-    // Cayley's rotation by the precession: (1 − p²)/(1 + p²) and 2p/(1 + p²), to the fifth power of p, half
-    // the precession in a step; what is left out brakes by 2p⁶.
-    let p2 = p * p;
-    let sine = (p + p) * (one - p2);
-    let cosine = (p2 + p2).mul_add(p2 - one, one);
+    // By the tangent of the precession, which lengthens by half its square: `calm` takes that out.
+    let precession = dt * at(&n.gyroscopic, lane) * at(&state.spin, lane);
     // Half of the kick precesses, half does not: turned by all of it, the kick would feed whirl, by a
     // quarter of the precession times the angle by which the step advances the whirl.
-    let turning = halfway.scaled(cosine).minus(halfway.cross(d0), sine) + kick;
+    let turning = (halfway + kick).minus(halfway.cross(d0), precession);
     let q = quarter_dt2 * turning.dot(turning);
     // 1/(1 + q), but for q⁴: q is the square of half the turn in a step. (1 − q)/(1 + q) is twice that less one.
     let shrink = (one - q) * q.mul_add(q, one);

@@ -281,17 +281,19 @@ impl Bench {
 
     /// Goes on by a step; what the rod lost in it.
     pub fn step(&mut self) -> StepLosses {
+        self.chain.find_drag(self.input.dt);
         self.body.push(&mut self.chain, &self.input, 1.0);
         let mut losses = self.stepper.step(&mut self.chain, &self.input);
         self.body.follow(&mut self.chain, self.input.dt);
-        if self.mass_damping_per_s > 0.0 {
-            let calming = Calming {
-                left: (-self.mass_damping_per_s * self.input.dt).exp(),
-                rigid_velocity: 0.0,
-                rigid_spin: 0.0,
-            };
-            losses.mud += self.stepper.calm(&mut self.chain, &calming);
-        }
+        let time_s = self.input.dt;
+        let calming = Calming {
+            time_s,
+            dt: self.input.dt,
+            left: (-self.mass_damping_per_s * time_s).exp(),
+            rigid_velocity: 0.0,
+            rigid_spin: 0.0,
+        };
+        losses.mud += self.stepper.calm(&mut self.chain, &calming);
         losses
     }
 

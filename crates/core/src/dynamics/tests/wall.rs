@@ -113,6 +113,7 @@ impl Pipe {
     }
 
     fn step(&mut self) {
+        self.chain.find_drag(self.input.dt);
         self.stepper.step(&mut self.chain, &self.input);
         self.steps += 1;
     }

@@ -1,0 +1,85 @@
+//! Why numbers make no bit.
+
+/// Why a bit cannot be built from its numbers. Cutters count from zero, from the axis outwards.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FaceError {
+    /// A number that is not finite or outside its range.
+    #[error("bit face: {quantity} is {value}, expected {expected}")]
+    OutOfRange {
+        /// Which of the numbers.
+        quantity: &'static str,
+        /// What it is, SI.
+        value: f64,
+        /// What it may be.
+        expected: &'static str,
+    },
+    /// Arcs of these radii do not join the nose to the gauge.
+    #[error(
+        "bit face: a nose arc of {nose_radius_m} m and a shoulder arc of {shoulder_radius_m} m cannot meet: \
+         one must be no smaller, the other no larger than the {reach_m} m from nose to gauge"
+    )]
+    Profile {
+        /// Radius of the nose's arc, m.
+        nose_radius_m: f64,
+        /// Radius of the shoulder's arc, m.
+        shoulder_radius_m: f64,
+        /// From the nose to the gauge, m.
+        reach_m: f64,
+    },
+    /// The cutters of a track cannot be spread evenly over the blades.
+    #[error(
+        "bit face: {cutters_per_track} cutters on a track do not divide {blades} blades evenly"
+    )]
+    Unspread {
+        /// Cutters that follow each other on a track.
+        cutters_per_track: usize,
+        /// Blades.
+        blades: usize,
+    },
+    /// Two cutters of a blade, or two inserts of neighbouring rows, stand in the same place.
+    #[error(
+        "bit face: cutters {first} and {second} of one blade overlap: {distance_m} m apart, {diameter_m} m wide"
+    )]
+    Overlap {
+        /// The inner one.
+        first: usize,
+        /// The outer one.
+        second: usize,
+        /// Between their centres, m.
+        distance_m: f64,
+        /// Diameter of a cutter, m.
+        diameter_m: f64,
+    },
+    /// No cutter reaches this ring of the bottom: rock would stand there until the body rests on it.
+    #[error("bit face: no cutter cuts the ring between the radii {from_m} and {to_m} m")]
+    UncutRing {
+        /// Where it begins, m.
+        from_m: f64,
+        /// Where it ends, m.
+        to_m: f64,
+    },
+}
+
+/// `value`, if it is finite and within `range`.
+pub(super) fn within(
+    quantity: &'static str,
+    value: f64,
+    range: std::ops::RangeInclusive<f64>,
+    expected: &'static str,
+) -> Result<(), FaceError> {
+    if range.contains(&value) && value.is_finite() {
+        Ok(())
+    } else {
+        Err(FaceError::OutOfRange {
+            quantity,
+            value,
+            expected,
+        })
+    }
+}
+
+/// `value`, if it is finite and above zero.
+pub(super) fn positive(quantity: &'static str, value: f64) -> Result<(), FaceError> {
+    within(quantity, value, f64::MIN_POSITIVE..=f64::MAX, "above zero")
+}

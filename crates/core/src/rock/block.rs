@@ -1,0 +1,412 @@
+//! A block of rock.
+
+use serde::{Deserialize, Serialize};
+
+use super::{
+    brick::{Modes, Motion},
+    constants::{Constants, Numerics},
+    edges::{Edge, Edges},
+    energy::Energies,
+    executor::Executor,
+    grid::{GROUP, Grid},
+    kernel::{Fields, RowBook, Slab, Stepper},
+    material::{Rock, RockError},
+    surface::Surface,
+};
+
+/// What a removed brick has for its intact part.
+const REMOVED: f64 = -1.0;
+
+/// What a block is to be made of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BlockSpec {
+    /// Bricks along x, y and z, z pointing down the hole.
+    pub cells: [usize; 3],
+    /// Edges of a brick, m.
+    pub size_m: [f64; 3],
+    /// The rock.
+    pub rock: Rock,
+    /// Faces −x, +x, −y, +y, −z, +z.
+    pub edges: [Edge; 6],
+    /// Pressure of what fills the hole, Pa: it presses on every free face, also on those that removed bricks leave,
+    /// and is the initial stress across z.
+    pub pressure_Pa: f64,
+    /// Initial pressure in the rock across x and y, Pa.
+    pub confinement_Pa: f64,
+    /// How it is integrated.
+    pub numerics: Numerics,
+    /// Layers of bricks that are worked on together; fewer let more threads work, and cost more.
+    pub layers_per_slab: usize,
+}
+
+impl BlockSpec {
+    /// A block of cubes without initial stress, free above, more rock around and below.
+    pub fn new(rock: Rock, cells: [usize; 3], size_m: f64) -> Self {
+        let mut edges = [Edge::Open; 6];
+        edges[4] = Edge::Free;
+        Self {
+            cells,
+            size_m: [size_m; 3],
+            rock,
+            edges,
+            pressure_Pa: 0.0,
+            confinement_Pa: 0.0,
+            numerics: Numerics::default(),
+            layers_per_slab: 8,
+        }
+    }
+}
+
+/// A node that can be touched.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SurfaceNode {
+    /// Which one, for [`Block::push`].
+    pub index: usize,
+    /// Where it is, m, from the corner of the block at rest.
+    pub position_m: [f64; 3],
+    /// How it would move on if nothing pushed it, m/s.
+    pub velocity_m_per_s: [f64; 3],
+    /// How it came here, m/s: before the rock's own forces acted on it. The difference times mass over step are those.
+    pub came_m_per_s: [f64; 3],
+    /// Its mass, kg.
+    pub mass_kg: f64,
+    /// Its part of the surface with the outward direction, m², in the rock at rest.
+    pub area_m2: [f64; 3],
+}
+
+/// A block of rock: bricks of one rock in a grid, some of which have failed and are gone.
+///
+/// It is plain data. Positions are those at the last step, velocities those half a step later, as central differences
+/// have them.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct Block {
+    pub(super) grid: Grid,
+    pub(super) rock: Rock,
+    pub(super) edges: [Edge; 6],
+    pub(super) constants: Constants,
+    pub(super) initial_stress: [f64; 6],
+    layers_per_slab: usize,
+    /// Depth of the first layer of nodes at rest, m.
+    pub(super) top_m: f64,
+    pub(super) displacement: [Vec<f64>; 3],
+    pub(super) velocity: [Vec<f64>; 3],
+    /// Velocity with which the exposed nodes came through the last step, m/s.
+    pub(super) came: [Vec<f64>; 3],
+    pub(super) inverse_mass: Vec<f64>,
+    /// Bricks left around each node.
+    pub(super) around: Vec<u8>,
+    pub(super) stress: [Vec<f64>; 6],
+    pub(super) intact: Vec<f64>,
+    /// Bricks left in each group.
+    pub(super) left: Vec<u8>,
+    pub(super) books: Vec<RowBook>,
+    /// Bricks that have gone.
+    pub(super) removed: usize,
+    pub(super) surface: Surface,
+    /// What has gone and what was given; what rows have lost stands in their books.
+    pub(super) energies: Energies,
+    /// Follow from the rest.
+    #[serde(skip)]
+    slabs: Vec<Slab>,
+    #[serde(skip)]
+    outside: Option<Edges>,
+}
+
+/// A field of vectors at a place.
+pub(super) fn at(field: &[Vec<f64>; 3], place: usize) -> [f64; 3] {
+    [0, 1, 2].map(|axis| field[axis][place])
+}
+
+impl Block {
+    /// A block at rest.
+    ///
+    /// # Errors
+    /// Numbers that no rock has, elements too large for its fracture energy, or no elements at all.
+    pub fn new(spec: &BlockSpec) -> Result<Self, RockError> {
+        let [nx, ny, nz] = spec.cells;
+        let nodes = (nx as u128 + 16) * (ny as u128 + 1) * (nz as u128 + 1);
+        if spec.cells.contains(&0) || nodes >= u128::from(u32::MAX) {
+            return Err(RockError::Cells(nx, ny, nz));
+        }
+        let grid = Grid {
+            cells: spec.cells,
+            size_m: spec.size_m,
+        };
+        let constants = Constants::new(&spec.rock, spec.size_m, spec.pressure_Pa, &spec.numerics)?;
+        let across = -spec.confinement_Pa;
+        let initial_stress = [across, across, -spec.pressure_Pa, 0.0, 0.0, 0.0];
+        let zeros = || vec![0.0; grid.node_places()];
+        let mut block = Self {
+            grid,
+            rock: spec.rock,
+            edges: spec.edges,
+            constants,
+            initial_stress,
+            layers_per_slab: spec.layers_per_slab.max(1),
+            top_m: 0.0,
+            displacement: [zeros(), zeros(), zeros()],
+            velocity: [zeros(), zeros(), zeros()],
+            came: [zeros(), zeros(), zeros()],
+            inverse_mass: zeros(),
+            around: vec![0; grid.node_places()],
+            stress: initial_stress.map(|_| vec![0.0; grid.brick_places()]),
+            intact: vec![REMOVED; grid.brick_places()],
+            left: vec![0; grid.brick_places() / GROUP],
+            books: vec![RowBook::default(); ny * nz],
+            removed: 0,
+            surface: Surface::new(&grid, &spec.edges, |_| true),
+            energies: Energies::default(),
+            slabs: Vec::new(),
+            outside: None,
+        };
+        block.fill(0);
+        block.energies.entered_J = block.energies().held_J();
+        Ok(block)
+    }
+
+    /// Puts fresh rock in all layers from one on.
+    pub(super) fn fill(&mut self, from: usize) {
+        for brick in self.grid.each_brick().filter(|brick| brick[2] >= from) {
+            let place = self.grid.brick(brick);
+            for (field, stress) in self.stress.iter_mut().zip(self.initial_stress) {
+                field[place] = stress;
+            }
+            self.intact[place] = 1.0;
+            self.left[place / GROUP] += 1;
+            for corner in self.grid.corners(brick) {
+                self.around[corner] += 1;
+            }
+        }
+        for place in 0..self.grid.node_places() {
+            self.weigh(place);
+        }
+    }
+
+    /// Mass of a node from the bricks around it.
+    pub(super) fn weigh(&mut self, node: usize) {
+        let around = f64::from(self.around[node]);
+        self.inverse_mass[node] = if around > 0.0 {
+            8.0 / (around * self.constants.mass_kg)
+        } else {
+            0.0
+        };
+    }
+
+    /// One step: nodes drift, bricks answer, nodes are kicked, bricks that have failed go. What touches the block pushes
+    /// between two steps. How many bricks went.
+    pub fn step(&mut self, stepper: &Stepper, executor: &impl Executor) -> usize {
+        let (grid, constants) = (self.grid, self.constants);
+        let dt = constants.dt_s;
+        if self.slabs.is_empty() {
+            let layers = grid.cells[2];
+            self.slabs = (0..layers)
+                .step_by(self.layers_per_slab)
+                .map(|from| Slab::new(&grid, from, (from + self.layers_per_slab).min(layers)))
+                .collect();
+        }
+        let mut outside = self.outside.take().unwrap_or_else(|| self.make_edges());
+        outside.remember(&self.velocity);
+        for &node in self.surface.exposed() {
+            for (came, v) in self.came.iter_mut().zip(&self.velocity) {
+                came[node as usize] = v[node as usize];
+            }
+        }
+        let fields = self.fields();
+        // SAFETY: the fields are this block's, which is borrowed for the whole step.
+        unsafe {
+            for slab in &self.slabs {
+                stepper.begin(&fields, &grid, dt, slab);
+            }
+            super::executor::share(executor, &mut self.slabs, |slab| {
+                stepper.work(&fields, &grid, &constants, slab);
+            });
+            let mut above = None;
+            for slab in &self.slabs {
+                stepper.end(&fields, &grid, dt, slab, above);
+                above = Some(slab);
+            }
+        }
+        let work = outside.act(&mut self.velocity, &self.inverse_mass, dt);
+        self.energies.edges_J += work.done_J;
+        self.energies.absorbed_J += work.absorbed_J;
+        self.outside = Some(outside);
+        self.erode()
+    }
+
+    fn make_edges(&self) -> Edges {
+        let above = [0, 1, 2].map(|axis| self.initial_stress[axis] + self.constants.pressure_Pa);
+        Edges::new(&self.grid, &self.edges, above, &self.constants)
+    }
+
+    fn fields(&mut self) -> Fields {
+        let ends = |[x, y, z]: &mut [Vec<f64>; 3]| [x, y, z].map(|field| field.as_mut_ptr());
+        let [xx, yy, zz, xy, yz, zx] = &mut self.stress;
+        Fields {
+            displacement: ends(&mut self.displacement),
+            velocity: ends(&mut self.velocity),
+            inverse_mass: self.inverse_mass.as_ptr(),
+            stress: [xx, yy, zz, xy, yz, zx].map(|field| field.as_mut_ptr()),
+            intact: self.intact.as_mut_ptr(),
+            left: self.left.as_ptr(),
+            books: self.books.as_mut_ptr(),
+        }
+    }
+
+    /// Nodes that can be touched.
+    pub fn exposed(&self) -> impl Iterator<Item = SurfaceNode> + '_ {
+        self.surface.exposed().iter().map(|&index| {
+            let index = index as usize;
+            SurfaceNode {
+                index,
+                position_m: self.position_m(index),
+                velocity_m_per_s: at(&self.velocity, index),
+                came_m_per_s: at(&self.came, index),
+                mass_kg: self.mass_kg(index),
+                area_m2: self.surface.area_m2(&self.grid, index),
+            }
+        })
+    }
+
+    /// Pushes an exposed node with a force, N, through one step; the work that was done on the block, J. All that pushes
+    /// a node goes into one force.
+    ///
+    /// The work is the force times the mean of the velocities with which the node came and goes, as that of the rock's own
+    /// forces is.
+    pub fn push(&mut self, index: usize, force_N: [f64; 3]) -> f64 {
+        let inverse = self.inverse_mass[index];
+        let mut work_J = 0.0;
+        if inverse > 0.0 {
+            let dt = self.constants.dt_s;
+            for (axis, force) in force_N.into_iter().enumerate() {
+                let v = &mut self.velocity[axis][index];
+                *v += dt * force * inverse;
+                work_J += force * dt * 0.5 * (self.came[axis][index] + *v);
+            }
+        }
+        self.energies.pushed_J += work_J;
+        work_J
+    }
+
+    /// Tells a node of a held face how to move, m/s.
+    pub fn tell(&mut self, index: usize, velocity_m_per_s: [f64; 3]) {
+        for (axis, v) in velocity_m_per_s.into_iter().enumerate() {
+            self.velocity[axis][index] = v;
+        }
+    }
+
+    /// Leaves a brick only a part of its cohesion and tensile strength.
+    pub fn weaken(&mut self, brick: [usize; 3], intact: f64) {
+        let intact_now = &mut self.intact[self.grid.brick(brick)];
+        if *intact_now > 0.0 {
+            *intact_now = intact.clamp(f64::MIN_POSITIVE, 1.0);
+        }
+    }
+
+    /// The grid that the bricks stand in.
+    pub fn grid(&self) -> &Grid {
+        &self.grid
+    }
+
+    /// The rock.
+    pub fn rock(&self) -> &Rock {
+        &self.rock
+    }
+
+    /// Step, s.
+    pub fn dt_s(&self) -> f64 {
+        self.constants.dt_s
+    }
+
+    /// Depth of the first layer of nodes at rest below that of the block at first, m.
+    pub fn top_m(&self) -> f64 {
+        self.top_m
+    }
+
+    /// Where a node is, m.
+    pub fn position_m(&self, index: usize) -> [f64; 3] {
+        let node = self.grid.node_at(index);
+        let rest = [0, 1, 2].map(|axis| node[axis] as f64 * self.grid.size_m[axis]);
+        let u = at(&self.displacement, index);
+        [rest[0] + u[0], rest[1] + u[1], self.top_m + rest[2] + u[2]]
+    }
+
+    /// How far a node has moved, m.
+    pub fn displacement_m(&self, index: usize) -> [f64; 3] {
+        at(&self.displacement, index)
+    }
+
+    /// Velocity of a node, m/s.
+    pub fn velocity_m_per_s(&self, index: usize) -> [f64; 3] {
+        at(&self.velocity, index)
+    }
+
+    /// Mass of a node, kg, scaled as the density is.
+    pub fn mass_kg(&self, index: usize) -> f64 {
+        f64::from(self.around[index]) * self.constants.mass_kg / 8.0
+    }
+
+    /// Kirchhoff stress of a brick, Pa: xx, yy, zz, xy, yz, zx.
+    pub fn stress_Pa(&self, brick: [usize; 3]) -> [f64; 6] {
+        let place = self.grid.brick(brick);
+        [0, 1, 2, 3, 4, 5].map(|i| self.stress[i][place])
+    }
+
+    /// What is left of a brick's cohesion, 1 to 0; none once the brick has gone.
+    pub fn intact(&self, brick: [usize; 3]) -> Option<f64> {
+        let intact = self.intact[self.grid.brick(brick)];
+        (intact >= 0.0).then_some(intact)
+    }
+
+    /// Bricks that have gone, and their volume at rest, m³.
+    pub fn removed(&self) -> (usize, f64) {
+        (self.removed, self.removed as f64 * self.constants.volume_m3)
+    }
+
+    /// Energies of the block.
+    pub fn energies(&self) -> Energies {
+        let mut energies = self.energies;
+        for book in &self.books {
+            energies.plastic_J += book.plastic_J;
+            energies.viscous_J += book.viscous_J;
+        }
+        for place in 0..self.grid.node_places() {
+            let v = at(&self.velocity, place);
+            let square: f64 = v.iter().map(|v| v * v).sum();
+            energies.kinetic_J += 0.5 * self.mass_kg(place) * square;
+        }
+        for brick in self.grid.each_brick() {
+            if self.intact[self.grid.brick(brick)] >= 0.0 {
+                let of = self.brick_energies(brick);
+                energies.elastic_J += of.elastic_J;
+                energies.hourglass_J += of.hourglass_J;
+                energies.pressure_J += of.pressure_J;
+            }
+        }
+        energies
+    }
+
+    /// What a brick holds, and what the pressure did to it.
+    pub(super) fn brick_energies(&self, brick: [usize; 3]) -> Energies {
+        let c = &self.constants;
+        let half = 0.5 * c.dt_s;
+        let corners = self.grid.corners(brick);
+        let velocity = self.velocity.each_ref().map(|v| corners.map(|i| v[i]));
+        let middle = [0, 1, 2].map(|axis| {
+            let u = &self.displacement[axis];
+            [0, 1, 2, 3, 4, 5, 6, 7].map(|c| u[corners[c]] + half * velocity[axis][c])
+        });
+        let (velocity, middle) = (Modes::of(velocity, c), Modes::of(middle, c));
+        let motion = Motion::of(
+            middle.gradient,
+            velocity.gradient.map(|row| row.map(|x| x * half)),
+        );
+        let stress = c.law.predict(self.stress_Pa(brick), motion.strain);
+        let hourglass: f64 = middle.hourglass.as_flattened().iter().map(|x| x * x).sum();
+        Energies {
+            elastic_J: c.volume_m3 * c.law.elastic_J_per_m3(stress),
+            hourglass_J: 0.5 * c.hourglass * hourglass,
+            pressure_J: c.pressure_Pa * c.volume_m3 * (1.0 - motion.volume),
+            ..Energies::default()
+        }
+    }
+}

@@ -1,0 +1,49 @@
+//! Who works on the slabs of a block.
+
+use std::sync::{Mutex, PoisonError};
+
+/// Does pieces of work, side by side if it can. The rock comes to the same bits whoever does them, in whatever order.
+pub trait Executor: Sync {
+    /// Calls `work` once with each number below `count`, and returns when all is done.
+    fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync));
+}
+
+/// The thread that asks, alone.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Alone;
+
+impl Executor for Alone {
+    fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
+        (0..count).for_each(work);
+    }
+}
+
+/// Has each of `pieces` worked on, once.
+///
+/// # Panics
+/// If the executor leaves one out.
+pub(super) fn share<T: Send>(
+    executor: &impl Executor,
+    pieces: &mut [T],
+    work: impl Fn(&mut T) + Sync,
+) {
+    let waiting: Vec<_> = pieces
+        .iter_mut()
+        .map(|piece| Mutex::new(Some(piece)))
+        .collect();
+    let take = |index: usize| {
+        let mut place = waiting[index]
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
+        place.take()
+    };
+    executor.each(waiting.len(), &|index| {
+        if let Some(piece) = take(index) {
+            work(piece);
+        }
+    });
+    assert!(
+        (0..waiting.len()).all(|index| take(index).is_none()),
+        "the executor left work undone"
+    );
+}

@@ -1,0 +1,264 @@
+//! A row of bricks.
+
+use super::{Constants, Fields, GROUP, Grid, RowBook, lanes};
+use crate::{
+    rock::{
+        brick::{Modes, Motion, pulls, spread, square, turned},
+        constants::MOST_SQUEEZED,
+    },
+    rod::number::Number,
+};
+
+/// What a row of bricks pulls at its nodes, N.
+#[derive(Debug, Clone)]
+pub struct Pulls {
+    /// One after the other: near and far corners in x of the four edges along x, by component. A group of
+    /// zeros stands before and after each.
+    of: Vec<f64>,
+    length: usize,
+}
+
+/// Edges along x of a brick, near and far ends of them, components.
+const STREAMS: usize = 4 * 2 * 3;
+
+impl Pulls {
+    pub fn new(grid: &Grid) -> Self {
+        let length = grid.brick_row() + 2 * GROUP;
+        Self {
+            of: vec![0.0; STREAMS * length],
+            length,
+        }
+    }
+
+    /// Where those of a brick stand: corner and component.
+    #[inline(always)]
+    fn place(&self, corner: usize, axis: usize, brick: usize) -> usize {
+        (3 * corner + axis) * self.length + GROUP + brick
+    }
+
+    /// Nodes take up what the bricks between them pull: the two rows of nodes above the bricks or those below.
+    ///
+    /// # Safety
+    /// `layer` is a layer of nodes of this grid.
+    #[inline(always)]
+    pub unsafe fn hand_on<N: Number<Real = f64>>(
+        &self,
+        grid: &Grid,
+        j: usize,
+        below: usize,
+        layer: &mut [Vec<f64>; 3],
+    ) {
+        for side in 0..2 {
+            let from = (j + side) * grid.node_row();
+            let edge = 2 * side + 4 * below;
+            for (axis, pulls) in layer.iter_mut().enumerate() {
+                let (near, far) = (self.place(edge, axis, 0), self.place(edge + 1, axis, 0) - 1);
+                let pulls = pulls[from..from + grid.node_row()].as_mut_ptr();
+                for at in (0..grid.node_row()).step_by(N::WIDTH) {
+                    // SAFETY: a row of nodes is a group longer than one of bricks, as are the pulls.
+                    unsafe {
+                        let sum = N::load(pulls.add(at)) + N::load(self.of.as_ptr().add(near + at));
+                        (sum + N::load(self.of.as_ptr().add(far + at))).store(pulls.add(at));
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Sums of a row, lane by lane.
+struct Books<N> {
+    plastic: N,
+    viscous: N,
+    least: N,
+}
+
+/// A row of bricks answers. Whether there is a brick left in it.
+///
+/// # Safety
+/// `fields` point to the state of a block of this grid, whose bricks in this row and their book nothing else uses.
+#[inline(always)]
+pub unsafe fn work<N: Number<Real = f64>>(
+    fields: &Fields,
+    grid: &Grid,
+    constants: &Constants,
+    [j, k]: [usize; 2],
+    out: &mut Pulls,
+) -> bool {
+    let groups = grid.brick_row() / GROUP;
+    let row = grid.brick([0, j, k]);
+    // SAFETY: the groups of a row.
+    let left = unsafe { std::slice::from_raw_parts(fields.left.add(row / GROUP), groups) };
+    if left.iter().all(|&left| left == 0) {
+        return false;
+    }
+    let mut books = Books {
+        plastic: N::zero(),
+        viscous: N::zero(),
+        least: N::splat(1.0),
+    };
+    let nodes = grid.node([0, j, k]);
+    for (group, &left) in left.iter().enumerate() {
+        for lane in lanes::<N>() {
+            let at = group * GROUP + lane;
+            // SAFETY: the caller's.
+            unsafe {
+                if left > 0 {
+                    bricks::<N>(
+                        fields,
+                        grid,
+                        constants,
+                        nodes + at,
+                        row + at,
+                        at,
+                        out,
+                        &mut books,
+                    );
+                } else {
+                    for corner in 0..8 {
+                        for axis in 0..3 {
+                            N::zero().store(out.of.as_mut_ptr().add(out.place(corner, axis, at)));
+                        }
+                    }
+                }
+            }
+        }
+    }
+    let (plastic, viscous, least) = (
+        in_lanes(books.plastic),
+        in_lanes(books.viscous),
+        in_lanes(books.least),
+    );
+    // SAFETY: the book of this row.
+    let book: &mut RowBook = unsafe { &mut *fields.books.add(k * grid.brick_rows() + j) };
+    book.plastic_J += constants.volume_m3 * plastic.iter().sum::<f64>();
+    book.viscous_J += viscous.iter().sum::<f64>();
+    book.least_intact = least.into_iter().take(N::WIDTH).fold(1.0, f64::min);
+    true
+}
+
+#[inline(always)]
+fn in_lanes<N: Number<Real = f64>>(register: N) -> [f64; GROUP] {
+    let mut lanes = [0.0; GROUP];
+    // SAFETY: no register is wider than a group.
+    unsafe { register.store(lanes.as_mut_ptr()) };
+    lanes
+}
+
+/// A field at the corners of bricks.
+///
+/// # Safety
+/// `fields` are over the nodes of this grid, `node` the first corner of the first of the bricks.
+#[inline(always)]
+unsafe fn corners<N: Number<Real = f64>>(
+    grid: &Grid,
+    fields: [*mut f64; 3],
+    node: usize,
+) -> [[N; 8]; 3] {
+    let mut out = [[N::zero(); 8]; 3];
+    for (axis, field) in fields.into_iter().enumerate() {
+        for edge in 0..4 {
+            let at = node + (edge & 1) * grid.node_row() + (edge >> 1) * grid.node_layer();
+            // SAFETY: a row of nodes is a group longer than one of bricks.
+            unsafe {
+                out[axis][2 * edge] = N::load(field.add(at));
+                out[axis][2 * edge + 1] = N::load(field.add(at + 1));
+            }
+        }
+    }
+    out
+}
+
+/// As many bricks as a register holds.
+///
+/// # Safety
+/// As for [`work`].
+#[inline(always)]
+// Indices say which component meets which.
+#[allow(clippy::too_many_arguments, clippy::needless_range_loop)]
+unsafe fn bricks<N: Number<Real = f64>>(
+    fields: &Fields,
+    grid: &Grid,
+    constants: &Constants,
+    node: usize,
+    brick: usize,
+    at: usize,
+    out: &mut Pulls,
+    books: &mut Books<N>,
+) {
+    let zero = N::zero();
+    let dt = N::splat(constants.dt_s);
+    // SAFETY: the caller's.
+    let (displacement, velocity) = unsafe {
+        (
+            Modes::of(corners(grid, fields.displacement, node), constants),
+            Modes::of(corners(grid, fields.velocity, node), constants),
+        )
+    };
+    let mut change = velocity.gradient;
+    for i in 0..3 {
+        for j in 0..3 {
+            change[i][j] = change[i][j] * dt;
+        }
+    }
+    let motion = Motion::of(displacement.gradient, change);
+
+    let mut stress = [zero; 6];
+    // SAFETY: the bricks of this row.
+    let intact = unsafe {
+        for i in 0..6 {
+            stress[i] = N::load(fields.stress[i].add(brick));
+        }
+        N::load(fields.intact.add(brick))
+    };
+    let answer = constants
+        .law
+        .answer(turned(motion.turn, stress), motion.strain, intact);
+    let fit = N::splat(MOST_SQUEEZED) - square(motion.inverse);
+    let new_intact = intact.if_positive(fit.if_positive(answer.intact, zero), intact);
+    // SAFETY: as above.
+    unsafe {
+        for i in 0..6 {
+            stress[i] = intact.if_positive(answer.stress[i], zero);
+            stress[i].store(fields.stress[i].add(brick));
+        }
+        new_intact.store(fields.intact.add(brick));
+    }
+    books.plastic = books.plastic + intact.if_positive(answer.plastic, zero);
+    books.least = books
+        .least
+        .min(intact.if_positive(new_intact, N::splat(1.0)));
+
+    let swelling = motion.strain[0] + motion.strain[1] + motion.strain[2];
+    let viscous = N::splat(constants.viscosity) * swelling;
+    let held = motion
+        .volume
+        .mul_add(N::splat(constants.pressure_Pa), viscous);
+    let [xx, yy, zz, xy, yz, zx] = stress;
+    let gradients = pulls(
+        [xx + held, yy + held, zz + held, xy, yz, zx],
+        motion.inverse,
+        constants,
+    );
+    let (stiff, damping) = (
+        N::splat(constants.hourglass),
+        N::splat(constants.hourglass_damping),
+    );
+    let mut damped = zero;
+    for axis in 0..3 {
+        let mut hourglass = displacement.hourglass[axis];
+        for mode in 0..4 {
+            let rate = velocity.hourglass[axis][mode];
+            hourglass[mode] = rate.mul_add(damping, hourglass[mode] * stiff);
+            damped = rate.mul_add(rate, damped);
+        }
+        let pull = spread(gradients[axis], hourglass);
+        for corner in 0..8 {
+            let pull = intact.if_positive(pull[corner], zero);
+            // SAFETY: the pulls are as long as a row of bricks.
+            unsafe { pull.store(out.of.as_mut_ptr().add(out.place(corner, axis, at))) };
+        }
+    }
+    let lost = (viscous * swelling).mul_add(N::splat(constants.volume_m3), damped * (damping * dt));
+    books.viscous = books.viscous + intact.if_positive(lost, zero);
+}

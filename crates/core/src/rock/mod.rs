@@ -1,0 +1,36 @@
+//! Solid rock: a block of bricks that yield, soften, fail and go.
+//!
+//! A [`Rock`] is elastic up to Drucker and Prager's cone and brittle beyond it. A [`Block`] of it stands in a grid of
+//! eight-node bricks with one point of integration each and is integrated explicitly; what touches it
+//! finds the nodes of its surface by [`Block::exposed`] and pushes them by [`Block::push`] between two steps. Bricks that have
+//! failed are removed, and energy is accounted for throughout ([`Energies`]). A block [follows](Block::follow) the bit that
+//! drills it.
+//!
+//! What touches it is the bit's [face](bit_face).
+//!
+//! z points down the hole, x and y across it. Stresses are positive in tension.
+
+pub mod bit_face;
+
+mod block;
+mod brick;
+mod constants;
+mod edges;
+mod energy;
+mod erosion;
+mod executor;
+mod follow;
+mod grid;
+mod kernel;
+mod material;
+mod plasticity;
+mod surface;
+
+pub use block::{Block, BlockSpec, SurfaceNode};
+pub use constants::Numerics;
+pub use edges::Edge;
+pub use energy::Energies;
+pub use executor::{Alone, Executor};
+pub use grid::Grid;
+pub use kernel::Stepper;
+pub use material::{Cone, Rock, RockError};

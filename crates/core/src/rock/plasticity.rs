@@ -1,0 +1,222 @@
+//! From a strain increment to the stress: elasticity, the cone, its truncated tip, softening.
+//!
+//! The stress is Kirchhoff's, Cauchy's times the change of volume. Six components stand in the order xx, yy, zz, xy,
+//! yz, zx; shear strains are those of the tensor, half of the engineer's.
+//!
+//! A point of the rock has one variable of its own, the **intact** part `s` of its cohesion and its tensile strength:
+//! 1 at first, 0 when it has failed. The admissible stresses are
+//!
+//! ```text
+//! √J₂ + α I₁ <= k s        the cone
+//! I₁ <= t s                its tip cut off by the tensile strength (the apex itself where t = k/α)
+//! ```
+//!
+//! and both returns, the return to the edge between them included, are closed forms. At the tip the whole stress shrinks: the
+//! rock opens the way it was strained, so that a crack between sound rock does not lock. `s` falls linearly with the
+//! plastic strain, so that a band one element wide takes the fracture energy whatever the element's size.
+
+use serde::{Deserialize, Serialize};
+
+use super::material::{Cone, Rock, RockError};
+use crate::rod::number::Number;
+
+/// What the return needs, for a rock in elements of one size.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+pub struct Law {
+    /// Lamé's constant and twice the shear modulus, Pa.
+    lame: f64,
+    twice_shear: f64,
+    shear: f64,
+    alpha: f64,
+    k: f64,
+    tension: f64,
+    /// Fall of the intact part per plastic multiplier of the cone.
+    fall: f64,
+    /// Fall of the intact part per first invariant that the tip takes, 1/Pa: at most, its part from swelling, and that from
+    /// shear by the square of √J₂/I₁.
+    tear: f64,
+    tear_swollen: f64,
+    tear_sheared: f64,
+    /// First invariant's fall per multiplier of the cone, Pa.
+    swelling: f64,
+    /// Multiplier per overstress while the rock softens, and after it.
+    softening: f64,
+    softened: f64,
+    /// Radius of the edge between cone and tip, Pa, and the same at the edge.
+    edge: f64,
+    edge_softening: f64,
+    edge_softened: f64,
+    /// One over four shear moduli and eighteen bulk moduli, 1/Pa.
+    shear_compliance: f64,
+    bulk_compliance: f64,
+}
+
+/// What came of a strain increment.
+pub struct Answer<N> {
+    /// Stress, Pa.
+    pub stress: [N; 6],
+    /// Intact part of cohesion and tensile strength.
+    pub intact: N,
+    /// Energy that plastic flow took, J/m³.
+    pub plastic: N,
+}
+
+impl Law {
+    /// For elements of a size, the cube root of their volume.
+    ///
+    /// # Errors
+    /// Numbers that no rock has, or elements that would snap instead of soften.
+    pub fn new(rock: &Rock, size_m: f64) -> Result<Self, RockError> {
+        rock.check()?;
+        let Cone { alpha, k_Pa: k } = rock.cone();
+        let dilation = rock.dilation_slope();
+        let (shear, bulk) = (rock.shear_modulus_Pa(), rock.bulk_modulus_Pa());
+        let tension = rock.largest_tension_Pa();
+        let third = 1.0 / 3.0_f64.sqrt();
+        // Of the work in uniaxial compression, what is not done against friction counts.
+        let share = (third - dilation) / (third - alpha);
+        let per_size = 0.5 * k * share / rock.compressive_fracture_energy_J_per_m2;
+        let fall = per_size * size_m;
+        // The work of a stress that shrinks is twice its elastic energy; above that of uniaxial tension it is shear's.
+        let tear = 0.5 * tension * size_m / rock.tensile_fracture_energy_J_per_m2;
+        let hard = shear + 9.0 * bulk * alpha * dilation;
+        let edge = k - alpha * tension;
+        let largest_m = [
+            hard / (k * per_size),
+            shear / (edge * per_size).max(f64::MIN_POSITIVE),
+            // A band in a bar of its own length.
+            2.0 * rock.youngs_modulus_Pa * rock.compressive_fracture_energy_J_per_m2
+                / rock.ucs_Pa().powi(2),
+            2.0 * rock.youngs_modulus_Pa * rock.tensile_fracture_energy_J_per_m2 / tension.powi(2),
+        ]
+        .into_iter()
+        .fold(f64::INFINITY, f64::min);
+        if size_m >= largest_m {
+            return Err(RockError::TooLarge { size_m, largest_m });
+        }
+        Ok(Self {
+            lame: rock.lame_Pa(),
+            twice_shear: 2.0 * shear,
+            shear,
+            alpha,
+            k,
+            tension,
+            fall,
+            tear: tear / rock.youngs_modulus_Pa,
+            tear_swollen: tear / (9.0 * bulk),
+            tear_sheared: tear / shear,
+            swelling: 9.0 * bulk * dilation,
+            softening: 1.0 / (hard - k * fall),
+            softened: 1.0 / hard,
+            edge,
+            edge_softening: 1.0 / (shear - edge * fall),
+            edge_softened: 1.0 / shear,
+            shear_compliance: 0.25 / shear,
+            bulk_compliance: 1.0 / (18.0 * bulk),
+        })
+    }
+
+    /// Stress that a strain adds elastically, Pa.
+    #[inline(always)]
+    pub fn predict<N: Number>(&self, stress: [N; 6], strain: [N; 6]) -> [N; 6] {
+        let [xx, yy, zz, xy, yz, zx] = strain;
+        let twice = N::splat(self.twice_shear);
+        let swelling = N::splat(self.lame) * (xx + yy + zz);
+        [
+            xx.mul_add(twice, stress[0] + swelling),
+            yy.mul_add(twice, stress[1] + swelling),
+            zz.mul_add(twice, stress[2] + swelling),
+            xy.mul_add(twice, stress[3]),
+            yz.mul_add(twice, stress[4]),
+            zx.mul_add(twice, stress[5]),
+        ]
+    }
+
+    /// Recoverable energy of a stress, J/m³.
+    pub fn elastic_J_per_m3(&self, stress: [f64; 6]) -> f64 {
+        let first = stress[0] + stress[1] + stress[2];
+        let square: f64 = (0..3).map(|i| stress[i] * stress[i]).sum::<f64>()
+            + 2.0 * (3..6).map(|i| stress[i] * stress[i]).sum::<f64>();
+        self.shear_compliance * (square - first * first / 3.0)
+            + self.bulk_compliance * first * first
+    }
+
+    /// What a strain increment makes of a stress and of the intact part.
+    #[inline(always)]
+    pub fn answer<N: Number>(&self, stress: [N; 6], strain: [N; 6], intact: N) -> Answer<N> {
+        let zero = N::zero();
+        let trial = self.predict(stress, strain);
+        let first = trial[0] + trial[1] + trial[2];
+        let mean = first * N::splat(1.0 / 3.0);
+        let s = [
+            trial[0] - mean,
+            trial[1] - mean,
+            trial[2] - mean,
+            trial[3],
+            trial[4],
+            trial[5],
+        ];
+        let normal = s[0].mul_add(s[0], s[1].mul_add(s[1], s[2] * s[2]));
+        let shear = s[3].mul_add(s[3], s[4].mul_add(s[4], s[5] * s[5]));
+        let second = normal.mul_add(N::splat(0.5), shear);
+        let root = (second + N::splat(1e-30)).sqrt();
+
+        // The cone. The smaller multiplier is that of a rock that has no cohesion left at the end.
+        let load = first.mul_add(N::splat(self.alpha), root);
+        let over = intact.neg_mul_add(N::splat(self.k), load);
+        let flow = (over * N::splat(self.softening))
+            .min(load * N::splat(self.softened))
+            .max(zero);
+        let cone_root = flow.neg_mul_add(N::splat(self.shear), root);
+        let cone_first = flow.neg_mul_add(N::splat(self.swelling), first);
+        let cone_intact = flow.neg_mul_add(N::splat(self.fall), intact).max(zero);
+
+        // The tip, and its edge with the cone. What is not beyond it is not a number here, and not taken.
+        let one = N::splat(1.0);
+        let inverse = one / first;
+        let slope = second * inverse * inverse;
+        let tear = slope
+            .mul_add(N::splat(self.tear_sheared), N::splat(self.tear_swollen))
+            .min(N::splat(self.tear));
+        let left = (tear.neg_mul_add(first, intact)
+            / tear.neg_mul_add(N::splat(self.tension), one))
+        .min(intact)
+        .max(zero);
+        let shrunk = root * (left * N::splat(self.tension) * inverse).min(one);
+        let over = left.neg_mul_add(N::splat(self.edge), shrunk);
+        let flow = (over * N::splat(self.edge_softening))
+            .min(shrunk * N::splat(self.edge_softened))
+            .max(zero);
+        let tip_root = flow.neg_mul_add(N::splat(self.shear), shrunk);
+        let tip_intact = flow.neg_mul_add(N::splat(self.fall), left).max(zero);
+        let tip_first = tip_intact * N::splat(self.tension);
+
+        let beyond = cone_intact.neg_mul_add(N::splat(self.tension), cone_first);
+        let new_root = beyond.if_positive(tip_root, cone_root).max(zero);
+        let new_first = beyond.if_positive(tip_first, cone_first);
+        let new_intact = beyond.if_positive(tip_intact, cone_intact);
+
+        let ratio = new_root / root;
+        let mean = new_first * N::splat(1.0 / 3.0);
+        // The mean of the stresses before and after, times the plastic strain.
+        let before = stress[0].mul_add(s[0], stress[1].mul_add(s[1], stress[2] * s[2]));
+        let sheared = stress[3].mul_add(s[3], stress[4].mul_add(s[4], stress[5] * s[5]));
+        let along = sheared.mul_add(N::splat(2.0), before) + N::splat(2.0) * ratio * second;
+        let sum = stress[0] + stress[1] + stress[2] + new_first;
+        let swollen = sum * (first - new_first) * N::splat(self.bulk_compliance);
+        let plastic =
+            ((N::splat(1.0) - ratio) * along).mul_add(N::splat(self.shear_compliance), swollen);
+        Answer {
+            stress: [
+                s[0].mul_add(ratio, mean),
+                s[1].mul_add(ratio, mean),
+                s[2].mul_add(ratio, mean),
+                s[3] * ratio,
+                s[4] * ratio,
+                s[5] * ratio,
+            ],
+            intact: new_intact,
+            plastic,
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! The surface that can be touched: nodes on faces with no rock beyond.
+
+use serde::{Deserialize, Serialize};
+
+use super::{
+    edges::Edge,
+    grid::{Grid, of_face},
+};
+
+/// No place in the list.
+const NOWHERE: u32 = u32::MAX;
+
+/// Nodes on faces with no rock beyond, in an order that depends on the history of the block alone.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct Surface {
+    /// How many faces around a node look −x, +x, −y, +y, −z, +z.
+    faces: Vec<[u8; 6]>,
+    exposed: Vec<u32>,
+    /// Where a node stands among the exposed.
+    place: Vec<u32>,
+}
+
+impl Surface {
+    /// Of a block with bricks where `is_rock`.
+    pub fn new(grid: &Grid, edges: &[Edge; 6], is_rock: impl Fn([usize; 3]) -> bool) -> Self {
+        let mut surface = Self {
+            faces: vec![[0; 6]; grid.node_places()],
+            exposed: Vec::new(),
+            place: vec![NOWHERE; grid.node_places()],
+        };
+        for brick in grid.each_brick().filter(|&brick| is_rock(brick)) {
+            for (face, edge) in edges.iter().enumerate() {
+                let open = match grid.beyond(brick, face) {
+                    None => *edge == Edge::Free,
+                    Some(beyond) => !is_rock(beyond),
+                };
+                if open {
+                    surface.expose(of_face(grid.corners(brick), face), face);
+                }
+            }
+        }
+        surface
+    }
+
+    /// Places of the exposed nodes.
+    pub fn exposed(&self) -> &[u32] {
+        &self.exposed
+    }
+
+    /// Whether a node is exposed.
+    pub fn is_exposed(&self, node: usize) -> bool {
+        self.place[node] != NOWHERE
+    }
+
+    /// Area of a node with its outward direction, m², in the rock at rest.
+    pub fn area_m2(&self, grid: &Grid, node: usize) -> [f64; 3] {
+        let faces = self.faces[node];
+        [0, 1, 2].map(|axis| {
+            let looks = f64::from(faces[2 * axis + 1]) - f64::from(faces[2 * axis]);
+            0.25 * looks * grid.area_m2(2 * axis)
+        })
+    }
+
+    /// A brick goes.
+    pub fn remove(
+        &mut self,
+        grid: &Grid,
+        edges: &[Edge; 6],
+        brick: [usize; 3],
+        is_rock: impl Fn([usize; 3]) -> bool,
+    ) {
+        for (face, edge) in edges.iter().enumerate() {
+            match grid.beyond(brick, face) {
+                Some(beyond) if is_rock(beyond) => {
+                    self.expose(of_face(grid.corners(beyond), face ^ 1), face ^ 1);
+                }
+                None if *edge != Edge::Free => {}
+                _ => self.cover(of_face(grid.corners(brick), face), face),
+            }
+        }
+    }
+
+    fn expose(&mut self, nodes: [usize; 4], face: usize) {
+        for node in nodes {
+            self.faces[node][face] += 1;
+            if self.place[node] == NOWHERE {
+                self.place[node] = self.exposed.len() as u32;
+                self.exposed.push(node as u32);
+            }
+        }
+    }
+
+    fn cover(&mut self, nodes: [usize; 4], face: usize) {
+        for node in nodes {
+            self.faces[node][face] -= 1;
+            if self.faces[node] == [0; 6] {
+                let place = self.place[node] as usize;
+                self.exposed.swap_remove(place);
+                if let Some(&moved) = self.exposed.get(place) {
+                    self.place[moved as usize] = place as u32;
+                }
+                self.place[node] = NOWHERE;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is exposed of a block in which bricks were removed one by one is what is exposed of the block that is left.
+    #[test]
+    fn a_surface_follows_the_bricks_that_go() {
+        let grid = Grid {
+            cells: [5, 4, 3],
+            size_m: [1.0, 2.0, 3.0],
+        };
+        let edges = [
+            Edge::Open,
+            Edge::Open,
+            Edge::Held,
+            Edge::Guided,
+            Edge::Free,
+            Edge::Open,
+        ];
+        let mut rock = vec![true; grid.brick_places()];
+        let mut surface = Surface::new(&grid, &edges, |_| true);
+        let mut seed = 7_usize;
+        for _ in 0..40 {
+            seed = (seed * 1_103_515_245 + 12_345) % (1 << 31);
+            let n = (seed >> 8) % grid.bricks();
+            let brick = [n % 5, n / 5 % 4, n / 20];
+            if !rock[grid.brick(brick)] {
+                continue;
+            }
+            rock[grid.brick(brick)] = false;
+            surface.remove(&grid, &edges, brick, |b| rock[grid.brick(b)]);
+            let fresh = Surface::new(&grid, &edges, |b| rock[grid.brick(b)]);
+            assert_eq!(surface.faces, fresh.faces);
+            let sorted = |s: &Surface| {
+                let mut nodes = s.exposed.clone();
+                nodes.sort_unstable();
+                nodes
+            };
+            assert_eq!(sorted(&surface), sorted(&fresh));
+        }
+    }
+}

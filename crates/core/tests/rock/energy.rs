@@ -1,0 +1,90 @@
+//! The books of energy through failure and removal.
+
+use wholestring::rock::{Alone, Block, Stepper};
+
+use crate::{
+    common::{Row, Tolerance, report},
+    drill::{self, Ball},
+};
+
+/// Drags a ball through a block.
+fn dragged(steps: usize) -> Block {
+    let (mut block, mut ball, stepper) = (drill::block(), Ball::new(), Stepper::default());
+    for _ in 0..steps {
+        ball.drag(&mut block, &stepper, &Alone);
+    }
+    block
+}
+
+#[test]
+fn energy_balances_through_failure_and_removal() {
+    let block = dragged(6000);
+    let energies = block.energies();
+    let (gone, _) = block.removed();
+    println!("{gone} bricks gone, {energies:?}");
+    assert!(gone > 50, "only {gone} bricks have gone");
+    report(&Row {
+        case: "rock",
+        quantity: "energy that is unaccounted for after a ball has cut a groove, part of its work",
+        expected: 0.0,
+        computed: energies.residual_J() / energies.pushed_J,
+        tolerance: Tolerance::Absolute(0.01),
+        reason: "what is asked",
+    });
+}
+
+#[test]
+fn a_block_under_pressure_rests() {
+    let stepper = Stepper::default();
+    let mut block = drill::block();
+    for _ in 0..500 {
+        block.step(&stepper, &Alone);
+    }
+    let fastest = block
+        .exposed()
+        .flat_map(|node| node.velocity_m_per_s)
+        .fold(0.0_f64, |a, v| a.max(v.abs()));
+    // The initial stress over the impedance of the rock would be 1 m/s.
+    assert!(fastest < 1e-10, "{fastest} m/s");
+}
+
+#[test]
+fn a_block_follows_what_drills_it() {
+    let stepper = Stepper::default();
+    let mut block = drill::block();
+    for _ in 0..100 {
+        block.step(&stepper, &Alone);
+    }
+    let layer: Vec<_> = block
+        .grid()
+        .each_brick()
+        .filter(|brick| brick[2] < 2)
+        .collect();
+    for brick in layer {
+        block.remove(brick);
+    }
+    assert_eq!(block.spent_layers(), 2);
+    for _ in 0..100 {
+        block.step(&stepper, &Alone);
+    }
+    let last = block.grid().node([7, 5, 6]);
+    let before = block.position_m(last);
+    let below = block.velocity_m_per_s(block.grid().node([7, 5, 8]));
+    assert_eq!(block.follow(), 2);
+    let moved = block.grid().node([7, 5, 4]);
+    assert_eq!(block.position_m(moved), before);
+    assert_eq!(block.velocity_m_per_s(block.grid().node([7, 5, 8])), below);
+    assert_eq!(block.exposed().count(), 22 * 13);
+    for _ in 0..500 {
+        block.step(&stepper, &Alone);
+    }
+    let energies = block.energies();
+    let scale = energies.absorbed_J + energies.removed_J;
+    assert!(energies.residual_J().abs() < 1e-3 * scale, "{energies:?}");
+    // The pressure of the filling still is what the rock bears: nothing moves but what the confinement lets go.
+    let fastest = block
+        .exposed()
+        .flat_map(|node| node.velocity_m_per_s)
+        .fold(0.0_f64, |a, v| a.max(v.abs()));
+    assert!(fastest < 0.05, "{fastest} m/s");
+}

@@ -1,0 +1,15 @@
+//! The solid rock against closed forms.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod bending;
+mod brick;
+mod drill;
+mod energy;
+mod fracture;
+mod hertz;
+mod setup;
+mod slabs;
+mod strength;
+mod waves;

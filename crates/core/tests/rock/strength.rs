@@ -1,0 +1,158 @@
+//! Strength of one brick against E07's identities, and the tip of the cone.
+
+use wholestring::rock::{Edge, Rock, Stepper};
+
+use crate::{
+    common::{Row, Tolerance, report, report_worst, verification},
+    setup::{cauchy_Pa, ductile, one_brick, press, step, tell_layer_down},
+};
+
+/// The rocks of E07, with its numbers.
+fn rocks() -> Vec<(Rock, serde_json::Value)> {
+    let file = verification("E07_bit_rock_detournay.json");
+    let rows = file["drucker_prager"].as_array().expect("rows").clone();
+    rows.into_iter()
+        .map(|row| {
+            let number = |key: &str| row[key].as_f64().expect("a number");
+            let friction_angle_rad = number("phi_deg").to_radians();
+            let rock = Rock {
+                youngs_modulus_Pa: 100e9,
+                cohesion_Pa: 1e6 * number("c_MPa"),
+                friction_angle_rad,
+                ..ductile(Rock::of_strength(50e6))
+            };
+            (rock, row)
+        })
+        .collect()
+}
+
+/// Presses a brick under a lateral pressure along z to a strain; the largest axial stress beyond what it bore at first, Pa.
+fn strength_Pa(rock: Rock, pressure_Pa: f64, strain: f64) -> f64 {
+    let stepper = Stepper::default();
+    let mut block = press(rock, pressure_Pa);
+    let steps = 40_000;
+    let speed = strain * 1e-3 / (f64::from(steps) * block.dt_s());
+    tell_layer_down(&mut block, 1, speed);
+    for _ in 0..steps {
+        step(&mut block, &stepper);
+    }
+    cauchy_Pa(&block)[2]
+}
+
+#[test]
+fn the_cone_is_matched_in_compression() {
+    for (rock, row) in rocks() {
+        let number = |key: &str| row[key].as_f64().expect("a number");
+        let cone = rock.cone();
+        let name = format!("{} deg", number("phi_deg"));
+        for (quantity, expected, computed) in [
+            ("alpha", number("alpha_comp"), cone.alpha),
+            ("k, MPa", number("k_comp_MPa"), 1e-6 * cone.k_Pa),
+            (
+                "unconfined strength, MPa",
+                number("UCS_MPa"),
+                1e-6 * rock.ucs_Pa(),
+            ),
+            (
+                "slope in the plane of mean and equivalent stress, deg",
+                number("abaqus_beta_deg"),
+                (27.0_f64.sqrt() * cone.alpha).atan().to_degrees(),
+            ),
+        ] {
+            report(&Row {
+                case: "E07",
+                quantity: &format!("cone at {name}: {quantity}"),
+                expected,
+                computed,
+                tolerance: Tolerance::Relative(1e-12),
+                reason: "closed forms",
+            });
+        }
+    }
+}
+
+#[test]
+fn a_pressed_brick_bears_the_unconfined_strength() {
+    report_worst(rocks().into_iter().map(|(rock, row)| Row {
+        case: "E07",
+        quantity: "strength of a brick in uniaxial compression, MPa",
+        expected: row["UCS_MPa"].as_f64().expect("a number"),
+        computed: -1e-6 * strength_Pa(rock, 0.0, -3e-3),
+        tolerance: Tolerance::Relative(1e-3),
+        reason: "what is asked; the stress that is bounded is Kirchhoff's",
+    }));
+}
+
+#[test]
+fn a_confined_brick_bears_the_triaxial_strength() {
+    let confinement_Pa = 20e6;
+    report_worst(rocks().into_iter().map(|(rock, row)| {
+        let sin = rock.friction_angle_rad.sin();
+        let expected = row["UCS_MPa"].as_f64().expect("a number")
+            + 1e-6 * confinement_Pa * (1.0 + sin) / (1.0 - sin);
+        Row {
+            case: "E07",
+            quantity: "strength of a brick in triaxial compression under 20 MPa, MPa",
+            expected,
+            computed: -1e-6 * strength_Pa(rock, confinement_Pa, -5e-3),
+            tolerance: Tolerance::Relative(1e-3),
+            reason: "what is asked; the stress that is bounded is Kirchhoff's",
+        }
+    }));
+}
+
+#[test]
+fn a_pulled_brick_bears_the_tensile_strength() {
+    let rock = Rock {
+        youngs_modulus_Pa: 100e9,
+        ..ductile(Rock::of_strength(50e6))
+    };
+    report(&Row {
+        case: "rock",
+        quantity: "strength of a brick in uniaxial tension, MPa",
+        expected: 1e-6 * rock.tensile_strength_Pa,
+        computed: 1e-6 * strength_Pa(rock, 0.0, 1.5e-4),
+        tolerance: Tolerance::Relative(1e-3),
+        reason: "the stress that is bounded is Kirchhoff's",
+    });
+}
+
+#[test]
+fn a_torn_brick_returns_to_the_apex() {
+    let rock = Rock {
+        tensile_strength_Pa: 1e12,
+        ..ductile(Rock::of_strength(50e6))
+    };
+    let mut block = one_brick(rock, [Edge::Held; 6], 0.0);
+    let grid = *block.grid();
+    // Swelling with some shear, far beyond the tip.
+    for node in grid.each_node() {
+        let [x, y, z] = [0, 1, 2].map(|a| node[a] as f64 * grid.size_m[a] * 1e-2 / block.dt_s());
+        block.tell(grid.node(node), [x + 0.1 * y, 1.1 * y, 0.9 * z]);
+    }
+    step(&mut block, &Stepper::default());
+    let stress = block.stress_Pa([0, 0, 0]);
+    let cone = rock.cone();
+    report(&Row {
+        case: "rock",
+        quantity: "first invariant at the apex, Pa",
+        expected: cone.k_Pa / cone.alpha,
+        computed: stress[0] + stress[1] + stress[2],
+        tolerance: Tolerance::Relative(1e-9),
+        reason: "a closed form",
+    });
+    let mean = (stress[0] + stress[1] + stress[2]) / 3.0;
+    let shear = stress
+        .iter()
+        .take(3)
+        .map(|s| (s - mean).abs())
+        .chain(stress.iter().skip(3).map(|s| s.abs()));
+    report(&Row {
+        case: "rock",
+        quantity: "largest deviatoric stress at the apex, Pa",
+        expected: 0.0,
+        computed: shear.fold(0.0, f64::max),
+        tolerance: Tolerance::Absolute(1.0),
+        reason: "a closed form, at stresses of 1e7",
+    });
+}
