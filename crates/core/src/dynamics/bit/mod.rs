@@ -50,7 +50,7 @@ pub struct Bit {
 /// The rock under the bit by one of the laws.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 enum Cut {
-    Front(FrontCut),
+    Front(Box<FrontCut>),
     Regenerative(RegenerativeCut),
 }
 
@@ -120,7 +120,12 @@ impl Bit {
                 weight_N,
                 turning_rad_per_s: turning,
             };
-            Cut::Front(FrontCut::new(law, stiffness_N_per_m, shaker, pressed))
+            Cut::Front(Box::new(FrontCut::new(
+                law,
+                stiffness_N_per_m,
+                shaker,
+                pressed,
+            )))
         };
         let cut = drills.then(|| match &settings.law {
             BitLaw::Regenerative(law) => {
