@@ -9,7 +9,7 @@ use wholestring_units::UnitSet;
 
 use crate::{
     assembly,
-    bit::BitTable,
+    bit::{Around, BitTable},
     diagnostic::{Diagnostic, Report},
     dynamics::{DynamicsTable, MeshTable, Told},
     effort, fit, hole,
@@ -295,10 +295,12 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         .and_then(|(components, steel)| assembly::spec(components, steel, reader));
     let lowest = spec.as_ref().and_then(|spec| spec.components.first());
     let bit_radius_m = lowest.map(|bit| 0.5 * bit.od_m);
-    let bit = case
-        .bit
-        .get()
-        .and_then(|bit| bit.build(bit_radius_m, reader));
+    let around = Around {
+        radius_m: bit_radius_m,
+        flow_m3_per_s: operation.and_then(|operation| operation.flow_rate.get().copied()),
+        files,
+    };
+    let bit = case.bit.get().and_then(|bit| bit.build(&around, reader));
 
     let operations = match (operation, case.bit.get()) {
         (Some(operation), Some(table)) => operation.build(
@@ -315,7 +317,8 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     });
     let top_drive = case.top_drive.get().and_then(|drive| drive.build(reader));
     if let (Some(operation), Some(mud)) = (operation, &mud) {
-        operation.check_flow(mud, reader);
+        let turns_motor = case.bit.get().is_some_and(BitTable::takes_flow);
+        operation.check_flow(mud, turns_motor, reader);
     }
     let dynamics = match (case.dynamics.get(), case.mesh.get(), case.hoist.get()) {
         (Some(dynamics), Some(mesh), Some(hoist)) => {

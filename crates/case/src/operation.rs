@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use wholestring::{
-    dynamics::{BitLaw, BitSettings, RegenerativeLaw, Schedule},
+    dynamics::{BitSettings, Schedule},
     mud::Mud,
     operation::{Operation, OperationKind},
     outcome::ModelKind,
@@ -11,10 +11,10 @@ use wholestring::{
 use wholestring_units::Dimension;
 
 use crate::{
-    bit::{BitTable, Law},
+    bit::{BitTable, Given, Law},
     diagnostic::Diagnostic,
     quantity::Quantity,
-    range::{Range, number_text},
+    range::Range,
     reader::Reader,
     rule::{At, Choice, List, Section, once_each},
     schedule::{self, Around, StepTable},
@@ -85,7 +85,7 @@ table! {
             "6 tf",
         ));
         /// Rate of penetration at this weight on bit and rotary speed. Needed by "drill", and by "slide"
-        /// in the dynamic model; the regenerative law of the bit finds its own.
+        /// in the dynamic model; all laws of the bit but the rate law find their own.
         rop: f64 = optional(Quantity::si(
             Dimension::RateOfPenetration,
             Range::positive_to(0.3),
@@ -97,7 +97,8 @@ table! {
             TRIP_SPEED_M_PER_S,
         );
         /// What the pumps deliver. They rest while the string trips without rotation. It acts on a mud with a rheology:
-        /// raising it raises the pressure losses and the lift of the stream, which lowers the hook load.
+        /// raising it raises the pressure losses and the lift of the stream, which lowers the hook load. It turns the
+        /// motor of `[bit.motor]`: raising it turns the bit faster.
         flow_rate: f64 = default(
             Quantity::si(Dimension::FlowRate, Range::from_to(0.0, 0.5), "2000 L/min"),
             0.0,
@@ -153,13 +154,20 @@ impl OperationTable {
     }
 
     /// Warns of a flow that does nothing.
-    pub(crate) fn check_flow(&self, mud: &Mud, reader: &mut Reader) -> Option<()> {
+    pub(crate) fn check_flow(
+        &self,
+        mud: &Mud,
+        turns_motor: bool,
+        reader: &mut Reader,
+    ) -> Option<()> {
         let flowing = *self.flow_rate.get()? > 0.0;
         let circulates = |kind: &At<OperationKind>| {
             !matches!(kind.value, OperationKind::TripIn | OperationKind::TripOut)
         };
-        let why = if mud.rheology.is_none() {
-            "acts on a mud with a rheology"
+        let (turns, acts) = (turns_motor, "acts on a mud with a rheology");
+        let still = mud.rheology.is_none();
+        let why = if still && !turns {
+            acts
         } else if !self.kind.get()?.iter().any(circulates) {
             "the pumps rest while the string trips"
         } else {
@@ -172,6 +180,8 @@ impl OperationTable {
                 "bit_pressure_drop",
                 if why.is_empty() && !flowing {
                     "needs a flow_rate"
+                } else if still {
+                    acts
                 } else {
                     why
                 },
@@ -202,13 +212,13 @@ impl OperationTable {
     ) -> Option<Vec<Operation>> {
         let kinds = self.kind.get()?;
         let (table, bit) = bit;
-        let regenerative = table.law.get() == Some(&Law::Regenerative);
+        let by_rate = table.law.get() == Some(&Law::Rate);
         once_each(kinds, OperationKind::name, reader)?;
         let find = |wanted: fn(OperationKind) -> bool| kinds.iter().find(|at| wanted(at.value));
         let rotating = find(OperationKind::rotates);
         let on_bottom = find(OperationKind::on_bottom);
         let advancing = kinds.iter().find(|at| match at.value {
-            _ if regenerative => false,
+            _ if !by_rate => false,
             OperationKind::Drill => true,
             OperationKind::Slide => models.contains(&ModelKind::Dynamic),
             _ => false,
@@ -243,10 +253,8 @@ impl OperationTable {
         let bit_pressure_drop = *self.bit_pressure_drop.get()?;
         let (rpm, wob, rop) = (rpm?, wob?, rop?);
         let bit = bit?;
-        if let (Some(kind), None) = (
-            find(|kind| kind == OperationKind::Slide),
-            table.motor_speed.given(),
-        ) && bit.asks_for_motor_speed()
+        if let (Some(kind), false) = (find(|kind| kind == OperationKind::Slide), table.has_motor())
+            && bit.asks_for_motor_speed()
         {
             reader.report(
                 Diagnostic::error("`slide` needs the speed at which the motor turns this bit")
@@ -255,9 +263,12 @@ impl OperationTable {
             );
             return None;
         }
-        if let BitLaw::Regenerative(law) = bit.law {
-            self.warn_of_regenerative(&law, reader);
-        }
+        let given = Given {
+            rpm: self.rpm.given(),
+            wob: self.wob.given(),
+            rop: self.rop.given(),
+        };
+        given.warn_of_law(&bit.law, reader);
         let bit_depth_m = bit_depth_m?;
         let operation = |at: &At<OperationKind>| {
             bit.drilling_steadily(Operation {
@@ -272,30 +283,12 @@ impl OperationTable {
                 bit_pressure_drop_Pa: bit_pressure_drop,
             })
         };
-        Some(kinds.iter().map(operation).collect())
-    }
-
-    fn warn_of_regenerative(&self, law: &RegenerativeLaw, reader: &mut Reader) {
-        if let Some(rop) = self.rop.given() {
-            reader.report(
-                Diagnostic::warning("`rop` has no effect here")
-                    .at(rop.place, "the regenerative law of the bit finds its own"),
-            );
+        let operations: Vec<Operation> = kinds.iter().map(operation).collect();
+        for operation in operations.iter().filter(|o| o.kind.on_bottom()) {
+            given.check_table(bit, operation, reader)?;
+            given.warn_of_motor(bit, operation, reader);
         }
-        let bearing = law.wear_flat_weight_N();
-        if let Some(wob) = self.wob.given().filter(|wob| wob.value <= bearing) {
-            reader.report(
-                Diagnostic::warning("the wear flats bear all weight: the bit does not cut")
-                    .at(
-                        wob.place,
-                        format!(
-                            "they bear {} kN",
-                            number_text((bearing * 1e-2).round() * 1e-1)
-                        ),
-                    )
-                    .help("raise wob, or lower wear_flat or contact_strength under [bit]"),
-            );
-        }
+        Some(operations)
     }
 }
 

@@ -3,8 +3,9 @@
 use serde_json::{Value as Json, json};
 use wholestring::{
     dynamics::{
-        Band, BitLaw, ContactLaw, DynamicsSettings, FrictionLaw, HoistSetPoint, Precision,
-        Schedule, ScheduleStep, SpeedController, Start, StartTension, TopDriveSettings,
+        Band, BitLaw, BitTable, ContactLaw, Cutters, DynamicsSettings, Excitation, FrictionLaw,
+        HoistSetPoint, Motor, Precision, Schedule, ScheduleStep, SpeedController, Start,
+        StartTension, TablePoint, TopDriveSettings,
     },
     model::Model,
     mud::Rheology,
@@ -148,40 +149,98 @@ fn bit(dynamics: &DynamicsSettings, operations: &[Operation]) -> Json {
     let mut bit = json!({
         "torque_N_m": operations.first().map(|operation| operation.bit_torque_N_m),
         "lateral_stiffness_N_per_m": dynamics.bit.lateral_stiffness_N_per_m,
-        "motor_speed_rad_per_s": dynamics.bit.motor_speed_rad_per_s,
+        "steerability": dynamics.bit.steerability,
     });
-    match dynamics.bit.law {
-        BitLaw::Rate(law) => {
-            bit["law"] = json!("rate");
-            bit["rock_stiffness_N_per_m"] = json!(law.rock_stiffness_N_per_m);
-            bit["excitation"] = law.excitation.map_or(Json::Null, |shaken| {
-                let (waves, frequency) = match shaken.band {
-                    Band::PerRevolution(waves) => (Some(waves), None),
-                    Band::PerSecond(frequency) => (None, Some(frequency)),
-                };
-                json!({
-                    "lobes": shaken.lobes,
-                    "amplitude_m": shaken.amplitude_m,
-                    "roughness_m": shaken.roughness_m,
-                    "torque_fluctuation": shaken.torque_fluctuation,
-                    "waves": waves,
-                    "frequency_per_s": frequency,
-                })
+    match dynamics.bit.motor {
+        Motor::Speed(speed) => bit["motor_speed_rad_per_s"] = json!(speed),
+        Motor::Displacement(motor) => {
+            bit["motor"] = json!({
+                "displacement_m3": motor.displacement_m3,
+                "max_differential_pressure_Pa": motor.max_pressure_Pa,
+                "slip": motor.slip,
+                "efficiency": motor.efficiency,
+                "stall_torque_N_m": motor.stall_torque_N_m,
+                "rated_flow_m3_per_s": motor.rated_flow_m3_per_s,
             });
         }
+    }
+    let (law, own, front) = match &dynamics.bit.law {
+        BitLaw::Rate(law) => (
+            "rate",
+            json!({}),
+            Some((law.rock_stiffness_N_per_m, law.excitation)),
+        ),
         BitLaw::Regenerative(law) => {
-            bit["law"] = json!("regenerative");
-            bit["radius_m"] = json!(law.radius_m);
-            bit["blades"] = json!(law.blades);
-            bit["intrinsic_specific_energy_Pa"] = json!(law.intrinsic_specific_energy_Pa);
-            bit["cutter_inclination"] = json!(law.cutter_inclination);
-            bit["wear_flat_m"] = json!(law.wear_flat_m);
-            bit["contact_strength_Pa"] = json!(law.contact_strength_Pa);
-            bit["bit_geometry"] = json!(law.bit_geometry);
-            bit["friction"] = json!(law.friction);
+            let mut own = cutters(&law.cutters);
+            own["blades"] = json!(law.blades);
+            ("regenerative", own, None)
         }
+        BitLaw::DetournayDefourny(law) => {
+            let mut own = cutters(&law.cutters);
+            own["full_contact_depth_m"] = json!(law.full_contact_depth_m);
+            own["cleaning_limit_m"] = json!(law.cleaning_limit_m);
+            let front = (law.rock_stiffness_N_per_m, law.excitation);
+            ("detournay-defourny", own, Some(front))
+        }
+        BitLaw::Table(law) => (
+            "table",
+            json!({ "table": points(&law.table) }),
+            Some((law.rock_stiffness_N_per_m, law.excitation)),
+        ),
+    };
+    bit["law"] = json!(law);
+    if let Some((stiffness, shaken)) = front {
+        bit["rock_stiffness_N_per_m"] = json!(stiffness);
+        bit["excitation"] = shaken.map_or(Json::Null, excitation);
+    }
+    if let (Json::Object(bit), Json::Object(own)) = (&mut bit, own) {
+        bit.extend(own);
     }
     bit
+}
+
+fn excitation(shaken: Excitation) -> Json {
+    let (waves, frequency) = match shaken.band {
+        Band::PerRevolution(waves) => (Some(waves), None),
+        Band::PerSecond(frequency) => (None, Some(frequency)),
+    };
+    json!({
+        "lobes": shaken.lobes,
+        "amplitude_m": shaken.amplitude_m,
+        "roughness_m": shaken.roughness_m,
+        "torque_fluctuation": shaken.torque_fluctuation,
+        "waves": waves,
+        "frequency_per_s": frequency,
+    })
+}
+
+fn cutters(cutters: &Cutters) -> Json {
+    json!({
+        "radius_m": cutters.radius_m,
+        "core_radius_m": cutters.core_radius_m,
+        "intrinsic_specific_energy_Pa": cutters.intrinsic_specific_energy_Pa,
+        "cutter_inclination": cutters.cutter_inclination,
+        "wear_flat_m": cutters.wear_flat_m,
+        "contact_strength_Pa": cutters.contact_strength_Pa,
+        "bit_geometry": cutters.bit_geometry,
+        "friction": cutters.friction,
+    })
+}
+
+/// What was measured, column by column.
+fn points(table: &BitTable) -> Json {
+    let points = table.points();
+    let column = |of: fn(&TablePoint) -> f64| points.iter().map(of).collect::<Vec<_>>();
+    let spread =
+        |of: fn(&TablePoint) -> Option<f64>| points.iter().map(of).collect::<Option<Vec<_>>>();
+    json!({
+        "weight_on_bit_N": column(|p| p.weight_on_bit_N),
+        "rotary_speed_rad_per_s": column(|p| p.rotary_speed_rad_per_s),
+        "rate_of_penetration_m_per_s": column(|p| p.rate_of_penetration_m_per_s),
+        "torque_N_m": column(|p| p.torque_N_m),
+        "torque_std_N_m": spread(|p| p.torque_std_N_m),
+        "weight_on_bit_std_N": spread(|p| p.weight_on_bit_std_N),
+    })
 }
 
 /// The control as chosen; `null` leaves it to the operation. The autodriller's numbers stand also

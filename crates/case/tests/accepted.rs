@@ -6,7 +6,10 @@ mod np13;
 
 use common::{EXAMPLE, changed, read, read_with};
 use wholestring::{
-    dynamics::{CentredStart, ContactLaw, DynamicsSettings, HoistControl, Start, StartTension},
+    dynamics::{
+        BitLaw, CentredStart, ContactLaw, Cutters, DynamicsSettings, HoistControl, Motor, Start,
+        StartTension,
+    },
     operation::OperationKind,
     outcome::ModelKind,
     string::{Blades, Component, StringSpec},
@@ -425,4 +428,58 @@ fn the_engines_np13_is_the_shipped_one() {
             shipped.name
         );
     }
+}
+
+fn cutters_of(keys: &str) -> Cutters {
+    let text = changed("torque = \"3.1 kN.m\"", keys);
+    let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
+    match case.dynamics.bit.law {
+        BitLaw::DetournayDefourny(law) => law.cutters,
+        BitLaw::Regenerative(law) => law.cutters,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn kinds_of_bits_have_their_own_numbers() {
+    let pdc = cutters_of("law = \"detournay-defourny\"");
+    assert_eq!((pdc.cutter_inclination, pdc.friction), (0.6, 0.6));
+    assert_eq!((pdc.radius_m, pdc.core_radius_m), (0.5 * 0.2159, 0.0));
+    assert_eq!(pdc, cutters_of("law = \"regenerative\""));
+    let roller = cutters_of("law = \"detournay-defourny\"\nkind = \"roller cone\"");
+    assert_eq!((roller.cutter_inclination, roller.friction), (3.0, 0.3));
+    let told = cutters_of(
+        "law = \"detournay-defourny\"\nkind = \"roller cone\"\ncutter_inclination = 2\nfriction = 0.2",
+    );
+    assert_eq!((told.cutter_inclination, told.friction), (2.0, 0.2));
+    let core = cutters_of("law = \"regenerative\"\nkind = \"core\"\ncore_diameter = \"100 mm\"");
+    assert_eq!((core.core_radius_m, core.cutter_inclination), (0.05, 0.6));
+}
+
+#[test]
+fn a_motor_takes_the_operations_flow() {
+    let text = changed(
+        "torque = \"3.1 kN.m\"",
+        "torque = \"3.1 kN.m\"\n[bit.motor]\ndisplacement = \"12 L\"\nmax_differential_pressure = \"80 bar\"",
+    )
+    .replace("rpm = 70", "rpm = 70\nflow_rate = \"1800 L/min\"");
+    let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
+    // The flow turns the motor: it has an effect without a rheology.
+    assert!(case.warnings.is_empty(), "{}", case.warnings);
+    let Motor::Displacement(motor) = case.dynamics.bit.motor else {
+        panic!("{:?}", case.dynamics.bit.motor)
+    };
+    let close = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-12;
+    assert!(close(motor.rated_flow_m3_per_s, 30e-3));
+    assert!(close(
+        motor.stall_torque_N_m,
+        1.5 * 0.8 * 12e-3 * 8e6 / std::f64::consts::TAU
+    ));
+    // 70 rev/min of the string and 150 of the motor, less what leaks at a quarter of the largest torque.
+    let turns = 70.0 + 150.0 * (1.0 - 0.1 * 3100.0 / motor.max_torque_N_m());
+    let speed = case
+        .dynamics
+        .bit
+        .drilling_speed_rad_per_s(&case.operations[0]);
+    assert!(close(speed * 30.0 / std::f64::consts::PI, turns), "{speed}");
 }

@@ -2,6 +2,7 @@
 
 mod args;
 mod bench;
+mod bit_table;
 mod check;
 mod checkpoint;
 mod column;

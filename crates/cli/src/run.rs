@@ -7,6 +7,7 @@ use wholestring_results::{ResultsFolder, Status, Summary};
 
 use crate::{
     args::RunArgs,
+    bit_table,
     checkpoint::Laid,
     comparison,
     failure::Failure,
@@ -52,7 +53,8 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         let table = comparison::table(&record.summary, units, width);
         let notes = comparison::notes(&record.summary, units);
         let indicators = indicators::notes(&record.summary, units);
-        let warnings = rig::warnings(&record.summary, &case.model.rig, units);
+        let warnings = rig::warnings(&record.summary, &case.model.rig, units)
+            + &bit_table::warnings(&record.summary, units);
         let place = folder.path().display();
         say(&format!(
             "{title}

@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, fs::File, io::BufReader, io::Write, path::Path}
 
 use serde::{Deserialize, Serialize};
 use wholestring::{
-    dynamics::{EnergyBalance, Indicators, TunedLift},
+    dynamics::{EnergyBalance, Indicators, TableUse, TunedLift},
     mud::Hydraulics,
     outcome::{ModelKind, Scalars},
 };
@@ -90,6 +90,9 @@ pub struct OperationSummary {
     /// Whirl, stick-slip and the use of the top drive over the window; dynamic models only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub indicators: Option<Indicators>,
+    /// How often a bit with a table was where the table is not, over the window; dynamic models only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bit_table: Option<TableUse>,
     /// What the numbers cost and how sound they are; dynamic models only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub numerics: Option<Numerics>,

@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, fs};
 
 use serde_json::{Value, json};
 use wholestring::{
-    dynamics::{EnergyBalance, Indicators, StickSlip, TorqueUse, TunedLift, Whirl},
+    dynamics::{EnergyBalance, Indicators, StickSlip, TableUse, TorqueUse, TunedLift, Whirl},
     mud::Hydraulics,
     outcome::{ModelKind, Scalars},
 };
@@ -38,6 +38,7 @@ fn soft() -> OperationSummary {
         hydraulics: None,
         statistics: None,
         indicators: None,
+        bit_table: None,
         numerics: None,
     }
 }
@@ -89,6 +90,13 @@ fn dynamic() -> OperationSummary {
                 p95: 0.5,
                 max: 0.75,
             }),
+        }),
+        bit_table: Some(TableUse {
+            outside_fraction: 0.25,
+            weights_N: [10e3, 90e3],
+            table_weights_N: [20e3, 80e3],
+            speeds_rad_per_s: [0.0, 12.0],
+            table_speeds_rad_per_s: [4.0, 10.0],
         }),
         numerics: Some(Numerics {
             elements: 1350,
@@ -153,6 +161,13 @@ fn the_keys_are_the_contract() {
                 "statistics": {"hook_load_N": {
                     "mean": 1.0, "std": 2.0, "min": 3.0, "max": 4.0, "p05": 5.0, "p95": 6.0
                 }},
+                "bit_table": {
+                    "outside_fraction": 0.25,
+                    "weights_N": [10e3, 90e3],
+                    "table_weights_N": [20e3, 80e3],
+                    "speeds_rad_per_s": [0.0, 12.0],
+                    "table_speeds_rad_per_s": [4.0, 10.0]
+                },
                 "indicators": {
                     "stick_slip": {
                         "severity": 1.25, "torque_severity": 0.5, "period_s": null,

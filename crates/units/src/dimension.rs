@@ -47,6 +47,8 @@ pub enum Dimension {
     ShearStress,
     /// Flow rates of pumps, m³/s.
     FlowRate,
+    /// Volumes, m³.
+    Volume,
     /// Dissipation of an impact per velocity (Hunt and Crossley), s/m.
     DissipationTime,
     /// Velocity of the hoist per error of force, m/s/N.
@@ -85,6 +87,7 @@ impl Dimension {
         Dimension::Consistency,
         Dimension::ShearStress,
         Dimension::FlowRate,
+        Dimension::Volume,
         Dimension::DissipationTime,
         Dimension::HoistGain,
         Dimension::Time,
@@ -116,6 +119,7 @@ impl Dimension {
             Dimension::Consistency => "consistency index",
             Dimension::ShearStress => "shear stress",
             Dimension::FlowRate => "flow rate",
+            Dimension::Volume => "volume",
             Dimension::DissipationTime => "dissipation time",
             Dimension::HoistGain => "hoist gain",
             Dimension::Time => "time",
@@ -148,6 +152,7 @@ impl Dimension {
             Dimension::Consistency => table::CONSISTENCY,
             Dimension::ShearStress => table::SHEAR_STRESS,
             Dimension::FlowRate => table::FLOW_RATE,
+            Dimension::Volume => table::VOLUME,
             Dimension::DissipationTime => table::DISSIPATION_TIME,
             Dimension::HoistGain => table::HOIST_GAIN,
             Dimension::Time => table::TIME,
@@ -194,6 +199,7 @@ impl Dimension {
             Dimension::Consistency => ["Pa.s^n", "Pa.s^n", "lbf.s^n/100ft2"],
             Dimension::ShearStress => ["Pa", "Pa", "lbf/100ft2"],
             Dimension::FlowRate => ["L/min", "L/min", "gpm"],
+            Dimension::Volume => ["L", "L", "gal"],
             Dimension::DissipationTime => ["s/m", "s/m", "s/ft"],
             Dimension::HoistGain => ["m/s/kN", "m/s/t", "ft/s/klbf"],
             Dimension::Time => ["s", "s", "s"],

@@ -291,6 +291,13 @@ pub(crate) const FLOW_RATE: &[Unit] = &[
     unit("bbl/min", 42.0 * US_GALLON / MINUTE, &["bpm"]),
 ];
 
+pub(crate) const VOLUME: &[Unit] = &[
+    unit("L", 1e-3, &["l", "litre", "litres", "liter", "liters"]),
+    unit("gal", US_GALLON, &["galUS", "gal[US]", "USgal", "US gal"]),
+    unit("m3", 1.0, &[]),
+    unit("in3", INCH * INCH * INCH, &["cu in"]),
+];
+
 pub(crate) const DISSIPATION_TIME: &[Unit] = &[
     unit("s/m", 1.0, &[]),
     unit("s/mm", 1e3, &[]),

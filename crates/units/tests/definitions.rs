@@ -145,6 +145,11 @@ fn definition(dimension: Dimension, symbol: &str) -> Option<f64> {
         // A barrel is 42 US gallons.
         (D::FlowRate, "bbl/min") => ratio(&[42.0, 231.0, 0.0254, 0.0254, 0.0254], &[60.0]),
 
+        (D::Volume, "m3") => 1.0,
+        (D::Volume, "L") => ratio(&[1.0], &[1000.0]),
+        (D::Volume, "gal") => ratio(&[231.0, 0.0254, 0.0254, 0.0254], &[]),
+        (D::Volume, "in3") => ratio(&[0.0254, 0.0254, 0.0254], &[]),
+
         (D::DissipationTime, "s/m") => 1.0,
         (D::DissipationTime, "s/mm") => 1000.0,
         (D::DissipationTime, "s/ft") => ratio(&[100.0], &[12.0, 2.54]),

@@ -84,7 +84,11 @@ fn tuned_lifts() {
         "lift_tolerance_in_per_cent",
         of("kind = \"drill\"").replace("tuned-lift\"", "tuned-lift\"\ntolerance = 2"),
     )]);
-    each_warned(&[("warn_tolerance_without_lift", "[mesh]", "[hoist]\ntolerance = 0.02\n[mesh]")]);
+    each_warned(&[(
+        "warn_tolerance_without_lift",
+        "[mesh]",
+        "[hoist]\ntolerance = 0.02\n[mesh]",
+    )]);
     warned(
         "warn_lift_with_gain",
         read(&of("kind = \"drill\"").replace("tuned-lift\"", "tuned-lift\"\ngain = 1e-7")),

@@ -159,6 +159,7 @@ impl Record {
             hydraulics: None,
             statistics: None,
             indicators: None,
+            bit_table: None,
             numerics: None,
         }
     }

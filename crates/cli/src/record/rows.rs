@@ -74,6 +74,7 @@ impl Record {
             hydraulics,
             numerics,
             indicators,
+            bit_table,
             nodes,
             wear,
             contact,
@@ -99,6 +100,7 @@ impl Record {
             hydraulics: *hydraulics,
             statistics: Some(statistics.collect()),
             indicators: Some(*indicators),
+            bit_table: *bit_table,
             numerics: Some(Numerics {
                 elements: numerics.elements,
                 time_step_s: numerics.time_step_s,
@@ -238,6 +240,15 @@ impl Record {
                 ("weight_on_bit_N", &series.weight_on_bit_N),
                 ("bit_torque_N_m", &series.bit_torque_N_m),
                 ("depth_of_cut_m", &series.depth_of_cut_m),
+                (
+                    "rate_of_penetration_m_per_s",
+                    &series.rate_of_penetration_m_per_s,
+                ),
+                (
+                    "motor_speed_rad_per_s",
+                    &numbers(&series.motor_speed_rad_per_s),
+                ),
+                ("motor_pressure_Pa", &numbers(&series.motor_pressure_Pa)),
                 ("hook_load_N", &series.hook_load_N),
                 ("surface_torque_N_m", &series.surface_torque_N_m),
                 ("friction_torque_N_m", &series.friction_torque_N_m),

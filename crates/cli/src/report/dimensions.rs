@@ -102,6 +102,7 @@ pub(crate) fn of_key(key: &str) -> Option<(&'static str, &str)> {
         ("_rad_per_s", "rotary speed"),
         ("_kg_per_m3", "density"),
         ("_m3_per_s", "flow rate"),
+        ("_m3", "volume"),
         ("_kg_per_m", "mass per length"),
         ("_N_per_m", "force per length"),
         ("_m_per_s", "speed"),
@@ -129,7 +130,7 @@ pub(crate) fn of_key(key: &str) -> Option<(&'static str, &str)> {
         "force per length" if name.contains("stiffness") => "stiffness",
         "pressure" if name.contains("modulus") => "modulus",
         "pressure" if name == "yield_point" => "shear stress",
-        "speed" if name == "rop" => "rate of penetration",
+        "speed" if name == "rop" || name == "rate_of_penetration" => "rate of penetration",
         other => other,
     };
     Some((dimension, name))

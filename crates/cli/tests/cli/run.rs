@@ -578,3 +578,39 @@ fn a_lift_that_is_not_found_says_which_came_nearest() {
         "{told}"
     );
 }
+
+/// A bit whose weight swings beyond its table is told of on the screen and in the summary; its rate of penetration is
+/// among the statistics.
+#[test]
+fn a_table_that_the_bit_leaves_is_told_of() {
+    let desk = Desk::new();
+    let table = "weight_on_bit_N,rotary_speed_rpm,rate_of_penetration_m_per_h,torque_N_m,weight_on_bit_std_N\n\
+                 5e3,30,2,200,3e3\n5e3,120,8,200,3e3\n20e3,30,8,800,3e3\n20e3,120,32,800,3e3\n";
+    fs::write(desk.path("bit.csv"), table).unwrap();
+    let output = desk.run(&[
+        "run",
+        "slant.toml",
+        "--set",
+        "model=dynamic",
+        "--set",
+        "operation.kind=drill",
+        "--set",
+        "bit.law=table",
+        "--set",
+        "bit.table.file=bit.csv",
+    ]);
+    assert!(output.status.success());
+    let summary = desk.summary("out/Straight slant");
+    let solved = &summary.operations[0];
+    let of = solved.bit_table.expect("a table");
+    assert!(of.outside_fraction > 0.1 && of.outside_fraction < 0.9);
+    assert!(of.weights_N[1] > 20e3);
+    let text = String::from_utf8(output.stdout).unwrap();
+    let told = format!(
+        "the bit was outside its table for {:.1} % of the time",
+        of.outside_fraction * 100.0
+    );
+    assert!(text.contains(&told), "{text}");
+    let rate = solved.statistics.as_ref().unwrap()["rate_of_penetration_m_per_s"];
+    assert!((rate.mean * 3600.0 / 16.0 - 1.0).abs() < 0.2, "{rate:?}");
+}

@@ -31,7 +31,10 @@ mod top_drive;
 mod viscous;
 mod wear;
 
-pub use bit::{Band, BitLaw, BitSettings, Excitation, RateLaw, RegenerativeLaw, SteadyCut};
+pub use bit::{
+    Band, BitLaw, BitSettings, BitTable, Cutters, DetournayDefournyLaw, Excitation, Motor,
+    MudMotor, RateLaw, RegenerativeLaw, SteadyCut, TableFault, TableLaw, TablePoint, TableUse,
+};
 pub use energy::EnergyBalance;
 pub use frame::{Channel, Frame};
 pub use indicators::{Indicators, StickSlip, TorqueUse, Whirl};

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{energy::EnergyBalance, indicators::Indicators, signal::Probed};
+use super::{bit::TableUse, energy::EnergyBalance, indicators::Indicators, signal::Probed};
 use crate::{mud::Hydraulics, outcome::Scalars};
 
 /// Distribution of one quantity over the window.
@@ -267,6 +267,12 @@ pub struct TimeSeries {
     /// Rock that a revolution of the bit takes away, m; zero where a motor turns it at a speed that is not
     /// given.
     pub depth_of_cut_m: Vec<f64>,
+    /// Rock that the bit takes away per time, m/s.
+    pub rate_of_penetration_m_per_s: Vec<f64>,
+    /// Speed of the mud motor against the string, rad/s; none without a motor.
+    pub motor_speed_rad_per_s: Vec<Option<f64>>,
+    /// Pressure that the mud motor takes off the mud, Pa; none of a motor of which the speed alone is known.
+    pub motor_pressure_Pa: Vec<Option<f64>>,
     /// Turn of the top against the bit, rad.
     pub twist_rad: Vec<f64>,
     /// Elongation, m.
@@ -320,6 +326,8 @@ pub struct DynamicOutcome {
     pub numerics: Numerics,
     /// What the motion amounts to, in the figures of the field.
     pub indicators: Indicators,
+    /// How often a bit with a table was where the table is not, over the window; none of another bit.
+    pub bit_table: Option<TableUse>,
     /// Profile along the string.
     pub nodes: NodeProfile,
     /// Wear along the hole.

@@ -193,8 +193,8 @@ impl Simulation {
         either!(&mut self.0, run => run.set_hoist(control));
     }
 
-    /// Changes what the pumps deliver from now on, m³/s; the pressure drop of the bit follows. Without a rheology
-    /// the mud does nothing to the string, however it flows.
+    /// Changes what the pumps deliver from now on, m³/s; the pressure drop of the bit and the speed of a mud motor follow.
+    /// Without a rheology the mud does nothing to the string, however it flows.
     pub fn set_flow_rate(&mut self, flow_m3_per_s: f64) {
         either!(&mut self.0, run => run.set_flow_rate(flow_m3_per_s));
     }

@@ -2,7 +2,7 @@
 
 use super::{
     assembly::{self, Surroundings},
-    bit::{Band, BitLaw},
+    bit::{Band, BitLaw, BitSettings, Cutters, Excitation, Motor, MudMotor},
     schedule::{HoistSetPoint, ScheduleFault},
     settings::{
         ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, SpeedController, Start,
@@ -80,14 +80,11 @@ pub(super) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
             "bit.lateral_stiffness_N_per_m",
             settings.bit.lateral_stiffness_N_per_m,
         ),
-        (
-            "bit.motor_speed_rad_per_s",
-            settings.bit.motor_speed_rad_per_s,
-        ),
+        ("bit.steerability", settings.bit.steerability),
     ];
     check_numbers(&positive, &not_negative)?;
     check_numbers(&drive_numbers(&settings.top_drive), &[])?;
-    check_bit(&settings.bit.law)?;
+    check_bit(&settings.bit)?;
     match settings.schedule.fault() {
         Some((index, fault)) => Err(SetupError::Schedule {
             line: index + 1,
@@ -97,47 +94,89 @@ pub(super) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
     }
 }
 
-fn check_bit(law: &BitLaw) -> Result<(), SetupError> {
-    match law {
-        BitLaw::Rate(law) => {
-            check_numbers(
-                &[("bit.rock_stiffness_N_per_m", law.rock_stiffness_N_per_m)],
-                &[],
-            )?;
-            let Some(shaken) = law.excitation else {
-                return Ok(());
-            };
-            let (Band::PerRevolution(band) | Band::PerSecond(band)) = shaken.band;
-            check_numbers(
-                &[("bit.excitation.band", band)],
-                &[
-                    ("bit.excitation.amplitude_m", shaken.amplitude_m),
-                    ("bit.excitation.roughness_m", shaken.roughness_m),
-                    (
-                        "bit.excitation.torque_fluctuation",
-                        shaken.torque_fluctuation,
-                    ),
-                ],
-            )
-        }
-        BitLaw::Regenerative(law) => check_numbers(
-            &[
-                ("bit.radius_m", law.radius_m),
-                ("bit.blades", f64::from(law.blades)),
-                (
-                    "bit.intrinsic_specific_energy_Pa",
-                    law.intrinsic_specific_energy_Pa,
-                ),
-                ("bit.cutter_inclination", law.cutter_inclination),
-            ],
-            &[
-                ("bit.wear_flat_m", law.wear_flat_m),
-                ("bit.contact_strength_Pa", law.contact_strength_Pa),
-                ("bit.bit_geometry", law.bit_geometry),
-                ("bit.friction", law.friction),
-            ],
-        ),
+fn check_bit(bit: &BitSettings) -> Result<(), SetupError> {
+    match bit.motor {
+        Motor::Speed(speed) => check_numbers(&[], &[("bit.motor_speed_rad_per_s", speed)])?,
+        Motor::Displacement(motor) => check_motor(&motor)?,
     }
+    let (stiffness, excitation) = match &bit.law {
+        BitLaw::Regenerative(law) => {
+            check_numbers(&[("bit.blades", f64::from(law.blades))], &[])?;
+            return check_cutters(&law.cutters);
+        }
+        BitLaw::Rate(law) => (law.rock_stiffness_N_per_m, law.excitation),
+        BitLaw::DetournayDefourny(law) => {
+            check_cutters(&law.cutters)?;
+            let full_m = law.full_contact_depth_m;
+            check_numbers(&[], &[("bit.full_contact_depth_m", full_m)])?;
+            if let Some(limit) = law
+                .cleaning_limit_m
+                .filter(|limit| limit.is_nan() || *limit <= full_m)
+            {
+                return Err(SetupError::Setting {
+                    name: "bit.cleaning_limit_m",
+                    value: limit,
+                    expected: "more than the depth of full contact",
+                });
+            }
+            (law.rock_stiffness_N_per_m, law.excitation)
+        }
+        BitLaw::Table(law) => (law.rock_stiffness_N_per_m, law.excitation),
+    };
+    check_numbers(&[("bit.rock_stiffness_N_per_m", stiffness)], &[])?;
+    excitation.map_or(Ok(()), check_excitation)
+}
+
+fn check_excitation(shaken: Excitation) -> Result<(), SetupError> {
+    let (Band::PerRevolution(band) | Band::PerSecond(band)) = shaken.band;
+    check_numbers(
+        &[("bit.excitation.band", band)],
+        &[
+            ("bit.excitation.amplitude_m", shaken.amplitude_m),
+            ("bit.excitation.roughness_m", shaken.roughness_m),
+            (
+                "bit.excitation.torque_fluctuation",
+                shaken.torque_fluctuation,
+            ),
+        ],
+    )
+}
+
+fn check_cutters(cutters: &Cutters) -> Result<(), SetupError> {
+    let width_m = cutters.radius_m - cutters.core_radius_m;
+    check_numbers(
+        &[
+            ("bit.radius_m", cutters.radius_m),
+            ("bit.radius_m less bit.core_radius_m", width_m),
+            (
+                "bit.intrinsic_specific_energy_Pa",
+                cutters.intrinsic_specific_energy_Pa,
+            ),
+            ("bit.cutter_inclination", cutters.cutter_inclination),
+        ],
+        &[
+            ("bit.core_radius_m", cutters.core_radius_m),
+            ("bit.wear_flat_m", cutters.wear_flat_m),
+            ("bit.contact_strength_Pa", cutters.contact_strength_Pa),
+            ("bit.bit_geometry", cutters.bit_geometry),
+            ("bit.friction", cutters.friction),
+        ],
+    )
+}
+
+fn check_motor(motor: &MudMotor) -> Result<(), SetupError> {
+    let positive = [
+        ("bit.motor.displacement_m3", motor.displacement_m3),
+        ("bit.motor.rated_flow_m3_per_s", motor.rated_flow_m3_per_s),
+        ("bit.motor.max_pressure_Pa", motor.max_pressure_Pa),
+        ("bit.motor.efficiency", motor.efficiency),
+        ("bit.motor.slip below 1", 1.0 - motor.slip),
+        (
+            "bit.motor.stall_torque_N_m above the torque at max_pressure_Pa",
+            motor.stall_torque_N_m - motor.max_torque_N_m(),
+        ),
+    ];
+    check_numbers(&positive, &[("bit.motor.slip", motor.slip)])
 }
 
 /// Numbers with their names: those that must be positive, and those that may be zero.
@@ -207,8 +246,11 @@ fn drive_numbers(drive: &TopDriveSettings) -> Vec<(&'static str, f64)> {
 /// What the hoist does at time zero, and the axial velocity that the string so has, m/s.
 pub(super) fn hoisting(operation: &Operation, settings: &DynamicsSettings) -> (HoistControl, f64) {
     let start = settings.schedule.at_time_zero(operation);
-    let own =
-        operation.axial_velocity_at_m_per_s(start.weight_on_bit_N, start.rotary_speed_rad_per_s);
+    let own = settings.bit.axial_velocity_m_per_s(
+        operation,
+        start.weight_on_bit_N,
+        start.rotary_speed_rad_per_s,
+    );
     let usual = if operation.kind.on_bottom() {
         HoistControl::Autodriller
     } else {

@@ -137,10 +137,11 @@ impl<R: Real> Run<R> {
         self.state.hoist.set_control(control);
     }
 
-    /// Changes what the pumps deliver from now on, m³/s; the pressure drop of the bit follows. Without a rheology
-    /// the mud does nothing to the string, however it flows.
+    /// Changes what the pumps deliver from now on, m³/s; the pressure drop of the bit and the speed of a mud motor follow.
+    /// Without a rheology the mud does nothing to the string, however it flows.
     pub fn set_flow_rate(&mut self, flow_m3_per_s: f64) {
         self.state.flow_m3_per_s = flow_m3_per_s;
+        self.state.bit.set_flow(flow_m3_per_s);
         if let Some(mud) = &mut self.state.viscous {
             mud.set_flow(flow_m3_per_s, self.operation.bit_loss_Pa(flow_m3_per_s));
         }
@@ -250,6 +251,8 @@ impl<R: Real> Run<R> {
         sum.weight_on_bit += bit.weight_on_bit_N;
         sum.bit_torque += bit.torque_N_m;
         sum.depth_of_cut += bit.depth_of_cut_m;
+        sum.rate_of_penetration += bit.rate_of_penetration_m_per_s;
+        sum.motor_speed += bit.motor_speed_rad_per_s;
         self.state.steps += 1;
     }
 
@@ -270,7 +273,9 @@ impl<R: Real> Run<R> {
                 self.set_hoist(HoistControl::BlockVelocity(velocity));
             }
             Some(HoistSetPoint::WeightOnBit(weight_N)) => {
-                let velocity_m_per_s = self.operation.axial_velocity_at_m_per_s(weight_N, rotation);
+                let bit = &self.settings.bit;
+                let velocity_m_per_s =
+                    bit.axial_velocity_m_per_s(&self.operation, weight_N, rotation);
                 self.state.rigid_velocity_m_per_s = velocity_m_per_s;
                 self.state.hoist.set_target(Target {
                     weight_N,
@@ -367,6 +372,7 @@ impl<R: Real> Run<R> {
             anchors: &self.state.anchors,
             record: &self.state.record,
             wear: &self.state.wear,
+            bit: &self.state.bit,
             steps: self.state.steps,
             energy: self.energy_balance().filter(|_| !diverged),
             diverged,

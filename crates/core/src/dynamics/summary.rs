@@ -2,6 +2,7 @@
 
 use super::{
     assembly::Anchor,
+    bit::Bit,
     carry,
     energy::EnergyBalance,
     flow_pressures::FlowPressures,
@@ -29,6 +30,7 @@ pub struct Sources<'a> {
     pub anchors: &'a [Anchor],
     pub record: &'a Record,
     pub wear: &'a Wear,
+    pub bit: &'a Bit,
     pub steps: u64,
     pub energy: Option<(EnergyBalance, f64)>,
     pub diverged: bool,
@@ -98,6 +100,7 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
             instructions: s.instructions,
         },
         indicators,
+        bit_table: s.bit.table_use(),
         nodes,
         wear: hole_wear(s, from),
         contact: s.record.contact_map().clone(),
@@ -106,7 +109,7 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
 }
 
 /// The scalars that vary, with their samples.
-pub fn varying(series: &TimeSeries) -> [(&'static str, &Vec<f64>); 10] {
+pub fn varying(series: &TimeSeries) -> [(&'static str, &Vec<f64>); 11] {
     [
         ("hook_load_N", &series.hook_load_N),
         ("surface_torque_N_m", &series.surface_torque_N_m),
@@ -115,6 +118,10 @@ pub fn varying(series: &TimeSeries) -> [(&'static str, &Vec<f64>); 10] {
         ("side_force_total_N", &series.side_force_total_N),
         ("weight_on_bit_N", &series.weight_on_bit_N),
         ("bit_torque_N_m", &series.bit_torque_N_m),
+        (
+            "rate_of_penetration_m_per_s",
+            &series.rate_of_penetration_m_per_s,
+        ),
         ("twist_rad", &series.twist_rad),
         ("stretch_m", &series.stretch_m),
         (

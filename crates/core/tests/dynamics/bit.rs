@@ -2,7 +2,8 @@
 
 use wholestring::{
     dynamics::{
-        Band, BitLaw, BitSettings, DynamicOutcome, Excitation, RateLaw, RegenerativeLaw, Statistic,
+        Band, BitLaw, BitSettings, BitTable, Cutters, DetournayDefournyLaw, DynamicOutcome,
+        Excitation, Motor, MudMotor, RateLaw, RegenerativeLaw, Statistic, TableLaw, TablePoint,
     },
     operation::{Operation, OperationKind},
     string::ComponentLength,
@@ -18,14 +19,17 @@ const DEPTH_M: f64 = 1000.0;
 
 /// The bit of Richard, Germay and Detournay's examples.
 const LAW: RegenerativeLaw = RegenerativeLaw {
-    radius_m: 0.107_95,
+    cutters: Cutters {
+        radius_m: 0.107_95,
+        core_radius_m: 0.0,
+        intrinsic_specific_energy_Pa: 60e6,
+        cutter_inclination: 0.6,
+        wear_flat_m: 5e-3,
+        contact_strength_Pa: 60e6,
+        bit_geometry: 1.0,
+        friction: 0.6,
+    },
     blades: 4,
-    intrinsic_specific_energy_Pa: 60e6,
-    cutter_inclination: 0.6,
-    wear_flat_m: 5e-3,
-    contact_strength_Pa: 60e6,
-    bit_geometry: 1.0,
-    friction: 0.6,
 };
 
 /// Collars and pipe in a vertical well, drilling with a drag bit at a rotary speed.
@@ -109,6 +113,134 @@ fn a_fast_drag_bit_drills_steadily() {
     }
     assert!(spin.std < 1e-3 * spin.mean, "{spin:?}");
     assert!(weight.std < 1e-3 * weight.mean, "{weight:?}");
+}
+
+/// By Detournay and Defourny's law the same bit drills steadily at a speed at which the blades' history would make it stick
+/// and slip: weight, torque and rate of penetration are the closed form's, the rate is that of the bit's own depth, and
+/// the energy's books stay in balance.
+#[test]
+fn a_bit_without_history_drills_steadily() {
+    let mut case = vertical(100.0);
+    let law = DetournayDefournyLaw {
+        cutters: LAW.cutters,
+        full_contact_depth_m: 0.3e-3,
+        cleaning_limit_m: None,
+        rock_stiffness_N_per_m: 1e8,
+        excitation: None,
+    };
+    case.settings.bit.law = BitLaw::DetournayDefourny(law);
+    case.operation = case.settings.bit.drilling_steadily(case.operation);
+    case.settings.settle_s = 30.0;
+    case.settings.duration_s = 15.0;
+    let outcome = case.run();
+    let cutting_N = 60e3 - 60e6 * 0.107_95 * 5e-3;
+    let depth_of_cut_m = cutting_N / (0.6 * 0.107_95 * 60e6);
+    let torque = 0.5 * 0.107_95 * (cutting_N / 0.6 + 0.6 * (60e3 - cutting_N));
+    let rate = depth_of_cut_m * rpm(100.0) / std::f64::consts::TAU;
+    let series = &outcome.series;
+    let from = series.time_s.partition_point(|t| *t < 30.0);
+    let (moved, _) = line(&series.time_s[from..], &series.bit_depth_m[from..]);
+    let mean = |name| statistic(&outcome, name).mean;
+    for (quantity, expected, computed) in [
+        ("weight on bit, N", 60e3, mean("weight_on_bit_N")),
+        ("torque on bit, N·m", torque, mean("bit_torque_N_m")),
+        (
+            "rate of penetration, m/s",
+            rate,
+            mean("rate_of_penetration_m_per_s"),
+        ),
+        ("speed of the bit along the hole, m/s", rate, moved),
+    ] {
+        report(&Row {
+            case: "E07",
+            quantity: &format!("whole string at 100 rev/min, three regimes: {quantity}"),
+            expected,
+            computed,
+            tolerance: Tolerance::Relative(5e-4),
+            reason: "what is left of the start after half a minute",
+        });
+    }
+    let residual = outcome.numerics.energy_residual;
+    assert!(residual.abs() < 1e-5, "{residual:e}");
+}
+
+/// A string that slides with a mud motor, its bit by a table: steady at the speed that the motor has under the table's torque.
+#[test]
+fn a_motor_turns_the_bit_of_a_sliding_string() {
+    let mut case = vertical(0.0);
+    let motor = MudMotor {
+        displacement_m3: 12e-3,
+        rated_flow_m3_per_s: 30e-3,
+        max_pressure_Pa: 6e6,
+        slip: 0.1,
+        efficiency: 0.8,
+        stall_torque_N_m: 14e3,
+    };
+    let point = |weight: f64, turns: f64| TablePoint {
+        weight_on_bit_N: weight,
+        rotary_speed_rad_per_s: rpm(turns),
+        rate_of_penetration_m_per_s: 5e-8 * weight * turns / 100.0,
+        torque_N_m: 0.06 * weight - turns,
+        torque_std_N_m: None,
+        weight_on_bit_std_N: None,
+    };
+    let points = [
+        point(30e3, 100.0),
+        point(30e3, 200.0),
+        point(90e3, 100.0),
+        point(90e3, 200.0),
+    ];
+    case.settings.bit.law = BitLaw::Table(TableLaw {
+        table: BitTable::new(&points).expect("a table"),
+        rock_stiffness_N_per_m: 1e8,
+        excitation: None,
+    });
+    case.settings.bit.motor = Motor::Displacement(motor);
+    case.operation.kind = OperationKind::Slide;
+    case.operation.flow_rate_m3_per_s = 30e-3;
+    case.operation = case.settings.bit.drilling_steadily(case.operation);
+    case.settings.settle_s = 30.0;
+    case.settings.duration_s = 15.0;
+    let outcome = case.run();
+    // Torque and speed meet where 3600 N·m less 1 for each rev/min is what the motor's speed leaves.
+    let free = 150.0;
+    let fall = 0.1 * free / motor.max_torque_N_m();
+    let turns = (free - fall * 3600.0) / (1.0 - fall);
+    let series = &outcome.series;
+    let from = series.time_s.partition_point(|t| *t < 30.0);
+    let speeds: Vec<f64> = series.motor_speed_rad_per_s[from..]
+        .iter()
+        .flatten()
+        .copied()
+        .collect();
+    let speed = speeds.iter().sum::<f64>() / speeds.len() as f64;
+    let mean = |name| statistic(&outcome, name).mean;
+    for (quantity, expected, computed) in [
+        ("weight on bit, N", 60e3, mean("weight_on_bit_N")),
+        ("torque on bit, N·m", 3600.0 - turns, mean("bit_torque_N_m")),
+        ("speed of the motor, rad/s", rpm(turns), speed),
+        (
+            "rate of penetration, m/s",
+            3e-3 * turns / 100.0,
+            mean("rate_of_penetration_m_per_s"),
+        ),
+    ] {
+        report(&Row {
+            case: "E07",
+            quantity: &format!("whole string sliding with a mud motor and a table: {quantity}"),
+            expected,
+            computed,
+            tolerance: Tolerance::Relative(1e-3),
+            reason: "what is left of the start after half a minute",
+        });
+    }
+    let pressure = series.motor_pressure_Pa[from].expect("known");
+    let expected = (3600.0 - turns) * std::f64::consts::TAU / (0.8 * 12e-3);
+    assert!(
+        (pressure / expected - 1.0).abs() < 2e-3,
+        "{pressure} {expected}"
+    );
+    assert_eq!(outcome.bit_table.expect("a table").outside_fraction, 0.0);
 }
 
 /// Turning slowly, the same bit sticks and slips by itself, and drills on in the mean as fast as a steady one

@@ -2,7 +2,8 @@
 
 use wholestring::{
     dynamics::{
-        Checkpoint, DynamicOutcome, FrictionLaw, Precision, ResumeError, Simulation, Start,
+        Band, BitLaw, BitSettings, BitTable, Checkpoint, DynamicOutcome, Excitation, FrictionLaw,
+        Motor, MudMotor, Precision, ResumeError, Simulation, Start, TableLaw, TablePoint,
     },
     operation::OperationKind,
 };
@@ -10,20 +11,58 @@ use wholestring::{
 use crate::wells::{Case, each, go, moderate, np13};
 
 /// Drilling with the autodriller, tripping with the independent law from a centred start, sliding with
-/// the motor, drilling in single precision: what changes in a run changes in one of them.
-fn cases() -> [Case; 4] {
+/// the motor, drilling in single precision, drilling by a table with noise, a motor that yields and side cutting: what changes in a run changes in one of them.
+fn cases() -> [Case; 5] {
     let mut trip = moderate(OperationKind::TripIn, 0.3);
     trip.settings.friction_law = FrictionLaw::Independent;
     trip.settings.start = Start::Centred;
     let mut single = np13(0.3);
     single.settings.precision = Precision::Single;
     let slide = moderate(OperationKind::Slide, 0.3);
-    let mut cases = [np13(0.3), trip, slide, single];
+    let mut measured = moderate(OperationKind::Drill, 0.3);
+    measured.settings.bit = measured_bit();
+    measured.operation.flow_rate_m3_per_s = 30e-3;
+    measured.operation = measured.settings.bit.drilling_steadily(measured.operation);
+    let mut cases = [np13(0.3), trip, slide, single, measured];
     for case in &mut cases {
         case.settings.settle_s = 1.5;
         case.settings.duration_s = 1.5;
     }
     cases
+}
+
+fn measured_bit() -> BitSettings {
+    let point = |weight_on_bit_N: f64| TablePoint {
+        weight_on_bit_N,
+        rotary_speed_rad_per_s: 20.0,
+        rate_of_penetration_m_per_s: 1e-7 * weight_on_bit_N,
+        torque_N_m: 0.05 * weight_on_bit_N,
+        torque_std_N_m: Some(300.0),
+        weight_on_bit_std_N: Some(2e3),
+    };
+    BitSettings {
+        law: BitLaw::Table(TableLaw {
+            table: BitTable::new(&[point(20e3), point(60e3)]).expect("a table"),
+            rock_stiffness_N_per_m: 1e8,
+            excitation: Some(Excitation {
+                lobes: 3,
+                amplitude_m: 0.1e-3,
+                roughness_m: 0.0,
+                torque_fluctuation: 0.0,
+                band: Band::PerRevolution(8.0),
+            }),
+        }),
+        steerability: 0.05,
+        motor: Motor::Displacement(MudMotor {
+            displacement_m3: 12e-3,
+            rated_flow_m3_per_s: 30e-3,
+            max_pressure_Pa: 6e6,
+            slip: 0.1,
+            efficiency: 0.8,
+            stall_torque_N_m: 14e3,
+        }),
+        ..BitSettings::default()
+    }
 }
 
 /// When the runs stop: before the window, at its border, within it, and at its end.

@@ -20,6 +20,7 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         series: t,
         wear: w,
         contact: c,
+        bit_table,
     } = outcome;
     let stick_slip = i.stick_slip.map(|of| {
         let rare = [of.severity, of.torque_severity, of.period_s].into_iter();
@@ -27,7 +28,9 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         rare.flatten().chain(always).collect()
     });
     let whirl = [i.backward_whirl, i.forward_whirl].into_iter().flatten();
+    let table = bit_table.iter().map(|of| of.outside_fraction);
     let mut all = vec![
+        ("outside the bit's table", table.collect()),
         ("hook load", vec![s.hook_load_N]),
         ("surface torque", vec![s.surface_torque_N_m]),
         ("friction torque", vec![s.friction_torque_N_m]),

@@ -20,6 +20,21 @@ pub const TIME: &[ColumnSpec] = &[
         "Rock that a revolution of the bit takes away; 0 where a motor turns it at a speed that is not given",
     ),
     ColumnSpec::number(
+        "rate_of_penetration_m_per_s",
+        "m/s",
+        "Rock that the bit takes away per time",
+    ),
+    ColumnSpec::number(
+        "motor_speed_rad_per_s",
+        "rad/s",
+        "Speed of the mud motor against the string; `null` without a motor",
+    ),
+    ColumnSpec::number(
+        "motor_pressure_Pa",
+        "Pa",
+        "Pressure that the mud motor takes off the mud; `null` without a motor or where its speed alone is given",
+    ),
+    ColumnSpec::number(
         "hook_load_N",
         "N",
         "Tension at the top of the string; block and top drive excluded",
@@ -68,7 +83,7 @@ pub const TIME: &[ColumnSpec] = &[
     ColumnSpec::number(
         "bit_rotary_speed_rad_per_s",
         "rad/s",
-        "Rotary speed of the bit",
+        "Rotary speed of the string at the bit; a mud motor's comes on top",
     ),
     ColumnSpec::number("rotary_speed_rad_per_s", "rad/s", "Rotary speed at surface"),
     ColumnSpec::number(

@@ -45,6 +45,24 @@ pub(super) struct Shaker {
     time_s: f64,
 }
 
+/// How much of the noise there is.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Spread {
+    /// Roughness of the front, m rms.
+    pub(super) roughness_m: f64,
+    /// Fluctuation of the torque, rms, as a fraction of it.
+    pub(super) torque_fluctuation: f64,
+}
+
+impl Excitation {
+    pub(super) fn spread(&self) -> Spread {
+        Spread {
+            roughness_m: self.roughness_m,
+            torque_fluctuation: self.torque_fluctuation,
+        }
+    }
+}
+
 /// The excitation at one moment.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Shake {
@@ -67,6 +85,11 @@ impl Shaker {
 
     /// The excitation after a turn and a time more.
     pub(super) fn next(&self, turn_rad: f64, dt: f64) -> Shake {
+        self.next_of(self.excitation.spread(), turn_rad, dt)
+    }
+
+    /// The same with another spread.
+    pub(super) fn next_of(&self, spread: Spread, turn_rad: f64, dt: f64) -> Shake {
         let e = &self.excitation;
         let angle = self.angle_rad + turn_rad;
         let knots = match e.band {
@@ -82,8 +105,8 @@ impl Shaker {
         };
         Shake {
             front_m: e.amplitude_m * (f64::from(e.lobes) * angle).sin()
-                + noise(e.roughness_m, &self.bottom),
-            torque: noise(e.torque_fluctuation, &self.torque),
+                + noise(spread.roughness_m, &self.bottom),
+            torque: noise(spread.torque_fluctuation, &self.torque),
         }
     }
 

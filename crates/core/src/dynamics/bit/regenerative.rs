@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Answer, Approach, bottom::Bottom};
+use super::{Answer, Approach, Cutters, SteadyCut, bottom::Bottom, motor::Drive};
 use crate::operation::Operation;
 
 /// The law of Richard, Germay and Detournay for drag bits (*Journal of Sound and Vibration* 305, 2007),
@@ -13,69 +13,27 @@ use crate::operation::Operation;
 /// `W_f = σ a l` while the bit goes down, nothing while it goes up, and rub with `T_f = μ γ a W_f/2`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct RegenerativeLaw {
-    /// Radius `a` of the bit, m.
-    pub radius_m: f64,
+    /// Cutters and rock.
+    pub cutters: Cutters,
     /// Blades `n`.
     pub blades: u32,
-    /// Intrinsic specific energy `ε`, Pa: work that cutting takes per volume of rock.
-    pub intrinsic_specific_energy_Pa: f64,
-    /// Inclination `ζ` of the cutting force: its part along the hole over its part around.
-    pub cutter_inclination: f64,
-    /// Length `l` of the wear flats of all blades together, m.
-    pub wear_flat_m: f64,
-    /// Strength `σ` of the contact under the wear flats, Pa.
-    pub contact_strength_Pa: f64,
-    /// Geometry `γ` of the bit: 1 where the wear flats are spread evenly over its radius.
-    pub bit_geometry: f64,
-    /// Friction `μ` at the wear flats.
-    pub friction: f64,
-}
-
-/// What a bit does that drills steadily.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct SteadyCut {
-    /// Depth of cut per revolution `d`, m.
-    pub depth_of_cut_m: f64,
-    /// Torque, N·m.
-    pub torque_N_m: f64,
-    /// Rate of penetration, m/s.
-    pub rate_of_penetration_m_per_s: f64,
 }
 
 impl RegenerativeLaw {
     /// Weight that cutting takes per depth of cut of one blade, `n ζ a ε`, N/m.
     pub fn stiffness_N_per_m(&self) -> f64 {
-        f64::from(self.blades) * self.cutting_N_per_m()
-    }
-
-    /// Weight that cutting takes per depth of cut of all blades, `ζ a ε`, N/m.
-    fn cutting_N_per_m(&self) -> f64 {
-        self.cutter_inclination * self.radius_m * self.intrinsic_specific_energy_Pa
-    }
-
-    /// Weight that the wear flats bear while the bit goes down, `σ a l`, N.
-    pub fn wear_flat_weight_N(&self) -> f64 {
-        self.contact_strength_Pa * self.radius_m * self.wear_flat_m
-    }
-
-    /// Torque of cutting with `cutting_N` while the wear flats bear `bearing_N`, N·m.
-    fn torque_N_m(&self, cutting_N: f64, bearing_N: f64) -> f64 {
-        0.5 * self.radius_m * (cutting_N / self.cutter_inclination + self.rubbing(bearing_N))
-    }
-
-    fn rubbing(&self, bearing_N: f64) -> f64 {
-        self.friction * self.bit_geometry * bearing_N
+        f64::from(self.blades) * self.cutters.cutting_N_per_m()
     }
 
     /// How it drills steadily under a weight on bit, turning at a speed: `W = ζ a ε d + σ a l`. Under a
     /// weight that the wear flats bear alone it turns without cutting.
     pub fn steady(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> SteadyCut {
-        let bearing = self.wear_flat_weight_N().min(weight_on_bit_N);
+        let bearing = self.cutters.wear_flat_weight_N().min(weight_on_bit_N);
         let cutting = weight_on_bit_N - bearing;
-        let depth_of_cut_m = cutting / self.cutting_N_per_m();
+        let depth_of_cut_m = cutting / self.cutters.cutting_N_per_m();
         SteadyCut {
             depth_of_cut_m,
-            torque_N_m: self.torque_N_m(cutting, bearing),
+            torque_N_m: self.cutters.torque_N_m(cutting, bearing),
             rate_of_penetration_m_per_s: depth_of_cut_m * rotary_speed_rad_per_s
                 / std::f64::consts::TAU,
         }
@@ -86,7 +44,6 @@ impl RegenerativeLaw {
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct RegenerativeCut {
     law: RegenerativeLaw,
-    motor_rad_per_s: f64,
     bottom: Bottom,
     /// Depth of the bit at the end of the step before, m.
     depth_m: f64,
@@ -95,36 +52,30 @@ pub(super) struct RegenerativeCut {
 }
 
 impl RegenerativeCut {
-    pub(super) fn new(
-        law: RegenerativeLaw,
-        motor_rad_per_s: f64,
-        operation: &Operation,
-        depth_m: f64,
-    ) -> Self {
+    pub(super) fn new(law: RegenerativeLaw, operation: &Operation, depth_m: f64) -> Self {
         let weight = operation.weight_on_bit_now_N();
         let depth_of_cut = law.steady(weight, 0.0).depth_of_cut_m;
         Self {
             law,
-            motor_rad_per_s,
             bottom: Bottom::new(law.blades, depth_m, depth_of_cut / f64::from(law.blades)),
             depth_m,
             back_rad: 0.0,
         }
     }
 
-    pub(super) fn meet(&mut self, at: &Approach) -> Answer {
+    pub(super) fn meet(&mut self, at: &Approach, drive: &mut Drive) -> Answer {
         let law = &self.law;
         let mobility = at.axial_mobility_s_per_kg;
         // A torque bends the angle by dt², and the rock ahead slopes by a thousandth: the turn can be
         // foretold, the depth cannot.
-        let turn = at.dt * (at.spin_before_rad_per_s + self.motor_rad_per_s) - self.back_rad;
+        let turn = at.dt * (at.spin_before_rad_per_s + drive.speed_rad_per_s()) - self.back_rad;
         let over = at.depth_m - self.bottom.ahead_m(turn);
         let (mut weight, mut depth_of_cut) = (0.0, 0.0);
         if over > 0.0 {
             let k = law.stiffness_N_per_m();
             let yielding = 1.0 + k * at.dt * mobility;
             let going_up = k * over / yielding;
-            let going_down = (k * over + law.wear_flat_weight_N()) / yielding;
+            let going_down = (k * over + law.cutters.wear_flat_weight_N()) / yielding;
             // Between the two the wear flats bear what stops the bit; nothing pulls it into the rock.
             let stops = at.velocity_m_per_s / mobility;
             weight = stops
@@ -136,35 +87,30 @@ impl RegenerativeCut {
         let cutting = (law.stiffness_N_per_m() * depth_of_cut).min(weight);
         let bearing = weight - cutting;
 
-        let spin = at.spin_rad_per_s + self.motor_rad_per_s;
         // A bit that has been turned back cuts nothing until it is where it was.
-        let most = if spin >= 0.0 && self.back_rad == 0.0 {
-            law.torque_N_m(cutting, bearing)
+        let rubbing = law.cutters.torque_N_m(0.0, bearing);
+        let forward = if self.back_rad == 0.0 {
+            law.cutters.torque_N_m(cutting, bearing)
         } else {
-            law.torque_N_m(0.0, bearing)
+            rubbing
         };
-        let stops = spin / at.turning_mobility;
-        let holds = stops.abs() <= most;
-        let torque = if holds { stops } else { most.copysign(spin) };
-        // Held is held: a rounding error would turn it back.
-        let spin = if holds {
-            0.0
-        } else {
-            spin - at.turning_mobility * torque
-        };
+        let turned = drive.turn(at.spin_rad_per_s, at.turning_mobility, forward, rubbing);
 
         let depth_m = at.depth_m - at.dt * mobility * weight;
-        let turn = at.dt * spin - self.back_rad;
+        let turn = at.dt * turned.bit_rad_per_s - self.back_rad;
+        let mut depth_of_turn_m = 0.0;
         if turn > 0.0 {
             self.bottom.cut(turn, self.depth_m, depth_m);
+            depth_of_turn_m = f64::from(law.blades) * depth_of_cut * turn / std::f64::consts::TAU;
         }
         self.back_rad = (-turn).max(0.0);
         self.depth_m = depth_m;
         Answer {
             weight_N: weight,
-            torque_N_m: torque,
-            spin_rad_per_s: spin - self.motor_rad_per_s,
+            torque_N_m: turned.torque_N_m,
+            spin_rad_per_s: turned.string_rad_per_s,
             depth_of_cut_m: f64::from(law.blades) * depth_of_cut,
+            rate_m_per_s: depth_of_turn_m / at.dt,
         }
     }
 }

@@ -2,22 +2,25 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Excitation, RegenerativeLaw};
+use super::{DetournayDefournyLaw, Motor, RateLaw, RegenerativeLaw, SteadyCut, TableLaw};
 use crate::operation::Operation;
 
 /// The bit on the rock.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BitSettings {
     /// How the rock answers.
     pub law: BitLaw,
     /// Lateral stiffness that holds the bit to the hole's axis, N/m.
     pub lateral_stiffness_N_per_m: f64,
-    /// Speed at which a mud motor turns the bit against the string, rad/s; zero without one.
-    pub motor_speed_rad_per_s: f64,
+    /// What the bit cuts sideways per force, over what it cuts along the hole per weight: its steerability. Zero of one
+    /// that does not cut sideways.
+    pub steerability: f64,
+    /// What turns the bit against the string.
+    pub motor: Motor,
 }
 
 impl Default for BitSettings {
-    /// The rate law on rock of 1e8 N/m without excitation, 1e7 N/m across, no motor.
+    /// The rate law on rock of 1e8 N/m without excitation, 1e7 N/m across and no side cutting, no motor.
     fn default() -> Self {
         Self {
             law: BitLaw::Rate(RateLaw {
@@ -25,7 +28,8 @@ impl Default for BitSettings {
                 excitation: None,
             }),
             lateral_stiffness_N_per_m: 1e7,
-            motor_speed_rad_per_s: 0.0,
+            steerability: 0.0,
+            motor: Motor::Speed(0.0),
         }
     }
 }
@@ -33,37 +37,86 @@ impl Default for BitSettings {
 impl BitSettings {
     /// Whether the speed of a sliding string's motor makes a difference: where the bit's angle counts.
     pub fn asks_for_motor_speed(&self) -> bool {
-        match self.law {
+        match &self.law {
             BitLaw::Rate(law) => law.excitation.is_some(),
-            BitLaw::Regenerative(_) => true,
+            _ => true,
         }
     }
 
+    /// Rotary speed at which the bit drills an operation steadily, its motor's included, rad/s; zero where it stalls the
+    /// motor.
+    pub fn drilling_speed_rad_per_s(&self, operation: &Operation) -> f64 {
+        let weight = operation.weight_on_bit_N;
+        self.motor.steady_rad_per_s(
+            operation.flow_now_m3_per_s(),
+            operation.rotation_rad_per_s(),
+            |speed| match self.law.steady(weight, speed) {
+                Some(cut) => cut.torque_N_m,
+                None => operation.bit_torque_N_m,
+            },
+        )
+    }
+
     /// The operation with the torque and the rate of penetration of steady drilling, where the law knows
-    /// them: the regenerative law finds them from weight and speed, the rate law takes the operation's.
+    /// them from weight and speed; the rate law takes the operation's.
     #[must_use]
     pub fn drilling_steadily(&self, operation: Operation) -> Operation {
-        let BitLaw::Regenerative(law) = self.law else {
+        let speed = self.drilling_speed_rad_per_s(&operation);
+        let Some(steady) = self.law.steady(operation.weight_on_bit_N, speed) else {
             return operation;
         };
-        let speed = operation.rotation_rad_per_s() + self.motor_speed_rad_per_s;
-        let steady = law.steady(operation.weight_on_bit_N, speed);
         Operation {
-            bit_torque_N_m: steady.torque_N_m,
+            bit_torque_N_m: steady.torque_N_m.min(self.motor.most_torque_N_m()),
             rate_of_penetration_m_per_s: steady.rate_of_penetration_m_per_s,
             ..operation
+        }
+    }
+
+    /// Axial speed of the string at another weight on bit and rotary speed, m/s, positive towards the bit: on bottom by
+    /// the law, which for the rate law is in proportion to both.
+    pub fn axial_velocity_m_per_s(
+        &self,
+        operation: &Operation,
+        weight_on_bit_N: f64,
+        rotary_speed_rad_per_s: f64,
+    ) -> f64 {
+        let other = Operation {
+            weight_on_bit_N,
+            rotary_speed_rad_per_s,
+            ..*operation
+        };
+        let knows = !matches!(self.law, BitLaw::Rate(_)) && operation.kind.on_bottom();
+        if knows && other != *operation {
+            self.drilling_steadily(other).rate_of_penetration_m_per_s
+        } else {
+            operation.axial_velocity_at_m_per_s(weight_on_bit_N, rotary_speed_rad_per_s)
+        }
+    }
+
+    /// What the bit of an operation cuts sideways per force and angle, m/N/rad.
+    pub(super) fn side_cut_m_per_N(&self, operation: &Operation) -> f64 {
+        let speed = self.drilling_speed_rad_per_s(operation);
+        let along = operation.rate_of_penetration_m_per_s / operation.weight_on_bit_N;
+        if self.steerability > 0.0 && speed > 0.0 {
+            self.steerability * along / speed
+        } else {
+            0.0
         }
     }
 }
 
 /// How the rock answers a bit.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum BitLaw {
     /// The operation's rate of penetration in proportion to weight and speed; torque in proportion to
     /// weight.
     Rate(RateLaw),
     /// Weight and torque from the depth of cut, which the bit's own passage before has left.
     Regenerative(RegenerativeLaw),
+    /// Weight and torque from the depth of cut of a revolution, in three regimes.
+    DetournayDefourny(DetournayDefournyLaw),
+    /// Rate of penetration and torque as they were measured.
+    Table(TableLaw),
 }
 
 impl BitLaw {
@@ -72,16 +125,19 @@ impl BitLaw {
         match self {
             Self::Rate(law) => law.rock_stiffness_N_per_m,
             Self::Regenerative(law) => law.stiffness_N_per_m(),
+            Self::DetournayDefourny(law) => law.rock_stiffness_N_per_m,
+            Self::Table(law) => law.rock_stiffness_N_per_m,
         }
     }
-}
 
-/// The rate law: on rock that lies where the bit has cut to, pressed with the force `W`, the bit advances
-/// at the rate `v = v₀ (W/W₀)(Ω/Ω₀)`, its torque is `T₀ W/W₀`; `v₀`, `W₀`, `Ω₀`, `T₀` are the operation's.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct RateLaw {
-    /// Stiffness of the contact between bit and rock front, N/m.
-    pub rock_stiffness_N_per_m: f64,
-    /// What shakes the bit; `None` for a smooth bottom.
-    pub excitation: Option<Excitation>,
+    /// How a bit drills steadily under a weight on bit, turning at a speed; the rate law does not know.
+    pub fn steady(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> Option<SteadyCut> {
+        let (weight, speed) = (weight_on_bit_N, rotary_speed_rad_per_s);
+        match self {
+            Self::Rate(_) => None,
+            Self::Regenerative(law) => Some(law.steady(weight, speed)),
+            Self::DetournayDefourny(law) => Some(law.steady(weight, speed)),
+            Self::Table(law) => Some(law.table.steady(weight, speed)),
+        }
+    }
 }

@@ -104,6 +104,8 @@ impl<R: Real> Run<R> {
         let lighter_N = operation.weight_on_bit_now_N() - pressed_N;
         let bottom = bottom + lighter_N / settings.bit.law.stiffness_N_per_m();
         let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
+        let mut bit = Bit::new(&settings.bit, operation, bottom, settings.seed);
+        bit.set_flow(first.flow_now_m3_per_s());
         let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
         let layout = chain.layout();
         let interval_s = basis.steps_per_sample as f64 * basis.plan.dt_s;
@@ -126,7 +128,7 @@ impl<R: Real> Run<R> {
             top_drive,
             hoist,
             body: initial.body,
-            bit: Bit::new(settings.bit, operation, bottom, settings.seed),
+            bit,
             viscous,
             flow_m3_per_s: first.flow_now_m3_per_s(),
             rigid_velocity_m_per_s: velocity,

@@ -17,6 +17,8 @@ pub(super) struct SinceSample {
     pub(super) weight_on_bit: f64,
     pub(super) bit_torque: f64,
     pub(super) depth_of_cut: f64,
+    pub(super) rate_of_penetration: f64,
+    pub(super) motor_speed: f64,
 }
 
 impl<R: Real> Run<R> {
@@ -68,6 +70,13 @@ impl<R: Real> Run<R> {
         series.weight_on_bit_N.push(sums.weight_on_bit / n);
         series.bit_torque_N_m.push(sums.bit_torque / n);
         series.depth_of_cut_m.push(sums.depth_of_cut / n);
+        series
+            .rate_of_penetration_m_per_s
+            .push(sums.rate_of_penetration / n);
+        let motor = state.bit.has_motor().then_some(sums.motor_speed / n);
+        series.motor_speed_rad_per_s.push(motor);
+        let pressure = state.bit.motor_pressure_Pa(sums.bit_torque / n);
+        series.motor_pressure_Pa.push(pressure);
         series.twist_rad.push(-totals.twist_rad);
         series.stretch_m.push(
             totals.longer_m - state.squeezed_m
@@ -107,6 +116,7 @@ impl<R: Real> Run<R> {
         state.window_open = true;
         state.record.close_contact_row(&state.anchors, before_s);
         state.record.open_window();
+        state.bit.open_window();
         state
             .wear
             .restart(state.anchors[state.anchors.len() - 1].md_m);

@@ -7,7 +7,7 @@ use super::{
     roots::Drilling,
     *,
 };
-use crate::dynamics::bit::RegenerativeLaw;
+use crate::dynamics::bit::{Cutters, RegenerativeLaw};
 use wholestring_verification::{Row, Tolerance, report};
 
 const TAU: f64 = std::f64::consts::TAU;
@@ -66,7 +66,8 @@ impl Lumped {
 
 /// The scales of time and depth of the dimensionless form.
 fn scales(law: RegenerativeLaw) -> (f64, f64) {
-    let depth = 2.0 * STIFFNESS / (law.intrinsic_specific_energy_Pa * law.radius_m.powi(2));
+    let depth =
+        2.0 * STIFFNESS / (law.cutters.intrinsic_specific_energy_Pa * law.cutters.radius_m.powi(2));
     ((POLAR / STIFFNESS).sqrt(), depth)
 }
 
@@ -167,14 +168,17 @@ struct StickSlip {
 impl StickSlip {
     fn law(&self) -> RegenerativeLaw {
         RegenerativeLaw {
-            wear_flat_m: self.wear_flat_m,
-            friction: self.friction,
+            cutters: Cutters {
+                wear_flat_m: self.wear_flat_m,
+                friction: self.friction,
+                ..LAW.cutters
+            },
             ..LAW
         }
     }
 
     fn weight_N(&self) -> f64 {
-        self.law().wear_flat_weight_N() + self.cutting_N
+        self.law().cutters.wear_flat_weight_N() + self.cutting_N
     }
 
     fn speed_rad_per_s(&self) -> f64 {
@@ -189,8 +193,8 @@ impl StickSlip {
         let seen = System {
             blades: f64::from(law.blades),
             psi: psi(law),
-            bearing: law.wear_flat_weight_N() / unit,
-            beta: law.friction * law.bit_geometry * law.cutter_inclination,
+            bearing: law.cutters.wear_flat_weight_N() / unit,
+            beta: law.cutters.friction * law.cutters.bit_geometry * law.cutters.cutter_inclination,
             weight: self.weight_N() / unit,
             speed: self.speed_rad_per_s() * time,
         }

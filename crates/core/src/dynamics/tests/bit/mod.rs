@@ -1,10 +1,14 @@
 //! The bit on the rock, which the step leaves to an implicit correction; here the plain rate law.
 
 mod delay;
+mod detournay;
 mod excitation;
 mod lumped;
+mod motor;
 mod regenerative;
 mod roots;
+mod side;
+mod table;
 
 use crate::{
     dynamics::{
@@ -54,7 +58,7 @@ impl Rig {
         node!(chain, 0, inv_polar = 1.0 / POLAR_KG_M2);
         Self {
             chain,
-            bit: Bit::new(settings, &operation, DEPTH_M, 1),
+            bit: Bit::new(&settings, &operation, DEPTH_M, 1),
             push: Vector::zero(),
             turn: 0.0,
         }

@@ -4,20 +4,23 @@ use serde_json::Value;
 use wholestring_verification::{Row, Tolerance, report};
 
 use super::*;
-use crate::dynamics::bit::{BitLaw, RegenerativeLaw};
+use crate::dynamics::bit::{BitLaw, Cutters, Motor, RegenerativeLaw};
 
 const TAU: f64 = std::f64::consts::TAU;
 
 /// The bit of Richard, Germay and Detournay's examples.
 pub(super) const LAW: RegenerativeLaw = RegenerativeLaw {
-    radius_m: 0.108,
+    cutters: Cutters {
+        radius_m: 0.108,
+        core_radius_m: 0.0,
+        intrinsic_specific_energy_Pa: 60e6,
+        cutter_inclination: 0.6,
+        wear_flat_m: 1.2e-3,
+        contact_strength_Pa: 60e6,
+        bit_geometry: 1.0,
+        friction: 0.6,
+    },
     blades: 4,
-    intrinsic_specific_energy_Pa: 60e6,
-    cutter_inclination: 0.6,
-    wear_flat_m: 1.2e-3,
-    contact_strength_Pa: 60e6,
-    bit_geometry: 1.0,
-    friction: 0.6,
 };
 
 pub(super) fn settings(law: RegenerativeLaw) -> BitSettings {
@@ -34,7 +37,7 @@ pub(super) fn pressed(weight_on_bit_N: f64) -> Operation {
     }
 }
 
-fn identities() -> (RegenerativeLaw, Value) {
+pub(super) fn identities() -> (RegenerativeLaw, Value) {
     let path = concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/../../verification/E07_bit_rock_detournay.json"
@@ -43,9 +46,9 @@ fn identities() -> (RegenerativeLaw, Value) {
         serde_json::from_str(&std::fs::read_to_string(path).expect("E07")).expect("JSON");
     let inputs = &file["inputs"];
     let of = |name: &str| inputs[name].as_f64().expect("a number");
-    let law = RegenerativeLaw {
+    let cutters = Cutters {
         radius_m: of("a_m"),
-        blades: inputs["blades"].as_u64().expect("a number") as u32,
+        core_radius_m: 0.0,
         intrinsic_specific_energy_Pa: of("eps_Pa"),
         cutter_inclination: of("zeta"),
         wear_flat_m: of("wear_flat_l_m"),
@@ -53,7 +56,8 @@ fn identities() -> (RegenerativeLaw, Value) {
         bit_geometry: of("gamma"),
         friction: of("mu"),
     };
-    (law, file)
+    let blades = inputs["blades"].as_u64().expect("a number") as u32;
+    (RegenerativeLaw { cutters, blades }, file)
 }
 
 /// Led down at the rate of E07 and turned at its speed, the bit takes the weight and torque of E07 and cuts
@@ -173,7 +177,7 @@ fn a_lifted_bit_leaves_rock_standing() {
 /// The wear flats bear while the bit goes down, not while it goes up, and what is needed while it stands.
 #[test]
 fn wear_flats_bear_on_the_way_down() {
-    let bearing = LAW.wear_flat_weight_N();
+    let bearing = LAW.cutters.wear_flat_weight_N();
     let moving = |velocity: f64| {
         let mut rig = Rig::with(pressed(80e3), settings(LAW));
         node!(rig.chain, 0, inv_mass_axial = 0.0);
@@ -212,7 +216,7 @@ fn a_bit_turned_back_cuts_where_it_left() {
     node!(rig.chain, 0, inv_mass_axial = 0.0);
     rig.chain.set_velocity(0, Vector(0.0, 0.0, 1e-9));
     node!(rig.chain, 0, inv_polar = 0.0);
-    let rubbing = 0.5 * 0.108 * 0.6 * LAW.wear_flat_weight_N();
+    let rubbing = 0.5 * 0.108 * 0.6 * LAW.cutters.wear_flat_weight_N();
     rig.set_spin(1.0);
     let cutting = rig.step(1e-3).torque_N_m;
     rig.set_spin(-1.0);
@@ -248,7 +252,7 @@ fn a_motor_cuts_while_the_string_stands() {
     let mut rig = Rig::with(
         operation,
         BitSettings {
-            motor_speed_rad_per_s: 12.0,
+            motor: Motor::Speed(12.0),
             ..settings(LAW)
         },
     );

@@ -1,0 +1,194 @@
+//! The file of a bit's table: CSV, a line of column names and a line for each point.
+
+use std::{f64::consts::PI, ops::Range as Span};
+
+use wholestring::dynamics::TablePoint;
+
+use super::points::MOST;
+use crate::{
+    diagnostic::Diagnostic,
+    names::{nearest, short},
+    reader::Reader,
+    rule::At,
+    source::{Files, Place},
+};
+
+/// Columns of the file: name, what one is worth in SI, whether it must be there.
+const COLUMNS: [(&str, f64, bool); 6] = [
+    ("weight_on_bit_N", 1.0, true),
+    ("rotary_speed_rpm", PI / 30.0, true),
+    ("rate_of_penetration_m_per_h", 1.0 / 3600.0, true),
+    ("torque_N_m", 1.0, true),
+    ("torque_std_N_m", 1.0, false),
+    ("weight_on_bit_std_N", 1.0, false),
+];
+
+/// What stands in a place of a text.
+#[derive(Debug, Clone)]
+struct Cell<'a> {
+    text: &'a str,
+    span: Span<usize>,
+}
+
+/// The points of a file beside the case.
+pub(super) fn read(
+    file: &At<String>,
+    files: &dyn Files,
+    reader: &mut Reader,
+) -> Option<Vec<At<TablePoint>>> {
+    let name = short(&file.value);
+    let bytes = match files.read(&file.value) {
+        Ok(bytes) => bytes,
+        Err(error) => {
+            let why = match error.kind() {
+                std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
+                _ => short(&error.to_string()),
+            };
+            reader.report(
+                Diagnostic::error(format!("the table `{name}` cannot be read"))
+                    .at(file.place, why)
+                    .help("the name is relative to the folder of the case"),
+            );
+            return None;
+        }
+    };
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
+    let Ok(text) = std::str::from_utf8(bytes) else {
+        reader.report(
+            Diagnostic::error(format!("the table `{name}` is not a text"))
+                .at(file.place, "expected a CSV file in UTF-8"),
+        );
+        return None;
+    };
+    let lines = lines(text);
+    let Some((head, lines)) = lines.split_first().filter(|(_, lines)| lines.len() <= MOST) else {
+        let (what, expected) = match lines.len() {
+            0 => ("is empty".to_owned(), "expected a line of column names"),
+            more => (format!("has {} points", more - 1), "expected at most 10000"),
+        };
+        reader.report(
+            Diagnostic::error(format!("the table `{name}` {what}")).at(file.place, expected),
+        );
+        return None;
+    };
+    let source = reader.add_source(&file.value, text);
+    let found = columns(head, source).and_then(|found| {
+        let points = lines.iter().map(|line| point(line, &found, source));
+        points.collect::<Result<Vec<_>, _>>()
+    });
+    match found {
+        Ok(points) => Some(points),
+        Err(diagnostic) => {
+            reader.report(diagnostic.at(file.place, "the table"));
+            None
+        }
+    }
+}
+
+/// The lines that are not blank.
+fn lines(text: &str) -> Vec<Cell<'_>> {
+    let mut from = 0;
+    let lines = text.split_inclusive('\n').map(|line| {
+        from += line.len();
+        trimmed(line, from - line.len())
+    });
+    lines.filter(|line| !line.text.is_empty()).collect()
+}
+
+fn cells<'a>(line: &Cell<'a>) -> Vec<Cell<'a>> {
+    let mut from = line.span.start;
+    let cells = line.text.split(',').map(|cell| {
+        from += cell.len() + 1;
+        trimmed(cell, from - cell.len() - 1)
+    });
+    cells.collect()
+}
+
+/// A text without the blanks around it, which begins at `from`.
+fn trimmed(text: &str, from: usize) -> Cell<'_> {
+    let begin = from + (text.len() - text.trim_start().len());
+    let text = text.trim();
+    Cell {
+        text,
+        span: begin..begin + text.len(),
+    }
+}
+
+fn place(source: usize, span: &Span<usize>) -> Place {
+    Place {
+        source,
+        start: span.start,
+        end: span.end,
+    }
+}
+
+/// Where each column stands; none of one that may be left out.
+fn columns(head: &Cell<'_>, source: usize) -> Result<[Option<usize>; 6], Diagnostic> {
+    let names = cells(head);
+    let mut found = [None; 6];
+    for ((column, _, required), at) in COLUMNS.iter().zip(&mut found) {
+        *at = names.iter().position(|cell| cell.text == *column);
+        if at.is_some() {
+            continue;
+        }
+        if *required {
+            return Err(
+                Diagnostic::error(format!("the table has no column `{column}`"))
+                    .at(place(source, &head.span), format!("`{column}` is missing")),
+            );
+        }
+        // A column that is nearly there was meant.
+        let near = names.iter().find(|cell| {
+            let known = COLUMNS.iter().any(|(name, ..)| *name == cell.text);
+            !known && nearest(cell.text, [*column]).is_some()
+        });
+        if let Some(cell) = near {
+            return Err(
+                Diagnostic::error(format!("unknown column `{}`", short(cell.text)))
+                    .at(place(source, &cell.span), "unknown column")
+                    .help(format!("did you mean `{column}`?")),
+            );
+        }
+    }
+    Ok(found)
+}
+
+fn point(
+    line: &Cell<'_>,
+    found: &[Option<usize>; 6],
+    source: usize,
+) -> Result<At<TablePoint>, Diagnostic> {
+    let cells = cells(line);
+    let number = |column: usize| -> Result<Option<f64>, Diagnostic> {
+        let (name, worth, _) = COLUMNS[column];
+        let Some(at) = found[column] else {
+            return Ok(None);
+        };
+        let Some(cell) = cells.get(at) else {
+            return Err(Diagnostic::error("this line is too short")
+                .at(place(source, &line.span), format!("`{name}` is missing")));
+        };
+        match cell.text.parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(Some(number * worth)),
+            _ => Err(
+                Diagnostic::error(format!("`{}` is not a number", short(cell.text))).at(
+                    place(source, &cell.span),
+                    format!("expected a number of `{name}`"),
+                ),
+            ),
+        }
+    };
+    // What must be there has been found.
+    let needed = |column: usize| number(column).map(Option::unwrap_or_default);
+    Ok(At {
+        value: TablePoint {
+            weight_on_bit_N: needed(0)?,
+            rotary_speed_rad_per_s: needed(1)?,
+            rate_of_penetration_m_per_s: needed(2)?,
+            torque_N_m: needed(3)?,
+            torque_std_N_m: number(4)?,
+            weight_on_bit_std_N: number(5)?,
+        },
+        place: place(source, &line.span),
+    })
+}

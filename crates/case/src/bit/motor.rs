@@ -1,0 +1,140 @@
+//! `[bit.motor]`.
+
+use wholestring::dynamics::MudMotor;
+use wholestring_units::Dimension;
+
+use crate::{
+    diagnostic::Diagnostic,
+    quantity::Quantity,
+    range::{Number, Range, number_text},
+    reader::Reader,
+    rule::At,
+    source::Place,
+    table::{Field, default, optional, table},
+};
+
+/// Where the case does not say: part of the flow that leaks at the largest pressure drop, part of the ideal torque, and the
+/// stall torque over that at the largest pressure drop.
+const SLIP: f64 = 0.1;
+const EFFICIENCY: f64 = 0.8;
+const STALL: f64 = 1.5;
+
+table! {
+    /// A positive displacement motor between string and bit. Its speed goes with the flow and falls with the
+    /// torque, until it stalls. It needs `displacement` and `max_differential_pressure`.
+    MotorTable in "[bit.motor]" {
+        /// Volume of mud that turns it once. Raising it slows it and strengthens it.
+        displacement: f64 = optional(Quantity::si(
+            Dimension::Volume,
+            Range::positive_to(1.0),
+            "12 L",
+        ));
+        /// Largest pressure drop that it is made for. Raising it keeps the speed up to a larger torque.
+        max_differential_pressure: f64 = optional(Quantity::si(
+            Dimension::Pressure,
+            Range::positive_to(1e8),
+            "80 bar",
+        ));
+        /// Part of the rated flow that leaks past it at that pressure, so that the motor is slower by it. Raising it
+        /// makes the speed yield more to the torque.
+        slip: f64 = default(
+            Number { unit: "", range: Range::from_to(0.0, 0.9) },
+            SLIP,
+        );
+        /// Part of the ideal torque, displacement times pressure over 2 pi, that reaches the bit. Raising it
+        /// lowers the pressure for the same torque.
+        efficiency: f64 = default(
+            Number { unit: "", range: Range::from_to(0.05, 1.0) },
+            EFFICIENCY,
+        );
+        /// Torque at which it stalls at the rated flow, and never exceeds. Default: 1.5 times the torque at the largest
+        /// pressure drop.
+        stall_torque: f64 = optional(Quantity::si(
+            Dimension::Torque,
+            Range::positive_to(1e6),
+            "12 kN.m",
+        ));
+        /// Flow at which slip and stall were measured. Default: the operation's flow_rate.
+        rated_flow: f64 = optional(Quantity::si(
+            Dimension::FlowRate,
+            Range::positive_to(0.5),
+            "2000 L/min",
+        ));
+    }
+}
+
+impl MotorTable {
+    /// The motor with what the pumps deliver in the case.
+    pub(super) fn build(
+        &self,
+        place: Place,
+        flow_m3_per_s: Option<f64>,
+        reader: &mut Reader,
+    ) -> Option<MudMotor> {
+        let displacement_m3 = needed(
+            &self.displacement,
+            "displacement",
+            "\"12 L\"",
+            place,
+            reader,
+        );
+        let max_pressure_Pa = needed(
+            &self.max_differential_pressure,
+            "max_differential_pressure",
+            "\"80 bar\"",
+            place,
+            reader,
+        );
+        let flow = flow_m3_per_s?;
+        if flow == 0.0 {
+            reader.report(
+                Diagnostic::error("nothing flows through the motor")
+                    .at(place, "`flow_rate` is missing in [operation]")
+                    .help("such as flow_rate = \"2000 L/min\""),
+            );
+            return None;
+        }
+        let mut motor = MudMotor {
+            displacement_m3: displacement_m3?,
+            rated_flow_m3_per_s: self.rated_flow.optional()?.map_or(flow, |at| at.value),
+            max_pressure_Pa: max_pressure_Pa?,
+            slip: *self.slip.get()?,
+            efficiency: *self.efficiency.get()?,
+            stall_torque_N_m: 0.0,
+        };
+        let most = motor.max_torque_N_m();
+        let stall = self.stall_torque.optional()?;
+        motor.stall_torque_N_m = stall.map_or(STALL * most, |at| at.value);
+        if let Some(stall) = stall.filter(|stall| stall.value <= most) {
+            reader.report(stalls_early(stall, most));
+            return None;
+        }
+        Some(motor)
+    }
+}
+
+fn stalls_early(stall: &At<f64>, most_N_m: f64) -> Diagnostic {
+    let most = number_text((most_N_m * 1e-2).round() * 1e-1);
+    Diagnostic::error("the motor stalls below its largest pressure drop")
+        .at(stall.place, format!("expected more than {most} kN.m"))
+        .help("that is efficiency * displacement * max_differential_pressure / 2 pi")
+}
+
+/// A key that the motor cannot do without.
+fn needed(
+    field: &Field<f64>,
+    name: &str,
+    example: &str,
+    place: Place,
+    reader: &mut Reader,
+) -> Option<f64> {
+    let value = field.optional()?;
+    if value.is_none() {
+        reader.report(
+            Diagnostic::error(format!("[bit.motor] lacks `{name}`"))
+                .at(place, format!("`{name}` is missing"))
+                .help(format!("such as {name} = {example}")),
+        );
+    }
+    value.map(|at| at.value)
+}
