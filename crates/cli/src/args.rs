@@ -271,6 +271,8 @@ pub(crate) enum BenchPart {
     Memory,
     /// What each mechanism costs when it is switched on
     Mechanisms,
+    /// The solid rock under a bit, with each instruction set
+    Rock,
     /// 60 cases for each friction law on all cores: minutes
     Sweep,
 }

@@ -5,6 +5,7 @@ mod kernel;
 mod mechanisms;
 mod memory;
 mod process;
+mod rock;
 mod scratch;
 mod sweep;
 mod table;
@@ -39,6 +40,8 @@ struct Numbers {
     #[serde(skip_serializing_if = "Option::is_none")]
     mechanisms: Option<mechanisms::Mechanisms>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    rock: Option<rock::RockSpeed>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     memory: Option<memory::Memory>,
     #[serde(skip_serializing_if = "Option::is_none")]
     sweep: Option<sweep::Sweeps>,
@@ -70,7 +73,7 @@ pub(crate) fn bench(args: &BenchArgs) -> Result<(), Failure> {
 
 impl Bench {
     fn measure(&self, args: &BenchArgs) -> Result<(), Failure> {
-        use BenchPart::{Kernel, Mechanisms, Memory, Run, Sweep};
+        use BenchPart::{Kernel, Mechanisms, Memory, Rock, Run, Sweep};
         let asked = |part: BenchPart| {
             if args.parts.is_empty() {
                 part != Sweep && (part != Memory || memory::IS_MEASURED)
@@ -87,6 +90,7 @@ impl Bench {
             kernel: None,
             run: None,
             mechanisms: None,
+            rock: None,
             memory: None,
             sweep: None,
         };
@@ -109,6 +113,11 @@ impl Bench {
             let mechanisms = mechanisms::measure(self)?;
             self.print(&mechanisms.text())?;
             numbers.mechanisms = Some(mechanisms);
+        }
+        if asked(Rock) {
+            let speed = rock::measure(self)?;
+            self.print(&speed.text())?;
+            numbers.rock = Some(speed);
         }
         if asked(Sweep) {
             let sweeps = sweep::measure(self)?;

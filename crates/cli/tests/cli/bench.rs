@@ -3,7 +3,7 @@
 use std::fs;
 
 use serde_json::Value;
-use wholestring::dynamics::Simulation;
+use wholestring::{dynamics::Simulation, rock::Stepper};
 
 use crate::desk::Desk;
 
@@ -104,6 +104,33 @@ fn what_each_mechanism_costs() {
         assert!(positive(&row["time_ratio"]["median"]), "{row}");
         assert!(text.contains(&format!("\n{name} ")), "{name}");
     }
+}
+
+/// All of the squeezed rock yields, some of that under the bit does; the bit touches both.
+#[test]
+fn solid_rock_under_a_bit_with_every_instruction_set() {
+    let (text, numbers) = measured(&["rock", "--repeat", "1"]);
+    let rows = numbers["rock"]["rows"].as_array().unwrap();
+    let sets: Vec<&str> = Stepper::all().iter().map(|s| s.instructions).collect();
+    let found: Vec<&str> = rows
+        .iter()
+        .map(|row| row["instructions"].as_str().unwrap())
+        .collect();
+    assert_eq!(found, [&sets[..], &sets[..]].concat());
+    for (place, row) in rows.iter().enumerate() {
+        assert!(positive(&row["ns_per_hexahedron_step"]["median"]), "{row}");
+        assert!(positive(&row["contact_ns_per_hexahedron_step"]), "{row}");
+        assert!(row["touching_nodes"].as_u64().unwrap() > 5, "{row}");
+        let yielding = row["yielding"].as_f64().unwrap();
+        let expected = if place < sets.len() {
+            0.001..0.5
+        } else {
+            0.95..1.1
+        };
+        assert!(expected.contains(&yielding), "{row}");
+    }
+    assert!(numbers.get("kernel").is_none());
+    assert!(text.contains("\nSolid rock, "), "{text}");
 }
 
 #[test]

@@ -114,7 +114,8 @@ pub struct Block {
 
 /// A field of vectors at a place.
 pub(super) fn at(field: &[Vec<f64>; 3], place: usize) -> [f64; 3] {
-    [0, 1, 2].map(|axis| field[axis][place])
+    let [x, y, z] = field;
+    [x[place], y[place], z[place]]
 }
 
 impl Block {
@@ -324,10 +325,13 @@ impl Block {
 
     /// Where a node is, m.
     pub fn position_m(&self, index: usize) -> [f64; 3] {
-        let node = self.grid.node_at(index);
-        let rest = [0, 1, 2].map(|axis| node[axis] as f64 * self.grid.size_m[axis]);
-        let u = at(&self.displacement, index);
-        [rest[0] + u[0], rest[1] + u[1], self.top_m + rest[2] + u[2]]
+        let ([i, j, k], [dx, dy, dz]) = (self.grid.node_at(index), self.grid.size_m);
+        let [u, v, w] = at(&self.displacement, index);
+        [
+            i as f64 * dx + u,
+            j as f64 * dy + v,
+            self.top_m + k as f64 * dz + w,
+        ]
     }
 
     /// How far a node has moved, m.

@@ -93,8 +93,9 @@ impl Edges {
 
     /// Keeps the velocities before a step.
     pub fn remember(&mut self, velocity: &[Vec<f64>; 3]) {
+        let [x, y, z] = velocity;
         for node in &mut self.0 {
-            node.before = [0, 1, 2].map(|axis| velocity[axis][node.place]);
+            node.before = [x[node.place], y[node.place], z[node.place]];
         }
     }
 

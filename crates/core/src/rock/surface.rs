@@ -55,10 +55,12 @@ impl Surface {
     /// Area of a node with its outward direction, m², in the rock at rest.
     pub fn area_m2(&self, grid: &Grid, node: usize) -> [f64; 3] {
         let faces = self.faces[node];
-        [0, 1, 2].map(|axis| {
+        let mut area_m2 = [0.0; 3];
+        for (axis, area_m2) in area_m2.iter_mut().enumerate() {
             let looks = f64::from(faces[2 * axis + 1]) - f64::from(faces[2 * axis]);
-            0.25 * looks * grid.area_m2(2 * axis)
-        })
+            *area_m2 = 0.25 * looks * grid.area_m2(2 * axis);
+        }
+        area_m2
     }
 
     /// A brick goes.

@@ -1,0 +1,294 @@
+//! The solid rock: a step of a block of hexahedra with a bit pressed into it.
+
+use serde::Serialize;
+use wholestring::rock::{
+    Alone, Block, BlockSpec, Edge, Grid, Rock, Stepper,
+    bit_face::{BitFace, ContactLaw, PdcBit, Pose, SurfaceNodes},
+};
+
+use super::{Bench, Spread, clock::Clock, failed, table::Table};
+use crate::failure::Failure;
+
+/// Diameter of the bit, m: 8½ in.
+const BIT_M: f64 = 0.2159;
+
+/// Hexahedra along x, y and z, and their edge, m: a live zone that the bit fits into.
+const CELLS: [usize; 3] = [64, 64, 12];
+const EDGE_M: f64 = 4e-3;
+
+const STRENGTH_PA: f64 = 60e6;
+
+/// How fast the bit goes down, m/s, and turns, rad/s: faster than any that drills, to be in the rock soon.
+const DOWN_M_PER_S: f64 = 20.0;
+const TURN_RAD_PER_S: f64 = 100.0;
+
+/// Steps that bring the bit into the rock, and those that squeeze all of the rock beyond yield.
+const CUTTING_STEPS: usize = 600;
+const SQUEEZING_STEPS: usize = 200;
+
+/// Rate at which all of the rock is squeezed, 1/s, and its fracture energy, J/m²: it shall not fail.
+const SQUEEZING_PER_S: f64 = 100.0;
+const TOUGH_J_PER_M2: f64 = 1e6;
+
+/// Steps after which caches and the prediction of branches know the loop, and those that are timed.
+const WARM_STEPS: usize = 3;
+const TIMED_STEPS: usize = 20;
+
+/// What was found.
+#[derive(Serialize)]
+pub(crate) struct RockSpeed {
+    hexahedra: usize,
+    rows: Vec<Row>,
+}
+
+#[derive(Serialize)]
+struct Row {
+    rock: &'static str,
+    instructions: &'static str,
+    ns_per_hexahedron_step: Spread,
+    /// What the bit takes of it, its nodes found and pushed.
+    contact_ns_per_hexahedron_step: f64,
+    /// Part of the hexahedra that yield in a step.
+    yielding: f64,
+    touching_nodes: usize,
+}
+
+pub(crate) fn measure(bench: &Bench) -> Result<RockSpeed, Failure> {
+    let steppers = Stepper::all();
+    bench.begin(2 * (1 + steppers.len()));
+    let mut speed = RockSpeed {
+        hexahedra: CELLS.iter().product(),
+        rows: Vec::new(),
+    };
+    for (name, lay) in [
+        ("under a bit", cut as fn() -> Result<Scene, Failure>),
+        ("all of it yielding", squeezed),
+    ] {
+        bench.next(&format!("solid rock, {name}"))?;
+        let scene = lay()?;
+        let yielding = scene.clone().yielding();
+        for stepper in &steppers {
+            bench.next(&format!("solid rock, {name}, {}", stepper.instructions))?;
+            let each_ns = 1e9 / (TIMED_STEPS * speed.hexahedra) as f64;
+            let mut contact_s = Vec::new();
+            let mut touching_nodes = 0;
+            let time_s = bench.repeat(|| {
+                let mut scene = scene.clone();
+                scene.go(stepper, WARM_STEPS);
+                let clock = Clock::begin();
+                contact_s.push(scene.go(stepper, TIMED_STEPS));
+                let time_s = clock.elapsed_s();
+                touching_nodes = scene.bit.touching;
+                Ok(time_s)
+            })?;
+            speed.rows.push(Row {
+                rock: name,
+                instructions: stepper.instructions,
+                ns_per_hexahedron_step: time_s.times(each_ns),
+                contact_ns_per_hexahedron_step: each_ns * Spread::of(contact_s).median,
+                yielding,
+                touching_nodes,
+            });
+        }
+    }
+    Ok(speed)
+}
+
+/// A bit in a block.
+#[derive(Clone)]
+struct Scene {
+    block: Block,
+    bit: Bit,
+}
+
+/// A bit that moves as it is told, and the nodes that it meets.
+#[derive(Clone)]
+struct Bit {
+    face: BitFace,
+    law: ContactLaw,
+    pose: Pose,
+    /// Nodes that touched in the last step.
+    touching: usize,
+    // Of the exposed nodes, to be filled again in every step.
+    index: Vec<usize>,
+    surface: Vec<u32>,
+    position_m: [Vec<f64>; 3],
+    velocity_m_per_s: [Vec<f64>; 3],
+    force_N: [Vec<f64>; 3],
+    mass_kg: Vec<f64>,
+    area_m2: Vec<f64>,
+}
+
+/// Softening rock with more of it around, and a bit that has come into it.
+fn cut() -> Result<Scene, Failure> {
+    let mut scene = Scene::new(Rock::of_strength(STRENGTH_PA), Edge::Open)?;
+    scene.go(&Stepper::default(), CUTTING_STEPS);
+    Ok(scene)
+}
+
+/// Rock that is squeezed along x and stretched along y in every step, all of it, and the bit in it.
+fn squeezed() -> Result<Scene, Failure> {
+    let rock = Rock {
+        tensile_fracture_energy_J_per_m2: TOUGH_J_PER_M2,
+        compressive_fracture_energy_J_per_m2: TOUGH_J_PER_M2,
+        ..Rock::of_strength(STRENGTH_PA)
+    };
+    let mut scene = Scene::new(rock, Edge::Held)?;
+    let grid: Grid = *scene.block.grid();
+    for node in grid.each_node() {
+        let [x, y, _] = node.map(|n| n as f64 * EDGE_M * SQUEEZING_PER_S);
+        scene.block.tell(grid.node(node), [-x, y, 0.0]);
+    }
+    scene.go(&Stepper::default(), SQUEEZING_STEPS);
+    Ok(scene)
+}
+
+impl Scene {
+    /// A block under a bit that touches it, with its other faces as `around` says.
+    fn new(rock: Rock, around: Edge) -> Result<Self, Failure> {
+        let mut spec = BlockSpec::new(rock, CELLS, EDGE_M);
+        spec.edges = [around; 6];
+        spec.edges[4] = Edge::Free;
+        let middle_m = |cells: usize| 0.5 * cells as f64 * EDGE_M;
+        let down = [0.0, 0.0, 1.0];
+        let pose = Pose::new(
+            [middle_m(CELLS[0]), middle_m(CELLS[1]), 0.0].into(),
+            down.into(),
+            [1.0, 0.0, 0.0].into(),
+            0.0,
+        );
+        let face = PdcBit::for_diameter(BIT_M).face();
+        Ok(Self {
+            block: Block::new(&spec).map_err(|error| failed(&error))?,
+            bit: Bit {
+                face: face.map_err(|error| failed(&error))?,
+                law: ContactLaw::for_rock(rock.youngs_modulus_Pa, EDGE_M),
+                pose: pose.moving(
+                    down.map(|part| DOWN_M_PER_S * part).into(),
+                    down.map(|part| TURN_RAD_PER_S * part).into(),
+                ),
+                touching: 0,
+                index: Vec::new(),
+                surface: Vec::new(),
+                position_m: Default::default(),
+                velocity_m_per_s: Default::default(),
+                force_N: Default::default(),
+                mass_kg: Vec::new(),
+                area_m2: Vec::new(),
+            },
+        })
+    }
+
+    /// Steps of the rock with the bit's contact; how long that took of the time, s.
+    fn go(&mut self, stepper: &Stepper, steps: usize) -> f64 {
+        let mut contact_s = 0.0;
+        for _ in 0..steps {
+            self.block.step(stepper, &Alone);
+            let clock = Clock::begin();
+            self.bit.press(&mut self.block);
+            contact_s += clock.elapsed_s();
+        }
+        contact_s
+    }
+
+    /// Part of the hexahedra that yield in the next step: their intact part falls.
+    fn yielding(mut self) -> f64 {
+        let intact = |block: &Block| -> Vec<Option<f64>> {
+            let bricks = block.grid().each_brick();
+            bricks.map(|brick| block.intact(brick)).collect()
+        };
+        let before = intact(&self.block);
+        self.go(&Stepper::default(), 1);
+        let after = intact(&self.block);
+        let yielding = before.iter().zip(&after).filter(|(b, a)| a < b).count();
+        yielding as f64 / before.len() as f64
+    }
+}
+
+impl Bit {
+    /// Pushes the nodes that it holds and moves on.
+    fn press(&mut self, block: &mut Block) {
+        let dt_s = block.dt_s();
+        let vectors = [
+            &mut self.position_m,
+            &mut self.velocity_m_per_s,
+            &mut self.force_N,
+        ];
+        vectors.into_iter().flatten().for_each(Vec::clear);
+        self.index.clear();
+        self.surface.clear();
+        self.mass_kg.clear();
+        self.area_m2.clear();
+        for node in block.exposed() {
+            self.surface.push(self.index.len() as u32);
+            self.index.push(node.index);
+            for axis in 0..3 {
+                // The rock's own forces are in its velocity.
+                self.position_m[axis].push(node.position_m[axis]);
+                self.velocity_m_per_s[axis].push(node.velocity_m_per_s[axis]);
+                self.force_N[axis].push(0.0);
+            }
+            let [x, y, z] = node.area_m2;
+            self.mass_kg.push(node.mass_kg);
+            self.area_m2.push((x * x + y * y + z * z).sqrt());
+        }
+        let load = self.face.touch(
+            &self.pose,
+            &self.law,
+            dt_s,
+            &mut SurfaceNodes {
+                surface: &self.surface,
+                position_m: self.position_m.each_ref().map(Vec::as_slice),
+                velocity_m_per_s: self.velocity_m_per_s.each_ref().map(Vec::as_slice),
+                mass_kg: &self.mass_kg,
+                area_m2: &self.area_m2,
+                force_N: self.force_N.each_mut().map(Vec::as_mut_slice),
+            },
+        );
+        for (at, &index) in self.index.iter().enumerate() {
+            let force_N = self.force_N.each_ref().map(|force| force[at]);
+            if force_N != [0.0; 3] {
+                block.push(index, force_N);
+            }
+        }
+        self.touching = load.touching;
+        self.pose = self.pose.after(dt_s);
+    }
+}
+
+impl RockSpeed {
+    pub(crate) fn text(&self) -> String {
+        let [x, y, z] = CELLS;
+        let title = format!(
+            "Solid rock, {x} × {y} × {z} hexahedra of {:.0} mm under a bit of {:.0} mm",
+            1e3 * EDGE_M,
+            1e3 * BIT_M
+        );
+        let mut table = Table::new(
+            &title,
+            2,
+            &[
+                "rock",
+                "instructions",
+                "ns per hexahedron-step",
+                "least to most",
+                "contact of it",
+                "yielding",
+                "nodes touching",
+            ],
+        );
+        for row in &self.rows {
+            let [median, spread] = row.ns_per_hexahedron_step.cells(1);
+            table.row(vec![
+                row.rock.to_owned(),
+                row.instructions.to_owned(),
+                median,
+                spread,
+                format!("{:.1}", row.contact_ns_per_hexahedron_step),
+                format!("{:.0} %", 100.0 * row.yielding),
+                row.touching_nodes.to_string(),
+            ]);
+        }
+        table.text()
+    }
+}
