@@ -3,7 +3,8 @@
 use nalgebra::Vector3;
 use wholestring::rock::{
     Alone, BitMotion, BitShape, Drilling, DrillingError, DrillingSpec, Driver, Edge, Inertia,
-    Progress, Rock, Stepper, bit_face::PdcBit,
+    Progress, Rock, Stepper,
+    bit_face::{ContactLaw, Cutter, InsertBit, PdcBit, Pose},
 };
 
 use crate::{
@@ -116,6 +117,94 @@ fn momentum_passes_from_the_bit_to_the_rock() {
         tolerance: Tolerance::Absolute(1e-11),
         reason: "rounding of 1e4 nodes and steps",
     });
+}
+
+/// A blunt insert on a column that may swell: `F = −A E (ln λ)/λ` of the mean stretch `λ = 1 − u/L`.
+#[test]
+fn a_blunt_insert_meets_the_stiffness_of_a_column() {
+    use Edge::{Free, Guided};
+    let insert = InsertBit::for_diameter(15.0);
+    let rock = elastic();
+    let mut spec = DrillingSpec::new(rock, BitShape::Insert(insert), 1e-3).unwrap();
+    spec.block.cells = [4, 4, 8];
+    spec.block.edges = [Free, Free, Free, Free, Free, Guided];
+    spec.wall_m = 5e-3;
+    spec.contact = ContactLaw {
+        stiffness_Pa_per_m: 1e4 * spec.contact.stiffness_Pa_per_m,
+        damping_ratio: 1.0,
+        friction: 0.0,
+    };
+    let mut drilling = Drilling::new(&spec).unwrap();
+    // The lowest of the inserts stands on the middle of the column.
+    let lowest = |cutter: &Cutter| {
+        let radius_m = 0.5 * insert.insert_diameter_m;
+        cutter.tip_m + (Vector3::z() - cutter.normal) * radius_m
+    };
+    let cutters = drilling.bit().face().cutters();
+    let tip = cutters
+        .iter()
+        .map(lowest)
+        .max_by(|a, b| a.z.total_cmp(&b.z))
+        .unwrap();
+    let pose = Pose {
+        position_m: Vector3::new(2e-3, 2e-3, 0.0) - tip,
+        ..*drilling.pose()
+    };
+    drilling.place(pose);
+    let driver = Driver::Rate {
+        rate_m_per_s: 0.1,
+        rotary_rad_per_s: 0.0,
+    };
+    let stepper = Stepper::default();
+    let press = |drilling: &mut Drilling, steps: usize| {
+        let mut force_N = 0.0;
+        for _ in 0..steps {
+            let advance = driver.drive(drilling, 1e-5, &stepper, &Alone);
+            force_N = -advance.force_N.z;
+        }
+        // The mean of what the nodes of the top bear, by the share of the area that they bear it on.
+        let grid = *drilling.block().grid();
+        let down = |i: usize, j: usize| {
+            drilling.block().displacement_m(grid.node([i, j, 0]))[2]
+                * if i.is_multiple_of(4) { 0.5 } else { 1.0 }
+                * if j.is_multiple_of(4) { 0.5 } else { 1.0 }
+                / 16.0
+        };
+        let mean_m: f64 = (0..25).map(|n| down(n % 5, n / 5)).sum();
+        (
+            force_N,
+            mean_m,
+            drilling.pose().position_m.z - pose.position_m.z,
+        )
+    };
+    let (first_N, first_m, first_way_m) = press(&mut drilling, 150);
+    let (second_N, second_m, second_way_m) = press(&mut drilling, 100);
+    assert!(first_N > 1e3, "{first_N} N");
+    let force_N = |u: f64| {
+        let stretch = 1.0 - u / 8e-3;
+        -16e-6 * rock.youngs_modulus_Pa * stretch.ln() / stretch
+    };
+    for (quantity, expected, computed) in [
+        (
+            "force of a blunt insert on a column, N",
+            force_N(second_m),
+            second_N,
+        ),
+        (
+            "stiffness of a column under a blunt insert, N/m",
+            (force_N(second_m) - force_N(first_m)) / (second_m - first_m),
+            (second_N - first_N) / (second_way_m - first_way_m),
+        ),
+    ] {
+        report(&Row {
+            case: "rock",
+            quantity,
+            expected,
+            computed,
+            tolerance: Tolerance::Relative(0.01),
+            reason: "the tip is round, it sinks into the contact, the column rings",
+        });
+    }
 }
 
 /// Rate of penetration, weight and torque of twice two revolutions after one, with the books of energy.
