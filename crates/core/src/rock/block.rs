@@ -318,6 +318,11 @@ impl Block {
         self.constants.dt_s
     }
 
+    /// Makes the steps equal parts of a time, s, the longest that the rock bears. How many.
+    pub fn share(&mut self, time_s: f64) -> usize {
+        self.constants.share(time_s)
+    }
+
     /// Depth of the first layer of nodes at rest below that of the block at first, m.
     pub fn top_m(&self) -> f64 {
         self.top_m

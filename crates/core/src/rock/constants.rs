@@ -44,8 +44,9 @@ impl Default for Numerics {
 pub struct Constants {
     /// Strength and stiffness.
     pub law: Law,
-    /// Step, s.
+    /// Step, and the longest that it may be, s.
     pub dt_s: f64,
+    pub longest_dt_s: f64,
     /// Volume, m³, and mass, kg, of a brick.
     pub volume_m3: f64,
     pub mass_kg: f64,
@@ -104,6 +105,7 @@ impl Constants {
         Ok(Self {
             law,
             dt_s,
+            longest_dt_s: dt_s,
             volume_m3,
             mass_kg: density * volume_m3,
             gradient: size_m.map(|h| 0.25 / h),
@@ -114,5 +116,14 @@ impl Constants {
             pressure_Pa,
             impedance: [density * wave, density * rock.shear_wave_m_per_s()],
         })
+    }
+
+    /// Takes the longest steps that share a time equally. How many.
+    pub fn share(&mut self, time_s: f64) -> usize {
+        let steps = (time_s / self.longest_dt_s).ceil().max(1.0);
+        let dt_s = time_s / steps;
+        self.viscosity *= self.dt_s / dt_s;
+        self.dt_s = dt_s;
+        steps as usize
     }
 }

@@ -111,6 +111,11 @@ impl Grid {
         (brick[axis] < self.cells[axis]).then_some(brick)
     }
 
+    /// Volume of a brick, m³.
+    pub fn volume_m3(&self) -> f64 {
+        self.size_m.iter().product()
+    }
+
     /// Area of a face, m².
     pub fn area_m2(&self, face: usize) -> f64 {
         let [_, a, b] = [face / 2, (face / 2 + 1) % 3, (face / 2 + 2) % 3];

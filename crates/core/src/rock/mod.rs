@@ -6,7 +6,7 @@
 //! failed are removed, and energy is accounted for throughout ([`Energies`]). A block [follows](Block::follow) the bit that
 //! drills it.
 //!
-//! What touches it is the bit's [face](bit_face).
+//! What touches it is the bit's [face](bit_face). [`Drilling`] puts the one on the other.
 //!
 //! z points down the hole, x and y across it. Stresses are positive in tension.
 
@@ -15,6 +15,7 @@ pub mod bit_face;
 mod block;
 mod brick;
 mod constants;
+mod drilling;
 mod edges;
 mod energy;
 mod erosion;
@@ -28,6 +29,10 @@ mod surface;
 
 pub use block::{Block, BlockSpec, SurfaceNode};
 pub use constants::Numerics;
+pub use drilling::{
+    Advance, Bit, BitMotion, BitShape, Drilling, DrillingEnergies, DrillingError, DrillingSpec,
+    Driver, Inertia, Progress,
+};
 pub use edges::Edge;
 pub use energy::Energies;
 pub use executor::{Alone, Executor};

@@ -6,6 +6,7 @@ mod common;
 mod bending;
 mod brick;
 mod drill;
+mod drilling;
 mod energy;
 mod fracture;
 mod hertz;

@@ -82,7 +82,35 @@ struct Node {
     area: f64,
 }
 
+/// The cylinder around a face, with what a step may bring in.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::rock) struct Reach {
+    axis: Vector3<f64>,
+    z_m: [f64; 2],
+    radius2_m2: f64,
+}
+
+impl Reach {
+    /// Whether a node at this place from the bit's reference point may touch.
+    #[inline]
+    pub(in crate::rock) fn contains(&self, arm_m: Vector3<f64>) -> bool {
+        let z = arm_m.dot(&self.axis);
+        let [high, low] = self.z_m;
+        z <= low && z >= high && arm_m.norm_squared() - z * z <= self.radius2_m2
+    }
+}
+
 impl BitFace {
+    /// Where nodes may touch.
+    pub(in crate::rock) fn reach(&self, pose: &Pose) -> Reach {
+        let [high, low] = self.grid.z_m;
+        Reach {
+            axis: pose.axis(),
+            z_m: [high - NEAR_M, low + NEAR_M],
+            radius2_m2: (self.grid.radius2_m2.sqrt() + NEAR_M).powi(2),
+        }
+    }
+
     /// Adds the forces of the face to those of the nodes and returns their reaction.
     ///
     /// Penetration `α` and closing speed `v` are those with which the step would end without the face; the force
@@ -103,15 +131,12 @@ impl BitFace {
         nodes: &mut SurfaceNodes<'_>,
     ) -> BitLoad {
         let mut load = BitLoad::default();
-        let axis = pose.axis();
-        let [high, low] = [self.grid.z_m[0] - NEAR_M, self.grid.z_m[1] + NEAR_M];
-        let reach2 = (self.grid.radius2_m2.sqrt() + NEAR_M).powi(2);
+        let reach = self.reach(pose);
         for &index in nodes.surface {
             let i = index as usize;
             let at = |of: &[&[f64]; 3]| Vector3::new(of[0][i], of[1][i], of[2][i]);
             let arm = at(&nodes.position_m) - pose.position_m;
-            let z = arm.dot(&axis);
-            if z > low || z < high || arm.norm_squared() - z * z > reach2 {
+            if !reach.contains(arm) {
                 continue;
             }
             let [fx, fy, fz] = &nodes.force_N;

@@ -1,0 +1,62 @@
+//! The bit that drills.
+
+use serde::{Deserialize, Serialize};
+
+use crate::rock::bit_face::{BitFace, FaceError, InsertBit, PdcBit};
+
+/// The numbers that make a face.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum BitShape {
+    /// A drag bit, or a core bit.
+    Pdc(PdcBit),
+    /// Inserts that scrape.
+    Insert(InsertBit),
+}
+
+impl BitShape {
+    /// The face.
+    ///
+    /// # Errors
+    /// Numbers that make none.
+    pub fn face(&self) -> Result<BitFace, FaceError> {
+        match self {
+            Self::Pdc(bit) => bit.face(),
+            Self::Insert(bit) => bit.face(),
+        }
+    }
+}
+
+/// A bit: its numbers, and the face that they make. Only the numbers are stored.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(try_from = "BitShape", into = "BitShape")]
+pub struct Bit {
+    shape: BitShape,
+    face: BitFace,
+}
+
+impl Bit {
+    /// The numbers.
+    pub fn shape(&self) -> &BitShape {
+        &self.shape
+    }
+
+    /// The face.
+    pub fn face(&self) -> &BitFace {
+        &self.face
+    }
+}
+
+impl TryFrom<BitShape> for Bit {
+    type Error = FaceError;
+
+    fn try_from(shape: BitShape) -> Result<Self, FaceError> {
+        let face = shape.face()?;
+        Ok(Self { shape, face })
+    }
+}
+
+impl From<Bit> for BitShape {
+    fn from(bit: Bit) -> Self {
+        bit.shape
+    }
+}

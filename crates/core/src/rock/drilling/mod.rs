@@ -1,0 +1,213 @@
+//! A bit on a block of rock.
+
+mod bit;
+mod driver;
+mod motion;
+mod near;
+mod progress;
+mod spec;
+
+use nalgebra::{Matrix3, Vector3};
+use serde::{Deserialize, Serialize};
+
+use self::near::Near;
+pub use self::{
+    bit::{Bit, BitShape},
+    driver::Driver,
+    motion::{Advance, BitMotion, Inertia},
+    progress::Progress,
+    spec::{DrillingError, DrillingSpec},
+};
+use super::{
+    bit_face::{ContactLaw, Pose},
+    block::Block,
+    executor::Executor,
+    kernel::Stepper,
+};
+
+/// Where the bit's energy goes, J: the four add up to nothing.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+pub struct DrillingEnergies {
+    /// Work of the rock on the bit.
+    pub on_bit_J: f64,
+    /// Work of the bit on the rock.
+    pub on_rock_J: f64,
+    /// Lost in friction between them.
+    pub friction_J: f64,
+    /// Taken by the contact.
+    pub contact_J: f64,
+}
+
+impl DrillingEnergies {
+    /// What the books are off by.
+    pub fn residual_J(&self) -> f64 {
+        self.on_bit_J + self.on_rock_J + self.friction_J + self.contact_J
+    }
+}
+
+/// A rigid bit on a block of rock, each of which moves the other.
+///
+/// It is plain data; of the bit, its numbers are stored. The frame is that of the hole: z points down along it, the origin
+/// is the corner of the block as it was at first, and stays there while the block follows the bit.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct Drilling {
+    block: Block,
+    bit: Bit,
+    contact: ContactLaw,
+    wall_m: f64,
+    pose: Pose,
+    energies: DrillingEnergies,
+    /// Bricks of the wall that were dropped, not broken.
+    dropped: usize,
+    #[serde(skip)]
+    near: Near,
+}
+
+impl Drilling {
+    /// A bit at rest on the middle of a block, upright.
+    ///
+    /// # Errors
+    /// No rock, no face, or a block that is not three layers deeper than the wall that is kept.
+    pub fn new(spec: &DrillingSpec) -> Result<Self, DrillingError> {
+        let block = Block::new(&spec.block)?;
+        let bit = Bit::try_from(spec.bit)?;
+        let ([nx, ny, nz], [x, y, z]) = (spec.block.cells, spec.block.size_m);
+        let depth_m = nz as f64 * z;
+        if !(spec.wall_m >= 0.0 && depth_m - spec.wall_m > 2.5 * z) {
+            return Err(DrillingError::Shallow {
+                depth_m,
+                wall_m: spec.wall_m,
+            });
+        }
+        let middle = Vector3::new(0.5 * nx as f64 * x, 0.5 * ny as f64 * y, 0.0);
+        Ok(Self {
+            block,
+            bit,
+            contact: spec.contact,
+            wall_m: spec.wall_m,
+            pose: Pose {
+                position_m: middle,
+                rotation: Matrix3::identity(),
+                velocity_m_per_s: Vector3::zeros(),
+                angular_velocity_rad_per_s: Vector3::zeros(),
+            },
+            energies: DrillingEnergies::default(),
+            dropped: 0,
+            near: Near::default(),
+        })
+    }
+
+    /// Moves bit and rock through a time, in equal steps that the rock bears.
+    ///
+    /// The bit is pushed by the rock after each step of the rock, as the nodes that it touches are: what the one gains in
+    /// momentum the others lose, and works are forces times the means of the velocities before and after. The contact takes the
+    /// bit's velocity from before the push, so that the bit must be heavier than the nodes that it touches.
+    pub fn advance(
+        &mut self,
+        time_s: f64,
+        motion: &BitMotion,
+        stepper: &Stepper,
+        executor: &impl Executor,
+    ) -> Advance {
+        let steps = self.block.share(time_s);
+        let dt = self.block.dt_s();
+        let [easy, turning] = motion.inertia.mobilities();
+        self.pose = self
+            .pose
+            .moving(motion.velocity_m_per_s, motion.angular_velocity_rad_per_s);
+        let from_m = self.pose.position_m;
+        let gone = self.block.removed().0 - self.dropped;
+        let mut advance = Advance {
+            time_s,
+            ..Advance::default()
+        };
+        for _ in 0..steps {
+            self.block.step(stepper, executor);
+            self.pose = self.pose.after(dt);
+            let [came, spun] = [
+                self.pose.velocity_m_per_s,
+                self.pose.angular_velocity_rad_per_s,
+            ];
+            advance.turned_rad += spun.z * dt;
+            self.pose.velocity_m_per_s += motion.force_N.component_mul(&easy) * dt;
+            self.pose.angular_velocity_rad_per_s += motion.moment_N_m.component_mul(&turning) * dt;
+            let met = self
+                .near
+                .press(&mut self.block, self.bit.face(), &self.pose, &self.contact);
+            let load = met.load;
+            self.pose.velocity_m_per_s += load.force_N.component_mul(&easy) * dt;
+            self.pose.angular_velocity_rad_per_s += load.moment_N_m.component_mul(&turning) * dt;
+            let work_J = 0.5
+                * dt
+                * (load.force_N.dot(&(came + self.pose.velocity_m_per_s))
+                    + load
+                        .moment_N_m
+                        .dot(&(spun + self.pose.angular_velocity_rad_per_s)));
+            self.energies.on_bit_J += work_J;
+            self.energies.on_rock_J += met.pushed_J;
+            self.energies.friction_J += load.friction_loss_J;
+            // The contact saw the bit at another velocity than the mean.
+            self.energies.contact_J += load.contact_loss_J + load.work_on_bit_J - work_J;
+            advance.force_N += load.force_N;
+            advance.moment_N_m += load.moment_N_m;
+            advance.work_J += work_J;
+        }
+        advance.force_N /= steps as f64;
+        advance.moment_N_m /= steps as f64;
+        advance.velocity_m_per_s = self.pose.velocity_m_per_s;
+        advance.angular_velocity_rad_per_s = self.pose.angular_velocity_rad_per_s;
+        advance.displacement_m = self.pose.position_m - from_m;
+        advance.broken = self.block.removed().0 - self.dropped - gone;
+        self.follow();
+        advance
+    }
+
+    /// Drops the layers that the bit has left above it.
+    fn follow(&mut self) {
+        let grid = *self.block.grid();
+        let above_m = self.pose.position_m.z - self.wall_m - self.block.top_m();
+        // The lowest layer of all stays, for the next to move with.
+        let passed = ((above_m / grid.size_m[2]).max(0.0) as usize).min(grid.cells[2] - 1);
+        if passed == 0 {
+            return;
+        }
+        for brick in grid.each_brick().filter(|brick| brick[2] < passed) {
+            if self.block.intact(brick).is_some() {
+                self.block.remove(brick);
+                self.dropped += 1;
+            }
+        }
+        self.block.follow();
+    }
+
+    /// The block.
+    pub fn block(&self) -> &Block {
+        &self.block
+    }
+
+    /// The bit.
+    pub fn bit(&self) -> &Bit {
+        &self.bit
+    }
+
+    /// Where the bit is and how it moves.
+    pub fn pose(&self) -> &Pose {
+        &self.pose
+    }
+
+    /// Puts the bit elsewhere.
+    pub fn place(&mut self, pose: Pose) {
+        self.pose = pose;
+    }
+
+    /// Where the bit's energy went.
+    pub fn energies(&self) -> DrillingEnergies {
+        self.energies
+    }
+
+    /// Bricks of the hole's wall that were dropped as the block followed the bit; they count among those that have gone
+    /// from the block.
+    pub fn dropped(&self) -> usize {
+        self.dropped
+    }
+}

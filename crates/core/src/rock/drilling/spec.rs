@@ -1,0 +1,73 @@
+//! What a bit is to drill.
+
+use thiserror::Error;
+
+use super::BitShape;
+use crate::rock::{
+    bit_face::{ContactLaw, FaceError},
+    block::BlockSpec,
+    edges::Edge,
+    material::{Rock, RockError},
+};
+
+/// A bit and the block that it is to drill.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DrillingSpec {
+    /// The block. The bit begins on the middle of its upper face.
+    pub block: BlockSpec,
+    /// The bit.
+    pub bit: BitShape,
+    /// How bit and rock touch.
+    pub contact: ContactLaw,
+    /// Height of the hole's wall above the bit's lowest point that is kept, m; what is higher is dropped while the block
+    /// follows the bit.
+    pub wall_m: f64,
+}
+
+/// Why a bit cannot drill.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum DrillingError {
+    /// The rock.
+    #[error(transparent)]
+    Rock(#[from] RockError),
+    /// The bit.
+    #[error(transparent)]
+    Face(#[from] FaceError),
+    /// A block too shallow to follow the bit.
+    #[error(
+        "a block {depth_m} m deep under a wall of {wall_m} m: expected three layers of bricks more than the wall"
+    )]
+    Shallow {
+        /// Depth of the block, m.
+        depth_m: f64,
+        /// Height of the wall that is kept, m.
+        wall_m: f64,
+    },
+}
+
+impl DrillingSpec {
+    /// A bit on cubes of this size.
+    ///
+    /// The block is two bricks, or an eighth of the diameter, wider than the bit on each side, and as deep as the face from its
+    /// nose to the gauge, and a quarter of the diameter, or four bricks, below. It is held at the bottom, so that the
+    /// weight does not push it away; there is more rock around.
+    ///
+    /// # Errors
+    /// Numbers that make no face.
+    pub fn new(rock: Rock, bit: BitShape, size_m: f64) -> Result<Self, FaceError> {
+        let face = bit.face()?;
+        let diameter_m = 2.0 * face.profile().radius_m();
+        let bricks = |m: f64| (m / size_m).ceil() as usize;
+        let across = bricks(diameter_m) + 2 * bricks(0.125 * diameter_m).max(2);
+        let wall = bricks(-face.profile().gauge_z_m()) + 1;
+        let below = bricks(0.25 * diameter_m).max(4);
+        let mut block = BlockSpec::new(rock, [across, across, wall + 1 + below], size_m);
+        block.edges[5] = Edge::Held;
+        Ok(Self {
+            block,
+            bit,
+            contact: ContactLaw::for_rock(rock.youngs_modulus_Pa, size_m),
+            wall_m: wall as f64 * size_m,
+        })
+    }
+}
