@@ -272,16 +272,26 @@ impl Block {
     /// a node goes into one force.
     ///
     /// The work is the force times the mean of the velocities with which the node came and goes, as that of the rock's own
-    /// forces is.
+    /// forces is. What holds a node of an outer face bears the push, and its motion stays as it is told.
     pub fn push(&mut self, index: usize, force_N: [f64; 3]) -> f64 {
         let inverse = self.inverse_mass[index];
         let mut work_J = 0.0;
         if inverse > 0.0 {
             let dt = self.constants.dt_s;
+            let held = match &self.outside {
+                Some(outside) => outside.held(index),
+                None => self.make_edges().held(index),
+            };
             for (axis, force) in force_N.into_iter().enumerate() {
                 let v = &mut self.velocity[axis][index];
-                *v += dt * force * inverse;
-                work_J += force * dt * 0.5 * (self.came[axis][index] + *v);
+                if !held[axis] {
+                    *v += dt * force * inverse;
+                }
+                let work = force * dt * 0.5 * (self.came[axis][index] + *v);
+                if held[axis] {
+                    self.energies.edges_J -= work;
+                }
+                work_J += work;
             }
         }
         self.energies.pushed_J += work_J;

@@ -88,7 +88,14 @@ impl Edges {
                 found.push(outside);
             }
         }
+        found.sort_by_key(|node: &Outside| node.place);
         Self(found)
+    }
+
+    /// The directions in which a node moves as it is told.
+    pub fn held(&self, place: usize) -> [bool; 3] {
+        let found = self.0.binary_search_by_key(&place, |node| node.place);
+        found.map_or([false; 3], |index| self.0[index].held)
     }
 
     /// Keeps the velocities before a step.

@@ -201,3 +201,28 @@ fn a_turned_brick_feels_nothing() {
         reason: "steps of 1e-3 rad: a sixth of their third power each is 3e-7 in all, and the spurious strain's 2e-10 over strains of 3e-4",
     });
 }
+
+/// A node that is held across a face by what is there goes on as it is told when it is pushed, and the books know who bore it:
+/// what the push gives, the holder takes. Along the face it gives way.
+#[test]
+fn what_holds_a_node_bears_a_push() {
+    let (mut block, stepper) = (press(elastic(), 0.0), Stepper::default());
+    let told = [0.02, 0.0, 0.0];
+    let index = block.grid().node([0, 1, 1]);
+    block.tell(index, told);
+    step(&mut block, &stepper);
+    let before = block.energies();
+    let work = block.push(index, [1e3, 1e3, 0.0]);
+    let node = block.exposed().find(|node| node.index == index);
+    let [x, y, _] = node.expect("a node of the surface").velocity_m_per_s;
+    assert_eq!(x, told[0]);
+    assert!(y > 1e-3, "{y} m/s along the face");
+    let after = block.energies();
+    let given = after.edges_J - before.edges_J;
+    let dt = 1e3 * block.dt_s();
+    assert!(
+        (given + dt * told[0]).abs() < 1e-12 * dt,
+        "{given} J by the holder"
+    );
+    assert!((after.pushed_J - before.pushed_J - work).abs() < 1e-12 * work.abs());
+}
