@@ -17,7 +17,9 @@ use super::{
     constants::Constants,
     grid::{GROUP, Grid},
 };
-use crate::rod::number::{Number, Real};
+use crate::rod::number::Number;
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+use crate::rod::number::Real;
 #[cfg(not(target_arch = "x86_64"))]
 use crate::rod::wide::Pair;
 use nodes::{drift, kick};
