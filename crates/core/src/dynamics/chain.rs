@@ -78,7 +78,10 @@ impl Chain {
 
 impl<R: Real> Chain<R> {
     fn idle(nodes: usize, pattern: usize) -> Self {
-        let strands = Strands::new(nodes, R::LANES, pattern);
+        Self::in_strands(nodes, pattern, Strands::new(nodes, R::LANES, pattern))
+    }
+
+    fn in_strands(nodes: usize, pattern: usize, strands: Strands) -> Self {
         let rows = strands.rows();
         Self {
             nodes,
@@ -93,7 +96,20 @@ impl<R: Real> Chain<R> {
 
     /// The same chain in another kind of number.
     pub fn converted<S: Real>(&self) -> Chain<S> {
-        let mut chain = Chain::<S>::idle(self.nodes, self.pattern);
+        self.moved_into(Chain::idle(self.nodes, self.pattern))
+    }
+
+    /// The same chain in strands of so many rows.
+    #[cfg(test)]
+    pub fn in_rows(&self, rows: usize) -> Self {
+        self.moved_into(Self::in_strands(
+            self.nodes,
+            self.pattern,
+            Strands::from(rows),
+        ))
+    }
+
+    fn moved_into<S: Real>(&self, mut chain: Chain<S>) -> Chain<S> {
         chain.lengths_m.clone_from(&self.lengths_m);
         for index in 0..self.nodes {
             let ((row, lane), (from, from_lane)) = (chain.place(index), self.place(index));

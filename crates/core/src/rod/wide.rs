@@ -11,6 +11,21 @@ use super::number::Number;
 #[derive(Debug, Clone, Copy)]
 pub struct Pair<N>(N, N);
 
+/// Whether the processor has what code for AVX2 is compiled for: AVX2 and fused multiply-add.
+#[cfg(target_arch = "x86_64")]
+pub fn has_avx2() -> bool {
+    is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")
+}
+
+/// Whether it has what code for AVX-512 is compiled for, AVX2's included.
+#[cfg(target_arch = "x86_64")]
+pub fn has_avx512() -> bool {
+    has_avx2()
+        && is_x86_feature_detected!("avx512f")
+        && is_x86_feature_detected!("avx512dq")
+        && is_x86_feature_detected!("avx512vl")
+}
+
 macro_rules! pair_operator {
     ($trait:ident, $method:ident) => {
         impl<N: Number> $trait for Pair<N> {

@@ -32,6 +32,17 @@ fn node_at(mesh: &Mesh, from_bit_m: f64) -> Option<f64> {
         .map(|n| n.contact_radius_m)
 }
 
+/// Joints every 9.6 m are every sixth, third or second node at these elements, whatever the assembly below; plain pipe has
+/// none.
+#[test]
+fn joints_come_after_as_many_nodes() {
+    let string = np13();
+    let found = [1.6, 3.2, 4.8].map(|length| Mesh::new(&string, length).nodes_per_joint());
+    assert_eq!(found, [6, 3, 2]);
+    let plain = self::string(vec![tube(0.127, ToSurface)], 300.0);
+    assert_eq!(Mesh::new(&plain, 3.2).nodes_per_joint(), 1);
+}
+
 /// Stabiliser, jar and every joint of the heavy-weight and of the drill pipe carry a node with
 /// their own radius; between them the body's.
 #[test]

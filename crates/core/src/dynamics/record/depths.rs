@@ -49,7 +49,7 @@ pub fn neutral_point_m(
         let along = |i: usize| chain.displacement(i).dot(chain.tangent(i));
         0.5 * (anchors[i].md_m + along(i) + anchors[i + 1].md_m + along(i + 1))
     };
-    // It is not looked for in the strands that hang from the top, nor in the last of them but where it ends.
+    // Strands that hang from the top have none; the last of them may end just above it.
     let hanging = chain.strands_above_N(outcome::SLACK * largest_N);
     let tensions_N = chain.tensions_N(hanging.saturating_sub(1));
     outcome::neutral_point_among(tensions_N, largest_N, md_m)

@@ -132,6 +132,46 @@ fn every_instruction_set_moves_the_string_alike() {
     }
 }
 
+/// A row that does not reach the wall leaves contact and friction out. Which nodes share a row is a matter of the strands'
+/// length, and it makes no difference to any of them: with strands of other lengths all bits are the same, those of the sums too.
+#[test]
+fn no_node_knows_who_shares_its_row() {
+    let mut run = Run::<f64>::new(&model(0.3), &REAM, &DynamicsSettings::default()).unwrap();
+    run.advance(1.0).unwrap();
+    let (input, rows) = (run.step_input(), run.chain.node_blocks.len());
+    let stepped = |mut chain: Chain| {
+        for _ in 0..2000 {
+            run.stepper.step(&mut chain, &input);
+        }
+        chain
+    };
+    let whole = stepped(run.chain.clone());
+    for longer in [1, 2, 5] {
+        let other = stepped(run.chain.in_rows(rows + longer));
+        for i in 0..whole.nodes() {
+            let bits = |chain: &Chain| {
+                let (u, v) = (chain.displacement(i), chain.velocity(i));
+                [
+                    u.0,
+                    u.1,
+                    u.2,
+                    v.0,
+                    v.1,
+                    v.2,
+                    node!(chain, i, spin),
+                    node!(chain, i, sum_normal),
+                    node!(chain, i, sum_wear),
+                ]
+                .map(f64::to_bits)
+            };
+            assert_eq!(bits(&whole), bits(&other), "node {i}, {longer} rows more");
+        }
+    }
+    let touched = (0..whole.nodes()).filter(|i| node!(whole, *i, sum_normal) > 0.0);
+    let part = touched.count() as f64 / whole.nodes() as f64;
+    assert!(part > 0.2 && part < 1.0, "{part} of the nodes touched");
+}
+
 /// What the nodes have rubbed is all found again on the hole, to rounding, with either law.
 #[test]
 fn wear_is_laid_on_the_hole() {

@@ -171,15 +171,10 @@ impl<R: Real> Stepper<R> {
         let mut all = Vec::new();
         #[cfg(target_arch = "x86_64")]
         {
-            let fma = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
-            if fma
-                && is_x86_feature_detected!("avx512f")
-                && is_x86_feature_detected!("avx512dq")
-                && is_x86_feature_detected!("avx512vl")
-            {
+            if crate::rod::wide::has_avx512() {
                 all.push(choose!(avx512, avx512_calm, avx512_peak, "AVX-512"));
             }
-            if fma {
+            if crate::rod::wide::has_avx2() {
                 all.push(choose!(avx2, avx2_calm, avx2_peak, "AVX2"));
             }
         }

@@ -142,15 +142,10 @@ impl Stepper {
         let mut all = Vec::new();
         #[cfg(target_arch = "x86_64")]
         {
-            let fma = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
-            if fma
-                && is_x86_feature_detected!("avx512f")
-                && is_x86_feature_detected!("avx512dq")
-                && is_x86_feature_detected!("avx512vl")
-            {
+            if crate::rod::wide::has_avx512() {
                 all.push(choose!(avx512_begin, avx512_work, avx512_end, "AVX-512"));
             }
-            if fma {
+            if crate::rod::wide::has_avx2() {
                 all.push(choose!(avx2_begin, avx2_work, avx2_end, "AVX2"));
             }
         }
