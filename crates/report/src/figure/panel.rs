@@ -164,6 +164,7 @@ fn own_values(mark: &Mark) -> Vec<f64> {
             points.iter().map(|point| point.1).collect()
         }
         Mark::Band { points, .. } => points.iter().flat_map(|point| [point.1, point.2]).collect(),
+        Mark::Bars { bars, .. } => bars.iter().flatten().map(|end| end.1).collect(),
         Mark::OwnRule { at, .. } => vec![*at],
         Mark::SharedRule { .. } | Mark::Shade { .. } => Vec::new(),
         Mark::Map(map) => map.middles.clone(),
@@ -177,6 +178,7 @@ pub(super) fn shared_values(mark: &Mark) -> Vec<f64> {
             points.iter().map(|point| point.0).collect()
         }
         Mark::Band { points, .. } => points.iter().map(|point| point.0).collect(),
+        Mark::Bars { bars, .. } => bars.iter().flatten().map(|end| end.0).collect(),
         Mark::Map(map) => map.ends.iter().copied().chain([map.from]).collect(),
         Mark::SharedRule { .. } | Mark::OwnRule { .. } | Mark::Shade { .. } => Vec::new(),
     }
@@ -295,7 +297,7 @@ fn colour_bar(on: &mut Drawing, map: &Map, frame: &Box) {
     };
     const STEPS: usize = 256;
     let scale = ColourScale::new(map.hue);
-    let pixels = (0..STEPS).map(|row| scale.at(1.0 - (row as f64 + 0.5) / STEPS as f64));
+    let pixels = (0..STEPS).map(|row| Some(scale.at(1.0 - (row as f64 + 0.5) / STEPS as f64)));
     let image = crate::draw::Image {
         columns: 1,
         pixels: pixels.collect(),
