@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{DetournayDefournyLaw, Motor, RateLaw, RegenerativeLaw, SteadyCut, TableLaw};
+use super::{DetournayDefournyLaw, Motor, RateLaw, RegenerativeLaw, RockLaw, SteadyCut, TableLaw};
 use crate::operation::Operation;
 
 /// The bit on the rock.
@@ -10,10 +10,11 @@ use crate::operation::Operation;
 pub struct BitSettings {
     /// How the rock answers.
     pub law: BitLaw,
-    /// Lateral stiffness that holds the bit to the hole's axis, N/m.
+    /// Lateral stiffness that holds the bit to the hole's axis, N/m. On solid rock the hole that the bit has cut holds it, and
+    /// this does so off bottom alone.
     pub lateral_stiffness_N_per_m: f64,
     /// What the bit cuts sideways per force, over what it cuts along the hole per weight: its steerability. Zero of one
-    /// that does not cut sideways.
+    /// that does not cut sideways; solid rock is cut sideways as its law has it.
     pub steerability: f64,
     /// What turns the bit against the string.
     pub motor: Motor,
@@ -116,6 +117,8 @@ pub enum BitLaw {
     DetournayDefourny(DetournayDefournyLaw),
     /// Rate of penetration and torque as they were measured.
     Table(TableLaw),
+    /// The face of the bit breaks solid rock.
+    Rock(Box<RockLaw>),
 }
 
 impl BitLaw {
@@ -126,10 +129,12 @@ impl BitLaw {
             Self::Regenerative(law) => law.stiffness_N_per_m(),
             Self::DetournayDefourny(law) => law.rock_stiffness_N_per_m,
             Self::Table(law) => law.rock_stiffness_N_per_m,
+            Self::Rock(law) => law.stiffness_N_per_m(),
         }
     }
 
-    /// How a bit drills steadily under a weight on bit, turning at a speed; the rate law does not know.
+    /// How a bit drills steadily under a weight on bit, turning at a speed; the rate law does not know, and of solid rock it is
+    /// an [estimate](RockLaw::estimate).
     pub fn steady(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> Option<SteadyCut> {
         let (weight, speed) = (weight_on_bit_N, rotary_speed_rad_per_s);
         match self {
@@ -137,6 +142,7 @@ impl BitLaw {
             Self::Regenerative(law) => Some(law.steady(weight, speed)),
             Self::DetournayDefourny(law) => Some(law.steady(weight, speed)),
             Self::Table(law) => Some(law.table.steady(weight, speed)),
+            Self::Rock(law) => Some(law.steady(weight, speed)),
         }
     }
 }

@@ -16,6 +16,9 @@ pub(super) struct SinceSample {
     pub(super) surface_torque: f64,
     pub(super) weight_on_bit: f64,
     pub(super) bit_torque: f64,
+    pub(super) bit_high: f64,
+    pub(super) bit_right: f64,
+    pub(super) bit_moment: f64,
     pub(super) depth_of_cut: f64,
     pub(super) rate_of_penetration: f64,
     pub(super) motor_speed: f64,
@@ -70,6 +73,9 @@ impl<R: Real> Run<R> {
         series.side_force_total_N.push(totals.normal_N);
         series.weight_on_bit_N.push(sums.weight_on_bit / n);
         series.bit_torque_N_m.push(sums.bit_torque / n);
+        series.bit_force_high_N.push(sums.bit_high / n);
+        series.bit_force_right_N.push(sums.bit_right / n);
+        series.bit_moment_N_m.push(sums.bit_moment / n);
         series.depth_of_cut_m.push(sums.depth_of_cut / n);
         series
             .rate_of_penetration_m_per_s
