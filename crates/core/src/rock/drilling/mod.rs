@@ -1,10 +1,12 @@
 //! A bit on a block of rock.
 
 mod bit;
+mod bottom;
 mod driver;
 mod motion;
 mod near;
 mod progress;
+mod seat;
 mod spec;
 
 use nalgebra::{Matrix3, Vector3};
@@ -57,14 +59,15 @@ pub struct Drilling {
     wall_m: f64,
     pose: Pose,
     energies: DrillingEnergies,
-    /// Bricks of the wall that were dropped, not broken.
+    /// Bricks of the first hole and of the wall that were dropped, not broken.
     dropped: usize,
     #[serde(skip)]
     near: Near,
 }
 
 impl Drilling {
-    /// A bit at rest on the middle of a block, upright.
+    /// A bit at rest on the middle of a block, upright: in the hole that it would have drilled, as deep as the wall that is
+    /// kept, or on the flat top. The bricks of that hole count as dropped, not as broken.
     ///
     /// # Errors
     /// No rock, no face, or a block that is not three layers deeper than the wall that is kept.
@@ -80,7 +83,7 @@ impl Drilling {
             });
         }
         let middle = Vector3::new(0.5 * nx as f64 * x, 0.5 * ny as f64 * y, 0.0);
-        Ok(Self {
+        let mut drilling = Self {
             block,
             bit,
             contact: spec.contact,
@@ -94,7 +97,11 @@ impl Drilling {
             energies: DrillingEnergies::default(),
             dropped: 0,
             near: Near::default(),
-        })
+        };
+        if spec.seated {
+            drilling.seat();
+        }
+        Ok(drilling)
     }
 
     /// Moves bit and rock through a time, in equal steps that the rock bears.
@@ -111,7 +118,7 @@ impl Drilling {
     ) -> Advance {
         let steps = self.block.share(time_s);
         let dt = self.block.dt_s();
-        let [easy, turning] = motion.inertia.mobilities();
+        let inertia = &motion.inertia;
         self.pose = self
             .pose
             .moving(motion.velocity_m_per_s, motion.angular_velocity_rad_per_s);
@@ -123,20 +130,20 @@ impl Drilling {
         };
         for _ in 0..steps {
             self.block.step(stepper, executor);
-            self.pose = self.pose.after(dt);
+            advance.turned_rad += self.go(dt) * dt;
+            let axis = self.pose.axis();
             let [came, spun] = [
                 self.pose.velocity_m_per_s,
                 self.pose.angular_velocity_rad_per_s,
             ];
-            advance.turned_rad += spun.z * dt;
-            self.pose.velocity_m_per_s += motion.force_N.component_mul(&easy) * dt;
-            self.pose.angular_velocity_rad_per_s += motion.moment_N_m.component_mul(&turning) * dt;
+            self.pose.velocity_m_per_s += inertia.moved(motion.force_N * dt);
+            self.pose.angular_velocity_rad_per_s += inertia.turned(motion.moment_N_m * dt, &axis);
             let met = self
                 .near
                 .press(&mut self.block, self.bit.face(), &self.pose, &self.contact);
             let load = met.load;
-            self.pose.velocity_m_per_s += load.force_N.component_mul(&easy) * dt;
-            self.pose.angular_velocity_rad_per_s += load.moment_N_m.component_mul(&turning) * dt;
+            self.pose.velocity_m_per_s += inertia.moved(load.force_N * dt);
+            self.pose.angular_velocity_rad_per_s += inertia.turned(load.moment_N_m * dt, &axis);
             let work_J = 0.5
                 * dt
                 * (load.force_N.dot(&(came + self.pose.velocity_m_per_s))
@@ -160,6 +167,17 @@ impl Drilling {
         advance.broken = self.block.removed().0 - self.dropped - gone;
         self.follow();
         advance
+    }
+
+    /// The bit goes on and turns; its spin, rad/s. The spin stays with the axis and what tilts the bit goes along: how a spinning
+    /// bit precesses is its string's.
+    fn go(&mut self, dt: f64) -> f64 {
+        let omega = self.pose.angular_velocity_rad_per_s;
+        let axis = self.pose.axis();
+        let spin = axis.dot(&omega);
+        self.pose = self.pose.after(dt);
+        self.pose.angular_velocity_rad_per_s = (omega - axis * spin) + self.pose.axis() * spin;
+        spin
     }
 
     /// Drops the layers that the bit has left above it.
@@ -205,8 +223,8 @@ impl Drilling {
         self.energies
     }
 
-    /// Bricks of the hole's wall that were dropped as the block followed the bit; they count among those that have gone
-    /// from the block.
+    /// Bricks that were dropped, not broken: those of the hole that the bit began in, and of its wall as the block followed the
+    /// bit. They count among those that have gone from the block.
     pub fn dropped(&self) -> usize {
         self.dropped
     }
