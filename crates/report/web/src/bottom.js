@@ -1,16 +1,15 @@
 // The bottom of the hole: in space, and from above as a map.
 
 import {
-  BackSide,
   BufferGeometry,
   Color,
   DoubleSide,
   Float32BufferAttribute,
+  FrontSide,
   LineBasicMaterial,
   LineSegments,
   Mesh,
   MeshLambertMaterial,
-  Vector3,
 } from "three";
 import { deepestOf, depthScale, edgesOf } from "./cells.js";
 import { colourKey } from "./colour_key.js";
@@ -30,7 +29,7 @@ const FROM = [-0.35, 0.95, 0.9];
 
 /** A view of the bottom that `get` gives, none where it gives none; `sided` says whether its high side means something. */
 export function bottomView(get, sided) {
-  const space = stage("The bottom of the hole in space", HEIGHT);
+  const space = stage("The bottom of the hole in space", HEIGHT, 0.9);
   const map = plan(get, sided);
   const key = el("div", { class: "colour-key" });
   let exaggeration = 1;
@@ -81,11 +80,10 @@ export function bottomView(get, sided) {
     if (!bottom || !space) return;
     const [, outer] = edgesOf(bottom);
     const deep = deepestOf(bottom) * exaggeration;
-    const tall = Math.tan((space.camera.fov * Math.PI) / 360);
-    const towards = new Vector3(...from).normalize();
-    // The hole with the signs about it, as a ball.
-    const far = (1.22 * Math.hypot(outer, deep / 2)) / (tall * Math.min(space.aspect(), 1));
-    space.look(new Vector3(0, -deep / 2, 0), towards, far);
+    const round = Array.from({ length: 24 }, (_, k) => (k * Math.PI) / 12);
+    const hole = round.flatMap((angle) => [0, deep].map((down) => place(outer, angle, down)));
+    const beside = [-1, 1].map((side) => [0.7 * side * outer, 0, 1.25 * outer]);
+    space.lookAt([...hole, ...beside, [0, 0, -1.15 * outer]], from);
   }
 
   /** Another bottom, seen as far off as it is large. */
@@ -97,14 +95,13 @@ export function bottomView(get, sided) {
     exaggeration = [10, 5, 2].find((times) => times <= steep) ?? 1;
     slider.value = Math.log10(exaggeration);
     build();
-    look(space ? space.from().toArray() : FROM);
+    look(FROM);
   }
 
   function redraw() {
     map.draw();
     if (space) {
       space.size();
-      space.look(new Vector3(), new Vector3(...FROM).normalize(), 1);
     }
     change();
   }
@@ -187,7 +184,7 @@ function wall(bottom, exaggeration) {
   shape.setAttribute("position", new Float32BufferAttribute(places, 3));
   shape.setIndex(faces);
   shape.computeVertexNormals();
-  return new Mesh(shape, new MeshLambertMaterial({ color: colour("rock"), side: BackSide }));
+  return new Mesh(shape, new MeshLambertMaterial({ color: colour("rock"), side: FrontSide }));
 }
 
 /** A round length beside the hole, and where its high side is. */

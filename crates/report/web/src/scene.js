@@ -1,6 +1,6 @@
 // The well in space with the string in it: across the hole everything is larger than along it.
 
-import { Color, DoubleSide, Mesh, MeshLambertMaterial, Vector3 } from "three";
+import { Color, DoubleSide, Mesh, MeshLambertMaterial } from "three";
 import { Course, Tube } from "./bore.js";
 import { colourKey } from "./colour_key.js";
 import { el, select } from "./dom.js";
@@ -219,20 +219,8 @@ export function scene(report) {
   function look(direction) {
     const { low, high } = bounds(course, view());
     const middle = low.clone().add(high).multiplyScalar(0.5);
-    const wide = space.aspect();
-    const towards = new Vector3(...direction).normalize();
-    const right = new Vector3(0, 1, 0).cross(towards).normalize();
-    const up = towards.clone().cross(right);
-    const tall = Math.tan((space.camera.fov * Math.PI) / 360);
-    // As near as the path and the drawn corners of the box allow, with room for their labels.
-    let far = 0;
     const corners = walls({ low, high }, across(0.3)).flatMap(([x, z]) => [low.y, high.y].map((y) => [x, y, z]));
-    for (const corner of [...corners, ...along()]) {
-      const at = new Vector3(...corner).sub(middle);
-      const needs = Math.max(Math.abs(at.dot(right)) / (tall * wide * 0.86), Math.abs(at.dot(up)) / (tall * 0.93));
-      far = Math.max(far, needs + at.dot(towards));
-    }
-    space.look(middle, towards, far);
+    space.lookAt([...corners, ...along()], direction, middle);
   }
 
   function redraw() {

@@ -1,6 +1,6 @@
 // A view in space: a scene with light from the reader's side that turns by hand, and a copy of it for paper.
 
-import { AmbientLight, DirectionalLight, PerspectiveCamera, Scene, WebGLRenderer } from "three";
+import { AmbientLight, Box3, DirectionalLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { el } from "./dom.js";
 import { isPrinting } from "./theme.js";
@@ -11,8 +11,11 @@ export const noSpace = () => el("p", { class: "warning" }, "This view needs WebG
 /** What one does to look around. */
 export const LOOK_AROUND = "drag to turn, right-drag to move, Ctrl + wheel to go nearer";
 
-/** A stage as wide as it is let be and so high in pixels; null where the browser has none. */
-export function stage(what, height) {
+/**
+ * A stage as wide as it is let be and so high in pixels; null where the browser has none. `aside` is how far the light comes
+ * from above and from the left of the reader, in parts of the distance: what is rough throws no shade in light from the eye.
+ */
+export function stage(what, height, aside = 0) {
   const canvas = el("canvas", { class: "space", style: `height:${height}px`, role: "img", "aria-label": what });
   let renderer;
   try {
@@ -66,7 +69,8 @@ export function stage(what, height) {
   }
 
   function render() {
-    sun.position.copy(camera.position);
+    const off = aside * camera.position.distanceTo(orbit.target);
+    sun.position.copy(camera.position).add(new Vector3(-off, off, 0).applyQuaternion(camera.quaternion));
     sun.target.position.copy(orbit.target);
     sun.target.updateMatrixWorld();
     renderer.render(world, camera);
@@ -75,8 +79,19 @@ export function stage(what, height) {
     paper.getContext("2d").drawImage(canvas, 0, 0);
   }
 
-  /** Looks at `middle` from so far in a direction, a vector of length one. */
-  function look(middle, towards, far) {
+  /** Looks at `middle`, that of the places where it is not given, from a direction: as near as they allow, with room for labels. */
+  function lookAt(places, direction, middle = new Box3().setFromArray(places.flat()).getCenter(new Vector3())) {
+    const wide = (canvas.clientWidth || 1200) / height;
+    const towards = new Vector3(...direction).normalize();
+    const right = new Vector3(0, 1, 0).cross(towards).normalize();
+    const up = towards.clone().cross(right);
+    const tall = Math.tan((camera.fov * Math.PI) / 360);
+    let far = 0;
+    for (const place of places) {
+      const at = new Vector3(...place).sub(middle);
+      const needs = Math.max(Math.abs(at.dot(right)) / (tall * wide * 0.86), Math.abs(at.dot(up)) / (tall * 0.93));
+      far = Math.max(far, needs + at.dot(towards));
+    }
     orbit.target.copy(middle);
     camera.position.copy(middle).addScaledVector(towards, far);
     camera.near = far / 200;
@@ -104,15 +119,13 @@ export function stage(what, height) {
   }).observe(holder);
   return {
     holder,
-    camera,
     add,
     has: (item) => items.includes(item),
     remove,
     render,
-    look,
+    lookAt,
     size,
     /** From where the reader looks, as a vector from what is looked at. */
     from: () => camera.position.clone().sub(orbit.target),
-    aspect: () => (canvas.clientWidth || 1200) / height,
   };
 }

@@ -15,6 +15,6 @@ pub const BOTTOM_HOLE: &[ColumnSpec] = &[
     ColumnSpec::number(
         "depth_m",
         "m",
-        "Depth of the cell below where the top of the rock was at first; `null` where no rock is left or known",
+        "Depth of the rock that is uppermost there, below the nose of the bit; `null` where none stands",
     ),
 ];
