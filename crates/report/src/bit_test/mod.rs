@@ -85,11 +85,9 @@ impl BitTest {
             xy += (x - mean_x) * (y - mean_y);
         }
         // Weights that differ by rounding make no slope.
-        if !(xx > count * (1e-6 * mean_x).powi(2)) {
-            return None;
-        }
+        let apart = xx > count * (1e-6 * mean_x).powi(2);
         let slope = xy / xx;
-        Some((slope, mean_y - slope * mean_x))
+        apart.then_some((slope, mean_y - slope * mean_x))
     }
 
     /// All numbers, a row for each point.

@@ -233,7 +233,7 @@ fn image(map: &Map, place: &Place) -> Image {
             let part = value / map.largest;
             Some(scale.at(match map.hue {
                 Hue::Side => 0.5 + 0.5 * part,
-                Hue::Amount => part,
+                Hue::Amount | Hue::Depth => part,
             }))
         })
     });

@@ -23,7 +23,7 @@ pub(crate) fn bottoms_figure(
 ) -> Figure {
     let length = |si: f64| shown.value(si, "diameter");
     let reach_m = bottoms.iter().map(|(_, of)| of.edges_m()[1]);
-    let reach_m = reach_m.fold(0.0, f64::max);
+    let reach_m = 1.04 * reach_m.fold(0.0, f64::max);
     let deepest_m = bottoms.iter().map(|(_, of)| deepest_m(of));
     let deepest_m = deepest_m.fold(0.0, f64::max);
     let range = Range::Fixed(-length(reach_m), length(reach_m));
@@ -44,7 +44,7 @@ pub(crate) fn bottoms_figure(
                 ends: (0..FINE).map(|right| length(place_m(right, 1.0))).collect(),
                 middles: (0..FINE).map(|high| length(place_m(high, 0.5))).collect(),
                 values: (0..FINE).flat_map(column).collect(),
-                hue: Hue::Amount,
+                hue: Hue::Depth,
                 largest: if deepest_m > 0.0 {
                     length(deepest_m)
                 } else {

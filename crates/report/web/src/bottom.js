@@ -10,6 +10,7 @@ import {
   LineSegments,
   Mesh,
   MeshLambertMaterial,
+  Vector3,
 } from "three";
 import { deepestOf, depthScale, edgesOf } from "./cells.js";
 import { colourKey } from "./colour_key.js";
@@ -83,7 +84,8 @@ export function bottomView(get, sided) {
     const round = Array.from({ length: 24 }, (_, k) => (k * Math.PI) / 12);
     const hole = round.flatMap((angle) => [0, deep].map((down) => place(outer, angle, down)));
     const beside = [-1, 1].map((side) => [0.7 * side * outer, 0, 1.25 * outer]);
-    space.lookAt([...hole, ...beside, [0, 0, -1.15 * outer]], from);
+    // What is near takes more room: the middle of the picture lies on the reader's side of the axis.
+    space.lookAt([...hole, ...beside], from, new Vector3(0, -deep / 2, 0.22 * outer));
   }
 
   /** Another bottom, seen as far off as it is large. */
@@ -146,8 +148,9 @@ function relief(bottom, deepest, exaggeration) {
   const [places, colours, faces] = [[], [], []];
   for (const [radius, depths] of rings)
     depths.forEach((depth, k) => {
-      places.push(...place(radius, bottom.angle_rad[k], (Number.isFinite(depth) ? depth : 0) * exaggeration));
-      const [red, green, blue] = scale(depth / (deepest || 1)).map((of) => of / 255);
+      const down = Number.isFinite(depth) ? depth : 0;
+      places.push(...place(radius, bottom.angle_rad[k], down * exaggeration));
+      const [red, green, blue] = scale(down / (deepest || 1)).map((of) => of / 255);
       tint.setRGB(red, green, blue, "srgb");
       colours.push(tint.r, tint.g, tint.b);
     });

@@ -77,6 +77,6 @@ export function drillOff(report) {
     for (const plot of plots)
       plot.setSize({ width: Math.max(plot.root.parentElement.clientWidth, 200), height: HEIGHT });
   }).observe(holder);
-  const words = el("p", { class: "note" }, "Samples of the window, each a moment; grey time before it left out.");
+  const words = el("p", { class: "note" }, "Each point is a sample of the window of the statistics.");
   return { element: el("div", { class: "drill-off" }, holder, words), redraw: draw };
 }
