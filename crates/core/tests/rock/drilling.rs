@@ -130,6 +130,7 @@ fn a_blunt_insert_meets_the_stiffness_of_a_column() {
     spec.block.cells = [4, 4, 8];
     spec.block.edges = [Free, Free, Free, Free, Free, Guided];
     spec.wall_m = 5e-3;
+    spec.seated = false;
     spec.contact = ContactLaw {
         stiffness_Pa_per_m: 1e4 * spec.contact.stiffness_Pa_per_m,
         damping_ratio: 1.0,
@@ -354,6 +355,53 @@ fn a_bit_goes_on_from_a_checkpoint_with_the_same_bits() {
     }
     assert!(drilling.block().removed().0 > 0);
     assert!(bits(&drilling) == bits(&other));
+}
+
+/// A bit begins in its own hole: nothing touches, a little lower something does, and the books are right.
+#[test]
+fn a_bit_begins_in_its_own_bottom() {
+    let mut spec = small(rock());
+    spec.block.pressure_Pa = 3e6;
+    spec.block.confinement_Pa = 5e6;
+    let drilling = Drilling::new(&spec).unwrap();
+    assert_eq!(drilling.dropped(), drilling.block().removed().0);
+    let energies = drilling.block().energies();
+    assert!(energies.residual_J().abs() < 1e-9 * energies.entered_J);
+    let held = |drilling: &Drilling, down_m: f64| {
+        let mut pose = *drilling.pose();
+        pose.position_m.z += down_m;
+        let face = drilling.bit().face();
+        let mut nodes = drilling.block().exposed();
+        nodes.any(|node| face.holds(pose.to_bit(node.position_m.into())).is_some())
+    };
+    assert!(!held(&drilling, 0.0));
+    assert!(held(&drilling, SIZE_M / 50.0));
+    // No brick reaches into the hole that the profile sweeps.
+    let pose = *drilling.pose();
+    let profile = drilling.bit().face().profile();
+    let mut under = 0;
+    for node in drilling.block().exposed() {
+        let at = Vector3::from(node.position_m) - pose.position_m;
+        let radius_m = at.xy().norm();
+        if radius_m < profile.radius_m() - 1e-9 {
+            under += 1;
+            // Lowered until it touched, by less than a brick.
+            assert!(at.z > profile.z_m(radius_m) - SIZE_M, "{at:?}");
+        }
+    }
+    assert!(under > 50, "{under} nodes under the bit");
+    // It cuts at once.
+    let mut drilling = Drilling::new(&small(rock())).unwrap();
+    let bored = drill(&mut drilling, &weight(3000.0), STEP_S, 0.5);
+    report(&Row {
+        case: "rock",
+        quantity: "weight borne in the first half revolution of a bit in its bottom, over the weight",
+        expected: 1.0,
+        computed: bored.weight_N() / 3000.0,
+        tolerance: Tolerance::Absolute(0.2),
+        reason: "the bit of 100 kg begins at rest",
+    });
+    assert!(bored.depth_m > SIZE_M, "{} m", bored.depth_m);
 }
 
 #[test]

@@ -235,7 +235,7 @@ impl Profile {
     }
 
     /// Lowest point of the profile between two radii, m.
-    pub(super) fn lowest_between_m(&self, from_m: f64, to_m: f64) -> f64 {
+    pub(in crate::rock) fn lowest_between_m(&self, from_m: f64, to_m: f64) -> f64 {
         self.z_m(self.nose_m.clamp(from_m, to_m.max(from_m)))
     }
 

@@ -6,6 +6,7 @@ mod driver;
 mod motion;
 mod near;
 mod progress;
+mod seat;
 mod spec;
 
 use nalgebra::{Matrix3, Vector3};
@@ -58,14 +59,15 @@ pub struct Drilling {
     wall_m: f64,
     pose: Pose,
     energies: DrillingEnergies,
-    /// Bricks of the wall that were dropped, not broken.
+    /// Bricks of the first hole and of the wall that were dropped, not broken.
     dropped: usize,
     #[serde(skip)]
     near: Near,
 }
 
 impl Drilling {
-    /// A bit at rest on the middle of a block, upright.
+    /// A bit at rest on the middle of a block, upright: in the hole that it would have drilled, as deep as the wall that is
+    /// kept, or on the flat top. The bricks of that hole count as dropped, not as broken.
     ///
     /// # Errors
     /// No rock, no face, or a block that is not three layers deeper than the wall that is kept.
@@ -81,7 +83,7 @@ impl Drilling {
             });
         }
         let middle = Vector3::new(0.5 * nx as f64 * x, 0.5 * ny as f64 * y, 0.0);
-        Ok(Self {
+        let mut drilling = Self {
             block,
             bit,
             contact: spec.contact,
@@ -95,7 +97,11 @@ impl Drilling {
             energies: DrillingEnergies::default(),
             dropped: 0,
             near: Near::default(),
-        })
+        };
+        if spec.seated {
+            drilling.seat();
+        }
+        Ok(drilling)
     }
 
     /// Moves bit and rock through a time, in equal steps that the rock bears.
@@ -217,8 +223,8 @@ impl Drilling {
         self.energies
     }
 
-    /// Bricks of the hole's wall that were dropped as the block followed the bit; they count among those that have gone
-    /// from the block.
+    /// Bricks that were dropped, not broken: those of the hole that the bit began in, and of its wall as the block followed the
+    /// bit. They count among those that have gone from the block.
     pub fn dropped(&self) -> usize {
         self.dropped
     }

@@ -14,7 +14,7 @@ use crate::rock::{
 /// A bit and the block that it is to drill.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DrillingSpec {
-    /// The block. The bit begins on the middle of its upper face.
+    /// The block. The bit begins in the middle of its upper face.
     pub block: BlockSpec,
     /// The bit.
     pub bit: BitShape,
@@ -23,6 +23,8 @@ pub struct DrillingSpec {
     /// Height of the hole's wall above the bit's lowest point that is kept, m; what is higher is dropped while the block
     /// follows the bit.
     pub wall_m: f64,
+    /// Whether the bit begins in the hole that it would have drilled (default), its nose as deep as `wall_m`, or on the flat top.
+    pub seated: bool,
 }
 
 /// Why a bit cannot drill.
@@ -69,6 +71,7 @@ impl DrillingSpec {
             bit,
             contact: ContactLaw::for_rock(rock.youngs_modulus_Pa, size_m),
             wall_m: wall as f64 * size_m,
+            seated: true,
         })
     }
 }

@@ -1,0 +1,50 @@
+//! A bit that begins in its own bottom.
+
+use nalgebra::Vector3;
+
+use super::Drilling;
+
+/// How far the bit goes down at a time to find its bottom, as a part of a brick's height.
+const FINE: f64 = 1.0 / 64.0;
+
+/// How far at most, bricks: no pattern of bricks leaves more room under it.
+const FAR: f64 = 4.0;
+
+impl Drilling {
+    /// Takes away what is in the way of the bit turned about its axis, its nose as deep as the wall is high, and lowers it
+    /// until the face, as it stands, touches. What goes counts as dropped.
+    pub(super) fn seat(&mut self) {
+        let grid = *self.block.grid();
+        let nose_m = self.pose.position_m + Vector3::z() * self.wall_m;
+        let profile = self.bit.face().profile();
+        let [core_m, gauge_m] = [profile.core_radius_m(), profile.radius_m()];
+        let [dx, dy, dz] = grid.size_m;
+        for brick in grid.each_brick() {
+            let [x, y] =
+                [(brick[0], dx, nose_m.x), (brick[1], dy, nose_m.y)].map(|(i, d, middle)| {
+                    let [from, to] = [i as f64 * d - middle, (i + 1) as f64 * d - middle];
+                    [from.max(-to).max(0.0), to.max(-from)]
+                });
+            let [near_m, far_m] = [x[0].hypot(y[0]), x[1].hypot(y[1])];
+            if near_m >= gauge_m || far_m <= core_m {
+                continue;
+            }
+            let lowest_m = profile.lowest_between_m(near_m.max(core_m), far_m.min(gauge_m));
+            if nose_m.z + lowest_m > brick[2] as f64 * dz {
+                self.block.remove(brick);
+                self.dropped += 1;
+            }
+        }
+        self.pose.position_m = nose_m;
+        let mut lower = self.pose;
+        for _ in 0..(FAR / FINE) as usize {
+            lower.position_m.z += FINE * dz;
+            let mut nodes = self.block.exposed();
+            let face = self.bit.face();
+            if nodes.any(|node| face.holds(lower.to_bit(node.position_m.into())).is_some()) {
+                break;
+            }
+            self.pose = lower;
+        }
+    }
+}
