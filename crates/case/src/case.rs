@@ -3,13 +3,19 @@
 use std::path::Path as FilePath;
 
 use wholestring::{
-    dynamics::DynamicsSettings, model::Model, operation::Operation, outcome::ModelKind, well::Well,
+    dynamics::{BitLaw, DynamicsSettings},
+    model::Model,
+    operation::Operation,
+    outcome::ModelKind,
+    rock::DrillingSpec,
+    well::Well,
 };
 use wholestring_units::UnitSet;
 
 use crate::{
     assembly,
-    bit::{Around, BitTable},
+    bit::{Around, BitTable, Law},
+    bit_test::{self, BitTest, BitTestTable},
     diagnostic::{Diagnostic, Report},
     dynamics::{DynamicsTable, MeshTable, Told},
     effort, fit, hole,
@@ -20,6 +26,7 @@ use crate::{
     reader::{Kind, Reader},
     records::{Records, RecordsTable},
     rig::{HoistTable, RigTable},
+    rock::{self, RockTable},
     roughness,
     rule::{At, Choice, List, Rule, Section, Table, Text, once_each},
     settings,
@@ -115,6 +122,10 @@ table! {
         });
         /// The bit on the rock.
         bit: BitTable = optional(Section::<BitTable>::RULE);
+        /// Solid rock under the bit.
+        rock: RockTable = optional(Section::<RockTable>::RULE);
+        /// The bit alone on its rock.
+        bit_test: BitTestTable = optional(Section::<BitTestTable>::RULE);
         /// Limits of the rig.
         rig: RigTable = optional(Section::<RigTable>::RULE);
         /// How the top of the string is moved along the hole in the dynamic model.
@@ -145,6 +156,8 @@ pub struct Case {
     pub model: Model,
     /// The operations to solve, in the order of the case.
     pub operations: Vec<Operation>,
+    /// The bit alone on its rock: of a case with `[bit_test]`, and of one whose operation drills solid rock.
+    pub bit_test: Option<BitTest>,
     /// What a dynamic run needs beside these.
     pub dynamics: DynamicsSettings,
     /// Whether the top hangs on a constant lift that is found before each dynamic run, such that the mean weight on bit is
@@ -160,6 +173,16 @@ pub struct Case {
     pub warnings: Report,
     /// The case with all defaults filled in: SI numbers, units in the names of the keys.
     pub settings: serde_json::Value,
+}
+
+impl Case {
+    /// Bit and solid rock, in a run or in a bit test; none where nothing asks for them.
+    pub fn drilling(&self) -> Option<&DrillingSpec> {
+        match &self.dynamics.bit.law {
+            BitLaw::Rock(law) => Some(&law.drilling),
+            _ => self.bit_test.as_ref().map(|test| &test.drilling),
+        }
+    }
 }
 
 /// Reads the case at `path`, and the survey that it names.
@@ -295,9 +318,26 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         .and_then(|(components, steel)| assembly::spec(components, steel, reader));
     let lowest = spec.as_ref().and_then(|spec| spec.components.first());
     let bit_radius_m = lowest.map(|bit| 0.5 * bit.od_m);
+    let tested = bit_test::place(&case.bit_test);
+    let drilling = case.bit.get().and_then(|bit| {
+        let asks = match tested {
+            Some(place) => Some((place, "a bit test")),
+            None => {
+                let law = bit.law.at().filter(|law| law.value == Law::Rock);
+                law.map(|law| (law.place, "the law \"rock\""))
+            }
+        };
+        let od = components
+            .and_then(|all| all.first())
+            .map(|at| at.value.od_place(at.place));
+        let lowest = lowest.map(|bit| bit.od_m).zip(od);
+        rock::drilling(&case.rock, bit, asks, lowest, reader)
+    });
     let around = Around {
         radius_m: bit_radius_m,
         flow_m3_per_s: operation.and_then(|operation| operation.flow_rate.get().copied()),
+        drilling: drilling.as_ref().and_then(Option::as_ref),
+        is_tested: tested.is_some(),
         files,
     };
     let bit = case.bit.get().and_then(|bit| bit.build(&around, reader));
@@ -309,6 +349,24 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
             bit_depth_m,
             reader,
         ),
+        _ => None,
+    };
+    let sample_interval_s = case
+        .dynamics
+        .get()
+        .and_then(DynamicsTable::sample_interval_s);
+    let sound = bit.as_ref().zip(operations.as_ref()).zip(sample_interval_s);
+    let bit_test = match (&drilling, sound, case.bit_test.at()) {
+        (Some(None), ..) => Some(None),
+        (Some(Some(drilling)), Some(((bit, operations), sample_interval_s)), Some(table)) => {
+            let around = bit_test::Around {
+                drilling,
+                bit,
+                operations,
+                sample_interval_s,
+            };
+            bit_test::build(table, tested.is_some(), &around, reader)
+        }
         _ => None,
     };
     let schedule = operation.and_then(|operation| {
@@ -386,7 +444,22 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     };
     let (models, operations) = (models?, operations?);
     let (mut dynamics, records, tunes_lift) = (dynamics?, records?, tunes_lift?);
+    let (drilling, bit_test) = (drilling?, bit_test?);
     dynamics.probes.clone_from(&records.probes);
+    if let (Some(drilling), Some(rock)) = (&drilling, case.rock.given()) {
+        let drills = models.contains(&ModelKind::Dynamic)
+            && case.bit.get().and_then(|bit| bit.law.get()) == Some(&Law::Rock)
+            && operations.iter().any(|one| one.kind.on_bottom());
+        let run_s = if drills {
+            dynamics.settle_s + dynamics.duration_s
+        } else {
+            0.0
+        };
+        let test_s = tested.and(bit_test.as_ref()).map_or(0.0, BitTest::time_s);
+        let longest_s = run_s.max(test_s);
+        rock.value
+            .check_effort(drilling, longest_s, rock.place, reader)?;
+    }
     effort::check_effort(&models, &model, &operations, &dynamics, &case, reader)?;
     let name = match case.name.optional()? {
         Some(given) => given.value.clone(),
@@ -399,6 +472,14 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     let mut settings =
         settings::settings(&name, units, &models, &model, &operations, &dynamics, &case);
     settings["records"] = records.settings();
+    if let Some(drilling) = &drilling {
+        let [rock, face] = rock::settings(drilling);
+        settings["rock"] = rock;
+        settings["bit"]["face"] = face;
+    }
+    if let Some(test) = &bit_test {
+        settings["bit_test"] = test.settings();
+    }
     let checkpoint_interval_s = *case.dynamics.get()?.checkpoint_interval.get()?;
     Some(Case {
         name,
@@ -406,6 +487,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         models,
         model,
         operations,
+        bit_test,
         dynamics,
         tunes_lift,
         checkpoint_interval_s,

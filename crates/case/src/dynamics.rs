@@ -198,6 +198,11 @@ impl DynamicsTable {
         Some(*self.settle.get()? + *self.duration.get()?)
     }
 
+    /// Time between samples, s.
+    pub(crate) fn sample_interval_s(&self) -> Option<f64> {
+        self.sample_interval.get().copied()
+    }
+
     pub(crate) fn build(
         &self,
         mesh: &MeshTable,

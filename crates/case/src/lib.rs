@@ -18,6 +18,7 @@
 
 mod assembly;
 mod bit;
+mod bit_test;
 mod blades;
 mod body;
 mod case;
@@ -37,6 +38,7 @@ mod range;
 mod reader;
 mod records;
 mod rig;
+mod rock;
 mod roughness;
 mod rule;
 mod schedule;
@@ -54,6 +56,7 @@ mod top_drive;
 mod vary;
 mod well;
 
+pub use bit_test::BitTest;
 pub use case::{Case, load, parse};
 pub use diagnostic::{Diagnostic, Label, Report, Severity};
 pub use overrides::{Override, OverrideError};

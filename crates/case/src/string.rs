@@ -156,6 +156,13 @@ table! {
 }
 
 impl ComponentTable {
+    /// Where its outside diameter comes from; `place` is that of the table.
+    pub(crate) fn od_place(&self, place: Place) -> Place {
+        let given = self.od.given().map(|at| at.place);
+        let listed = self.catalogue.given().map(|at| at.place);
+        given.or(listed).unwrap_or(place)
+    }
+
     pub(crate) fn build(
         &self,
         is_bit: bool,

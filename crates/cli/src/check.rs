@@ -1,7 +1,13 @@
 //! `wholestring check`: is the case sound?
 
-use wholestring::outcome::ModelKind;
-use wholestring_case::Case;
+use std::f64::consts::TAU;
+
+use wholestring::{
+    dynamics::BitLaw,
+    outcome::ModelKind,
+    rock::{BitShape, DrillingSpec},
+};
+use wholestring_case::{BitTest, Case};
 use wholestring_units::Dimension;
 
 use crate::{args::CheckArgs, failure::Failure, load, say};
@@ -9,9 +15,14 @@ use crate::{args::CheckArgs, failure::Failure, load, say};
 pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     let case = load(&args.case, false)?;
     say(&format!(
-        "{} is sound: {}\n",
+        "{} is sound: {}\n{}{}",
         args.case.case.display(),
-        outline(&case)
+        outline(&case),
+        case.drilling()
+            .map_or_else(String::new, |spec| rock(spec, &case)),
+        case.bit_test
+            .as_ref()
+            .map_or_else(String::new, |test| points(test, &case)),
     ))
 }
 
@@ -31,6 +42,60 @@ fn outline(case: &Case) -> String {
         list(operations),
         list(models),
         Dimension::Length.format(depth, case.units),
+    )
+}
+
+/// The rock and the bit's face, and how the bit is expected to drill.
+fn rock(spec: &DrillingSpec, case: &Case) -> String {
+    let block = &spec.block;
+    let show = |dimension: Dimension, si: f64| dimension.format(si, case.units);
+    let face = match &spec.bit {
+        BitShape::Pdc(bit) => format!(
+            "{} blades with {} cutters",
+            bit.blades,
+            bit.blades * bit.cutters_per_blade
+        ),
+        BitShape::Insert(bit) => format!("{} rows of inserts", bit.rows),
+    };
+    let [nx, ny, nz] = block.cells;
+    let size_m = block.size_m[0];
+    let mut text = format!(
+        "rock of {} under {face}: {nx} x {ny} x {nz} bricks of {}",
+        show(Dimension::Pressure, block.rock.ucs_Pa()),
+        show(Dimension::Diameter, size_m),
+    );
+    if let Ok(step_s) = block.step_s() {
+        text += &format!(", steps of {:.1} us", step_s * 1e6);
+    }
+    text.push('\n');
+    let drills = case.operations.iter().find(|one| one.kind.on_bottom());
+    if let (BitLaw::Rock(law), Some(operation)) = (&case.dynamics.bit.law, drills) {
+        let speed = case.dynamics.bit.drilling_speed_rad_per_s(operation);
+        let cut = law.steady(operation.weight_on_bit_N, speed);
+        text += &format!(
+            "to begin with, it is taken to drill {}, {} per revolution ({:.1} bricks)\n",
+            show(
+                Dimension::RateOfPenetration,
+                cut.rate_of_penetration_m_per_s
+            ),
+            show(Dimension::Diameter, cut.depth_of_cut_m),
+            cut.depth_of_cut_m / size_m,
+        );
+    }
+    text
+}
+
+/// What a test of the bit would go through.
+fn points(test: &BitTest, case: &Case) -> String {
+    let forces = test.weights_N.iter();
+    let forces = forces.map(|force| Dimension::Force.format(*force, case.units));
+    let speeds = test.rotary_speeds_rad_per_s.iter();
+    let speeds = speeds.map(|speed| format!("{:.0}", speed * 60.0 / TAU));
+    format!(
+        "bit test: {} at {} rev/min, {:.0} s of drilling\n",
+        forces.collect::<Vec<_>>().join(", "),
+        speeds.collect::<Vec<_>>().join(", "),
+        test.time_s(),
     )
 }
 

@@ -63,6 +63,8 @@ pub enum Dimension {
     MomentOfInertia,
     /// Torque per rotary speed, N·m·s.
     RotaryDamping,
+    /// Energies that cracks take per area, J/m².
+    FractureEnergy,
 }
 
 impl Dimension {
@@ -95,6 +97,7 @@ impl Dimension {
         Dimension::Mass,
         Dimension::MomentOfInertia,
         Dimension::RotaryDamping,
+        Dimension::FractureEnergy,
     ];
 
     /// The name in a sentence, such as `"rotary speed"`.
@@ -127,6 +130,7 @@ impl Dimension {
             Dimension::Mass => "mass",
             Dimension::MomentOfInertia => "moment of inertia",
             Dimension::RotaryDamping => "torque per rotary speed",
+            Dimension::FractureEnergy => "fracture energy",
         }
     }
 
@@ -160,6 +164,7 @@ impl Dimension {
             Dimension::Mass => table::MASS,
             Dimension::MomentOfInertia => table::MOMENT_OF_INERTIA,
             Dimension::RotaryDamping => table::ROTARY_DAMPING,
+            Dimension::FractureEnergy => table::FRACTURE_ENERGY,
         }
     }
 
@@ -207,6 +212,7 @@ impl Dimension {
             Dimension::Mass => ["kg", "t", "lb"],
             Dimension::MomentOfInertia => ["kg.m2", "kg.m2", "lb.ft2"],
             Dimension::RotaryDamping => ["kN.m.s", "kN.m.s", "ft-lbf.s"],
+            Dimension::FractureEnergy => ["kJ/m2", "kJ/m2", "in-lbf/in2"],
         };
         match set {
             UnitSet::Si => si,

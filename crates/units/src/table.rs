@@ -363,3 +363,9 @@ pub(crate) const ROTARY_DAMPING: &[Unit] = &[
     ),
     unit("kN.m/rpm", 1e3 * MINUTE / TURN, &[]),
 ];
+
+pub(crate) const FRACTURE_ENERGY: &[Unit] = &[
+    unit("kJ/m2", 1e3, &["N/mm"]),
+    unit("J/m2", 1.0, &["N/m"]),
+    unit("in-lbf/in2", POUND_FORCE / INCH, &["lbf/in", "in.lbf/in2"]),
+];

@@ -187,6 +187,10 @@ fn definition(dimension: Dimension, symbol: &str) -> Option<f64> {
         (D::RotaryDamping, "kN.m.s") => 1e3,
         (D::RotaryDamping, "ft-lbf.s") => ratio(&[lbf[0], lbf[1], 12.0, 2.54], &[100.0]),
         (D::RotaryDamping, "kN.m/rpm") => ratio(&[1e3, 60.0], &[2.0, PI]),
+
+        (D::FractureEnergy, "J/m2") => 1.0,
+        (D::FractureEnergy, "kJ/m2") => 1e3,
+        (D::FractureEnergy, "in-lbf/in2") => ratio(&[lbf[0], lbf[1], 100.0], &[2.54]),
         _ => return None,
     };
     Some(value)

@@ -1,20 +1,24 @@
 //! `[bit]`.
 
 mod excitation;
+mod face;
 mod file;
 mod given;
+mod misfit;
 mod motor;
 mod points;
 
 use std::f64::consts::PI;
 
 use wholestring::dynamics::{
-    BitLaw, BitSettings, Cutters, DetournayDefournyLaw, Motor, RateLaw, RegenerativeLaw, TableLaw,
+    BitLaw, BitSettings, Cutters, DetournayDefournyLaw, Motor, RateLaw, RegenerativeLaw, RockLaw,
+    TableLaw,
 };
+use wholestring::rock::{BitShape, DrillingSpec, bit_face::FaceError};
 use wholestring_units::Dimension;
 
-pub(crate) use self::given::Given;
-use self::{excitation::ExcitationTable, motor::MotorTable, points::PointsTable};
+use self::{excitation::ExcitationTable, face::FaceTable, motor::MotorTable, points::PointsTable};
+pub(crate) use self::{face::settings as face_settings, given::Given};
 use crate::{
     diagnostic::Diagnostic,
     names::any_of,
@@ -33,6 +37,7 @@ pub(crate) enum Law {
     Regenerative,
     DetournayDefourny,
     Table,
+    Rock,
 }
 
 impl Law {
@@ -41,6 +46,7 @@ impl Law {
         ("regenerative", Self::Regenerative),
         ("detournay-defourny", Self::DetournayDefourny),
         ("table", Self::Table),
+        ("rock", Self::Rock),
     ];
 
     /// Laws of a rock front.
@@ -61,6 +67,7 @@ pub(crate) enum Kind {
     Pdc,
     RollerCone,
     Core,
+    Inserts,
 }
 
 impl Kind {
@@ -68,13 +75,14 @@ impl Kind {
         ("pdc", Self::Pdc),
         ("roller cone", Self::RollerCone),
         ("core", Self::Core),
+        ("inserts", Self::Inserts),
     ];
 
     /// Inclination of the cutting force where the case does not say: the drag bit of Richard, Germay and Detournay's
     /// examples; of a roller cone `3/(4 · 0.25)`, such that its torque is 0.25 of `2aW/3`.
     fn inclination(self) -> f64 {
         match self {
-            Self::RollerCone => 3.0,
+            Self::RollerCone | Self::Inserts => 3.0,
             Self::Pdc | Self::Core => 0.6,
         }
     }
@@ -82,7 +90,7 @@ impl Kind {
     /// Friction of the wear flats where the case does not say; teeth that roll rub half as much.
     fn friction(self) -> f64 {
         match self {
-            Self::RollerCone => 0.3,
+            Self::RollerCone | Self::Inserts => 0.3,
             Self::Pdc | Self::Core => 0.6,
         }
     }
@@ -115,15 +123,16 @@ table! {
         /// "rate" (the operation's rate of penetration in proportion to weight and speed, torque in
         /// proportion to weight), "regenerative" (Richard, Germay and Detournay: weight and torque from
         /// the depth of cut that the blade before has left, which sticks, slips and bounces by itself),
-        /// "detournay-defourny" (weight and torque from the depth of cut of a revolution, in three regimes)
-        /// or "table" (rate and torque as they were measured).
+        /// "detournay-defourny" (weight and torque from the depth of cut of a revolution, in three regimes),
+        /// "table" (rate and torque as they were measured) or "rock" (the bit's face breaks the solid rock of `[rock]`).
         /// Only the dynamic model lets the bit move; the soft string takes the law's steady torque.
         law: Law = default(
             Choice { noun: "a bit law", words: Law::WORDS },
             Law::Rate,
         );
-        /// "pdc", "roller cone" or "core": the laws of cutters take other numbers for a roller cone where none
-        /// are given, and cut a ring with a core bit.
+        /// "pdc", "roller cone", "core" or "inserts" (fixed ones that crush and scrape). The laws of cutters take other
+        /// numbers for a roller cone where none are given, cut a ring with a core bit and know no inserts; against solid rock
+        /// the bit has the shape of `[bit.face]`, and cones that roll are not modelled.
         kind: Kind = default(
             Choice { noun: "a kind of bit", words: Kind::WORDS },
             Kind::Pdc,
@@ -141,13 +150,13 @@ table! {
             Range::from_to(0.0, 1e6),
             "3.1 kN.m",
         ));
-        /// All laws but the regenerative: stiffness of the contact between bit and rock front. Raising it makes the weight on
+        /// All laws but the regenerative and "rock": stiffness of the contact between bit and rock front. Raising it makes the weight on
         /// bit answer harder to axial motion. Only the dynamic model uses it.
         rock_stiffness: f64 = default(
             Quantity::si(Dimension::Stiffness, Range::from_to(1e4, 1e12), "1e8 N/m"),
             ROCK_STIFFNESS_N_PER_M,
         );
-        /// All laws but the regenerative: what shakes the bit.
+        /// All laws but the regenerative and "rock": what shakes the bit.
         excitation: ExcitationTable = optional(Section::<ExcitationTable>::RULE);
         /// Regenerative law: number of blades. Raising it stiffens the rock and shortens the delay.
         blades: u64 = default(Count { from: 1, to: 50 }, BLADES);
@@ -190,6 +199,8 @@ table! {
             Range::positive_to(0.1),
             "8 mm",
         ));
+        /// The law "rock" and a bit test: the shape of the bit.
+        face: FaceTable = optional(Section::<FaceTable>::RULE);
         /// The law "table": what was measured.
         table: PointsTable = optional(Section::<PointsTable>::RULE);
         /// Speed at which a mud motor turns the bit against the string, whatever the torque; a bare number is in
@@ -205,12 +216,12 @@ table! {
         );
         /// A mud motor that turns with the flow and yields to the torque.
         motor: MotorTable = optional(Section::<MotorTable>::RULE);
-        /// Side cutting: what the bit cuts sideways per side force over what it cuts ahead per weight. Raising it
-        /// lets a side force move the bit off the hole's axis faster. Only the dynamic model uses it.
+        /// All laws but "rock": what the bit cuts sideways per side force over what it cuts ahead per weight. Raising it
+        /// lets a side force move the bit off the hole's axis faster; solid rock finds it by itself. Only the dynamic model uses it.
         steerability: f64 = default(number(1.0), 0.0);
         /// Lateral stiffness that holds the bit to the hole's axis, instead of contact and friction
-        /// with the wall: the bit fills its hole. Raising it holds the bit closer. Only the dynamic model
-        /// uses it.
+        /// with the wall: the bit fills its hole. Raising it holds the bit closer. Solid rock holds a bit on bottom by
+        /// itself. Only the dynamic model uses it.
         lateral_stiffness: f64 = default(
             Quantity::si(Dimension::Stiffness, Range::from_to(0.0, 1e12), "1e7 N/m"),
             BitSettings::default().lateral_stiffness_N_per_m,
@@ -228,13 +239,17 @@ pub(crate) struct Around<'a> {
     pub(crate) radius_m: Option<f64>,
     /// What the pumps deliver, m³/s.
     pub(crate) flow_m3_per_s: Option<f64>,
+    /// What it is to drill, if that is solid rock.
+    pub(crate) drilling: Option<&'a DrillingSpec>,
+    /// Whether it is tested, whatever its law.
+    pub(crate) is_tested: bool,
     pub(crate) files: &'a dyn Files,
 }
 
 impl BitTable {
     /// The bit.
     pub(crate) fn build(&self, around: &Around<'_>, reader: &mut Reader) -> Option<BitSettings> {
-        self.warn_of_idle_keys(reader);
+        self.warn_of_idle_keys(around.is_tested, reader);
         let law = *self.law.get()?;
         let points = match law {
             Law::Table => Some(self.points(around.files, reader)?),
@@ -259,6 +274,9 @@ impl BitTable {
                 rock_stiffness_N_per_m,
                 excitation,
             }),
+            (Law::Rock, _) => BitLaw::Rock(Box::new(RockLaw {
+                drilling: around.drilling?.clone(),
+            })),
             _ => BitLaw::Rate(RateLaw {
                 rock_stiffness_N_per_m,
                 excitation,
@@ -327,6 +345,14 @@ impl BitTable {
 
     fn cutters(&self, radius_m: f64, reader: &mut Reader) -> Option<Cutters> {
         let kind = self.kind.at()?;
+        if kind.value == Kind::Inserts {
+            reader.report(
+                Diagnostic::error("the laws of cutters know no inserts")
+                    .at(kind.place, "expected \"pdc\", \"roller cone\" or \"core\"")
+                    .help("law = \"rock\" takes inserts"),
+            );
+            return None;
+        }
         if (kind.value, self.law.get()?) == (Kind::RollerCone, &Law::Regenerative) {
             reader.report(
                 Diagnostic::error(
@@ -350,6 +376,28 @@ impl BitTable {
             bit_geometry: *self.bit_geometry.get()?,
             friction: or(&self.friction, kind.value.friction())?,
         })
+    }
+
+    /// The numbers of the bit's face, `radius_m` wide at the gauge.
+    pub(crate) fn shape(&self, radius_m: f64, reader: &mut Reader) -> Option<BitShape> {
+        let kind = self.kind.at()?;
+        if kind.value == Kind::RollerCone {
+            reader.report(
+                Diagnostic::error("against solid rock, cones that roll are not modelled")
+                    .at(kind.place, "expected \"pdc\", \"core\" or \"inserts\"")
+                    .help("\"inserts\" holds their teeth still: these crush and scrape, and their torque is not that of rolling")
+                    .help("the laws \"detournay-defourny\" and \"table\" take a roller cone"),
+            );
+            return None;
+        }
+        let core_radius_m = self.core_radius_m(radius_m, reader)?;
+        let face = self.face.get()?;
+        face.shape(kind.value, 2.0 * radius_m, 2.0 * core_radius_m, reader)
+    }
+
+    /// The mistake that leaves the bit without a face; `od` is where its diameter stands.
+    pub(crate) fn misfit(&self, error: &FaceError, od: Place) -> Diagnostic {
+        misfit::misfit(error, self, od)
     }
 
     fn core_radius_m(&self, radius_m: f64, reader: &mut Reader) -> Option<f64> {
@@ -397,12 +445,20 @@ impl BitTable {
         Some(Some(limit.value))
     }
 
-    fn warn_of_idle_keys(&self, reader: &mut Reader) {
+    fn warn_of_idle_keys(&self, is_tested: bool, reader: &mut Reader) {
+        const SHAPED: &[Law] = &[Law::Regenerative, Law::DetournayDefourny, Law::Rock];
+        const UNSOLID: &[Law] = &[
+            Law::Rate,
+            Law::Regenerative,
+            Law::DetournayDefourny,
+            Law::Table,
+        ];
         const DETOURNAY: &[Law] = &[Law::DetournayDefourny];
         const REGENERATIVE: &[Law] = &[Law::Regenerative];
         let Some(law) = self.law.at() else { return };
         let belongs = [
-            (place(&self.kind), "kind", Law::CUTTERS),
+            (place(&self.kind), "kind", SHAPED),
+            (place(&self.face), "face", &[Law::Rock]),
             (place(&self.torque), "torque", &[Law::Rate]),
             (place(&self.rock_stiffness), "rock_stiffness", Law::FRONT),
             (place(&self.excitation), "excitation", Law::FRONT),
@@ -432,9 +488,11 @@ impl BitTable {
             ),
             (place(&self.cleaning_limit), "cleaning_limit", DETOURNAY),
             (place(&self.table), "table", &[Law::Table]),
+            (place(&self.steerability), "steerability", UNSOLID),
         ];
         for (place, name, owners) in belongs {
-            let Some(place) = place.filter(|_| !owners.contains(&law.value)) else {
+            let tested = is_tested && owners.contains(&Law::Rock);
+            let Some(place) = place.filter(|_| !tested && !owners.contains(&law.value)) else {
                 continue;
             };
             let words: Vec<&str> = owners.iter().map(|owner| owner.word()).collect();
@@ -444,16 +502,21 @@ impl BitTable {
                 Some(law) => diagnostic.at(law.place, "the law of the bit"),
                 None => diagnostic.help("the law of the bit is \"rate\" where none is given"),
             };
+            if name == "face" {
+                diagnostic = diagnostic.help("a bit test, [bit_test], uses it with any law");
+            }
             reader.report(diagnostic);
         }
         let Some(core) = self.core_diameter.given() else {
             return;
         };
-        let cuts = Law::CUTTERS.contains(&law.value);
+        let cuts = is_tested || SHAPED.contains(&law.value);
         if !cuts || self.kind.get() != Some(&Kind::Core) {
             reader.report(
-                Diagnostic::warning("`core_diameter` has no effect here")
-                    .at(core.place, "used with kind = \"core\" and a law of cutters"),
+                Diagnostic::warning("`core_diameter` has no effect here").at(
+                    core.place,
+                    "used with kind = \"core\" and a law of cutters or rock",
+                ),
             );
         }
     }

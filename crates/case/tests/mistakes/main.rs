@@ -9,6 +9,7 @@ mod mud;
 mod operation;
 mod overrides;
 mod records;
+mod rock;
 mod schedule;
 mod string;
 mod survey;

@@ -42,6 +42,21 @@ pub enum SetupError {
     /// A bit and solid rock that cannot be.
     #[error(transparent)]
     Rock(#[from] DrillingError),
+    /// A bit that is lighter than the rock that it touches.
+    #[error(
+        "the bit's node has {bit:.3} {unit} {direction} and the rock that it touches up to {rock:.3} {unit}, expected less: \
+         lower the density factor or the size of the bricks, or raise the length of the elements"
+    )]
+    LightBit {
+        /// In which direction.
+        direction: &'static str,
+        /// Unit of the two.
+        unit: &'static str,
+        /// Of the bit's node.
+        bit: f64,
+        /// Of the rock.
+        rock: f64,
+    },
     /// Single precision, where it does not serve.
     #[error("single precision does not serve here: {0}")]
     Precision(&'static str),
@@ -317,6 +332,7 @@ impl<R: Real> Basis<R> {
         let served = settings.precision.serves(operation, settings);
         served.map_err(SetupError::Precision)?;
         let (mesh, plan) = mesh_and_plan(model, first_bit_md_m(operation, settings), settings);
+        check_weight_of_bit(settings, &plan)?;
         let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
         let abilities = Abilities {
             hertz: matches!(settings.contact_law, ContactLaw::Hertz { .. }),
@@ -333,6 +349,31 @@ impl<R: Real> Basis<R> {
             steps_per_sample,
         })
     }
+}
+
+/// Refuses a bit on solid rock that is lighter than what it touches: its contact would not be stable.
+fn check_weight_of_bit(settings: &DynamicsSettings, plan: &StepPlan) -> Result<(), SetupError> {
+    let (BitLaw::Rock(law), Some(lowest)) = (&settings.bit.law, plan.inertia.last()) else {
+        return Ok(());
+    };
+    let [touched_kg, touched_kg_m2] = law.touched();
+    for (direction, unit, bit, rock) in [
+        ("along the hole", "kg", lowest.axial_kg, touched_kg),
+        ("across the hole", "kg", lowest.lateral_kg, touched_kg),
+        ("about its axis", "kg·m²", lowest.polar_kg_m2, touched_kg_m2),
+    ] {
+        // The lowest node has half of the lowest element.
+        let bit = 0.5 * bit;
+        if bit <= rock {
+            return Err(SetupError::LightBit {
+                direction,
+                unit,
+                bit,
+                rock,
+            });
+        }
+    }
+    Ok(())
 }
 
 /// What a run would cost.

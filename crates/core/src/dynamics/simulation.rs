@@ -23,7 +23,7 @@ use super::{
 use crate::{
     model::{Model, MudColumn},
     operation::Operation,
-    rock::{Executor, bit_face::BottomHole},
+    rock::{Drilling, Executor, bit_face::BottomHole},
     rod::{
         mesh::{Mesh, MeshElement, MeshNode},
         number::Real,
@@ -144,7 +144,7 @@ impl<R: Real> Run<R> {
 
     /// The pattern that the bit has left on the bottom of the hole; none without solid rock.
     pub fn bottom_hole(&self) -> Option<BottomHole> {
-        self.state.bit.bottom_hole()
+        self.state.bit.drilling().map(Drilling::bottom_hole)
     }
 
     /// Changes the hoist from now on: a connection, a stop, a lift.

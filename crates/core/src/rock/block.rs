@@ -55,6 +55,20 @@ impl BlockSpec {
             layers_per_slab: 8,
         }
     }
+
+    /// Bricks of the block.
+    pub fn bricks(&self) -> usize {
+        self.cells.iter().product()
+    }
+
+    /// The longest step that the bricks bear, s, without building them.
+    ///
+    /// # Errors
+    /// Numbers that no rock has, or bricks too large for its fracture energy.
+    pub fn step_s(&self) -> Result<f64, RockError> {
+        let constants = Constants::new(&self.rock, self.size_m, self.pressure_Pa, &self.numerics)?;
+        Ok(constants.dt_s)
+    }
 }
 
 /// A node that can be touched.

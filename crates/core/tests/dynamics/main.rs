@@ -26,6 +26,7 @@ mod numerics;
 mod operations;
 mod precision;
 mod probes;
+mod rock_string;
 mod rough;
 mod schedule;
 mod steadiness;

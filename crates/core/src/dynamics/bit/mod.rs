@@ -22,7 +22,7 @@ pub use self::{
     motor::{Motor, MudMotor},
     rate::RateLaw,
     regenerative::RegenerativeLaw,
-    rock::RockLaw,
+    rock::{RockLaw, Standing},
     settings::{BitLaw, BitSettings},
     table::{BitTable, TableFault, TableLaw, TablePoint, TableUse},
 };
@@ -43,7 +43,7 @@ use super::{
 };
 use crate::{
     operation::Operation,
-    rock::{DrillingError, bit_face::BottomHole},
+    rock::{Drilling, DrillingError},
     rod::{number::Real, vector::Vector},
 };
 
@@ -212,24 +212,23 @@ impl Bit {
         })
     }
 
-    /// Puts solid rock, if it is that, under the string's bit, which presses on it with a weight and turns under a torque.
+    /// Puts solid rock, if it is that, under the string's bit.
     pub fn stand(
         &mut self,
         chain: &Chain<impl Real>,
         anchor: &Anchor,
-        weight_N: f64,
-        torque_N_m: f64,
+        first: Standing,
         crew: &Crew,
     ) {
         if let Some(Cut::Rock(cut)) = &mut self.cut {
-            cut.stand(chain, anchor, weight_N, torque_N_m, crew);
+            cut.stand(chain, anchor, first, self.drive.speed_rad_per_s(), crew);
         }
     }
 
-    /// The pattern on the bottom of the hole, of solid rock.
-    pub fn bottom_hole(&self) -> Option<BottomHole> {
+    /// The solid rock under the bit, if it is that.
+    pub fn drilling(&self) -> Option<&Drilling> {
         match &self.cut {
-            Some(Cut::Rock(cut)) => Some(cut.bottom_hole()),
+            Some(Cut::Rock(cut)) => Some(cut.drilling()),
             _ => None,
         }
     }

@@ -4,7 +4,7 @@ use super::{Run, sampling::SinceSample, squeezed_m, state::State};
 use crate::{
     dynamics::{
         assembly,
-        bit::Bit,
+        bit::{Bit, Standing},
         body::Body,
         chain::Row,
         crew::Crew,
@@ -108,13 +108,14 @@ impl<R: Real> Run<R> {
         let crew = Crew::default();
         let mut bit = Bit::new(&settings.bit, operation, bottom, settings.seed)?;
         bit.set_flow(first.flow_now_m3_per_s());
-        bit.stand(
-            &chain,
-            &anchors[last],
-            pressed_N,
-            first.bit_torque_now_N_m(),
-            &crew,
-        );
+        let advancing = if pressed_N > 0.0 { velocity } else { 0.0 };
+        let standing = Standing {
+            weight_N: pressed_N,
+            torque_N_m: first.bit_torque_now_N_m(),
+            rate_m_per_s: advancing,
+            string_rad_per_s: first.rotation_rad_per_s(),
+        };
+        bit.stand(&chain, &anchors[last], standing, &crew);
         let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
         let layout = chain.layout();
         let interval_s = basis.steps_per_sample as f64 * basis.plan.dt_s;

@@ -70,7 +70,7 @@ impl InsertBit {
     pub fn for_diameter(diameter_m: f64) -> Self {
         let radius = 0.5 * diameter_m;
         let insert = 0.065 * diameter_m;
-        let mut bit = Self {
+        let bit = Self {
             diameter_m,
             insert_diameter_m: insert,
             protrusion_m: 0.5 * insert,
@@ -84,11 +84,18 @@ impl InsertBit {
             gauge_length_m: 0.25 * diameter_m,
             gauge_relief_m: 0.4e-3,
         };
-        if let Ok(profile) = bit.profile() {
-            let rows = (profile.length_m() / insert + 1.0 - OFF_AXIS).ceil();
-            bit.rows = rows as usize;
+        bit.filled()
+    }
+
+    /// With as many rows as leave no more than the inserts' own width between them. As it is where its other numbers make
+    /// no profile.
+    #[must_use]
+    pub fn filled(mut self) -> Self {
+        if let Ok(profile) = self.profile() {
+            let rows = (profile.length_m() / self.insert_diameter_m + 1.0 - OFF_AXIS).ceil();
+            self.rows = rows as usize;
         }
-        bit
+        self
     }
 
     fn profile(&self) -> Result<Profile, FaceError> {

@@ -120,9 +120,10 @@ impl PdcBit {
     }
 
     /// With as many cutters on a blade as leave half a cutter's width between them on average, or fewer, until they
-    /// have room at the sharpest bend of the profile.
-    fn filled(mut self) -> Self {
-        if let Ok(profile) = self.profile() {
+    /// have room at the sharpest bend of the profile. As it is where its other numbers make no profile.
+    #[must_use]
+    pub fn filled(mut self) -> Self {
+        if let (Ok(profile), Ok(())) = (self.profile(), self.check()) {
             let room = profile.length_m() / (1.5 * self.cutter_diameter_m);
             self.cutters_per_blade = (room as usize).clamp(1, MOST_ON_A_BLADE);
             while self.cutters_per_blade > 1 && self.layout(&profile).is_err() {

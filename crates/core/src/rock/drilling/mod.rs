@@ -176,7 +176,8 @@ impl Drilling {
         let axis = self.pose.axis();
         let spin = axis.dot(&omega);
         self.pose = self.pose.after(dt);
-        self.pose.angular_velocity_rad_per_s = (omega - axis * spin) + self.pose.axis() * spin;
+        let (tilting, axis) = (omega - axis * spin, self.pose.axis());
+        self.pose.angular_velocity_rad_per_s = axis * (spin - axis.dot(&tilting)) + tilting;
         spin
     }
 

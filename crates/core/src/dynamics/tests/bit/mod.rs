@@ -6,6 +6,7 @@ mod excitation;
 mod lumped;
 mod motor;
 mod regenerative;
+mod rock;
 mod roots;
 mod side;
 mod table;

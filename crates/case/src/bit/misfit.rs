@@ -1,0 +1,141 @@
+//! Why the numbers of a case make no face of a bit.
+
+use wholestring::rock::bit_face::FaceError;
+
+use super::{BitTable, place};
+use crate::{diagnostic::Diagnostic, range::number_text, source::Place};
+
+/// The key that holds a number which the face names so; the diameters are those of other tables.
+const KEYS: [(&str, &str); 24] = [
+    ("nose position", "nose"),
+    ("nose radius", "nose_radius"),
+    ("nose radius of a core bit", "nose_radius"),
+    ("shoulder radius", "shoulder_radius"),
+    ("gauge length", "gauge_length"),
+    ("cone angle", "cone_angle"),
+    ("number of blades", "blades"),
+    ("cutters per blade", "cutters_per_blade"),
+    ("cutters per track", "cutters_per_track"),
+    ("cutter diameter", "cutter_diameter"),
+    ("cutter length", "cutter_length"),
+    ("chamfer", "chamfer"),
+    ("back rake", "back_rake"),
+    ("side rake", "side_rake"),
+    ("gauge relief", "gauge_relief"),
+    ("spiral of the blades", "spiral"),
+    ("exposure", "exposure"),
+    ("blade width", "blade_width"),
+    ("centre spacing", "centre_spacing"),
+    ("insert diameter", "insert_diameter"),
+    ("protrusion", "protrusion"),
+    ("rows of inserts", "rows"),
+    ("pitch of the inserts", "pitch"),
+    ("half angle of the inserts", "half_angle"),
+];
+
+fn millimetres(m: f64) -> String {
+    number_text((m * 1e5).round() * 1e-2)
+}
+
+/// The mistake, at those of its numbers that stand in the case; `od` is the diameter's place.
+pub(super) fn misfit(error: &FaceError, bit: &BitTable, od: Place) -> Diagnostic {
+    let whole = bit.face.at().map_or(od, |at| at.place);
+    let given = |key: &str| {
+        let keys = bit.face.get()?.places();
+        keys.iter().find(|(name, _)| *name == key)?.1
+    };
+    // The first of these keys that stands in the case.
+    let first = |keys: &[&str]| keys.iter().find_map(|key| given(key)).unwrap_or(whole);
+    match error {
+        FaceError::OutOfRange {
+            quantity,
+            value,
+            expected,
+        } => {
+            let (key, place) = match *quantity {
+                "diameter" => ("od", Some(od)),
+                "core diameter" => ("core_diameter", place(&bit.core_diameter)),
+                "tip radius of the inserts" => ("tip_radius", given("tip_radius")),
+                other => {
+                    let known = KEYS.iter().find(|(name, _)| *name == other);
+                    let key = known.map_or(other, |(_, key)| *key);
+                    (key, given(key))
+                }
+            };
+            let diagnostic = Diagnostic::error(format!("`{key}` does not suit the bit"));
+            match place {
+                Some(place) => diagnostic.at(place, format!("expected {expected}")),
+                None => diagnostic.at(
+                    whole,
+                    format!(
+                        "it is {} where none is given: expected {expected}",
+                        number_text(*value)
+                    ),
+                ),
+            }
+        }
+        FaceError::Profile {
+            nose_radius_m,
+            shoulder_radius_m,
+            reach_m,
+        } => {
+            let reach = millimetres(*reach_m);
+            Diagnostic::error("the arcs of the bit's nose and shoulder cannot meet")
+                .at(
+                    first(&["nose_radius", "shoulder_radius", "nose"]),
+                    format!(
+                        "arcs of {} mm and {} mm",
+                        millimetres(*nose_radius_m),
+                        millimetres(*shoulder_radius_m)
+                    ),
+                )
+                .help(format!(
+                    "of nose_radius and shoulder_radius one must be no smaller, the other no larger than the {reach} mm from \
+                     the nose to the gauge"
+                ))
+        }
+        FaceError::Unspread {
+            cutters_per_track,
+            blades,
+        } => Diagnostic::error("the cutters of a track do not spread evenly over the blades").at(
+            first(&["cutters_per_track", "blades"]),
+            format!("{cutters_per_track} do not divide {blades} blades"),
+        ),
+        FaceError::Overlap {
+            distance_m,
+            diameter_m,
+            ..
+        } => Diagnostic::error("two cutters of a blade overlap")
+            .at(
+                first(&["cutters_per_blade", "cutter_diameter", "blades", "centre_spacing"]),
+                format!(
+                    "they are {} mm wide and {} mm apart",
+                    millimetres(*diameter_m),
+                    millimetres(*distance_m)
+                ),
+            )
+            .help("lower cutters_per_blade or cutter_diameter, or leave the number of cutters to the program"),
+        FaceError::UncutRing { from_m, to_m } => {
+            Diagnostic::error("the bit leaves a ring of the bottom uncut")
+                .at(
+                    first(&[
+                        "cutters_per_blade",
+                        "rows",
+                        "cutter_diameter",
+                        "insert_diameter",
+                        "exposure",
+                        "protrusion",
+                        "blades",
+                        "centre_spacing",
+                    ]),
+                    format!(
+                        "no cutter reaches the rock between the radii {} and {} mm",
+                        millimetres(*from_m),
+                        millimetres(*to_m)
+                    ),
+                )
+                .help("more, wider or more exposed cutters reach it")
+        }
+        other => Diagnostic::error(other.to_string()).at(whole, "the face of the bit"),
+    }
+}

@@ -1,0 +1,189 @@
+//! Solid rock under the bit's node: what passes between the two.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::{MASS_KG, OPERATION, POLAR_KG_M2};
+use crate::{
+    dynamics::{
+        assembly::Anchor,
+        bit::{Bit, BitLaw, BitSettings, BitStep, Came, Motor, MudMotor, RockLaw, Standing},
+        chain::{Chain, node},
+        crew::Crew,
+        energy::kinetic_J,
+    },
+    rock::{BitShape, DrillingSpec, Edge, Rock, bit_face::PdcBit},
+    rod::vector::Vector,
+};
+
+const ROTARY_KG_M2: f64 = 5.0;
+
+/// A string's step, s.
+const DT_S: f64 = 0.5e-3;
+
+/// A bit of 60 mm on bricks of 6 mm of sound rock, which does not break.
+fn spec() -> DrillingSpec {
+    let rock = Rock {
+        cohesion_Pa: 1e9,
+        tensile_strength_Pa: 1e9,
+        tensile_fracture_energy_J_per_m2: 1e12,
+        compressive_fracture_energy_J_per_m2: 1e12,
+        ..Rock::of_strength(10e6)
+    };
+    let bit = BitShape::Pdc(PdcBit::for_diameter(0.06));
+    let mut spec = DrillingSpec::new(rock, bit, 6e-3).expect("a sound face");
+    spec.block.numerics.density_factor = 400.0;
+    spec
+}
+
+/// A bit on its own in a hole that slants, on rock.
+struct Slant {
+    chain: Chain,
+    bit: Bit,
+    anchor: Anchor,
+    /// High side, right, down the hole.
+    frame: Matrix3<f64>,
+    crew: Crew,
+}
+
+impl Slant {
+    fn new(drilling: DrillingSpec, motor: Motor) -> Self {
+        let tangent = Vector3::new(0.6, 0.48, 0.64).normalize();
+        let high_side = (tangent * tangent.z - Vector3::z()).normalize();
+        let mut chain = Chain::new(1);
+        node!(chain, 0, mass_axial = MASS_KG);
+        node!(chain, 0, inv_mass_axial = 1.0 / MASS_KG);
+        node!(chain, 0, mass_lateral = 2.0 * MASS_KG);
+        node!(chain, 0, inv_mass_lateral = 0.5 / MASS_KG);
+        node!(chain, 0, polar = POLAR_KG_M2);
+        node!(chain, 0, inv_polar = 1.0 / POLAR_KG_M2);
+        node!(chain, 0, inv_rotary = 1.0 / ROTARY_KG_M2);
+        chain.set_tangent(0, tangent.into());
+        chain.set_displacement(0, Vector::zero());
+        chain.set_director(0, (tangent + 0.01 * high_side).normalize().into());
+        let settings = BitSettings {
+            law: BitLaw::Rock(Box::new(RockLaw { drilling })),
+            motor,
+            ..BitSettings::default()
+        };
+        let anchor = Anchor {
+            md_m: 100.0,
+            position_m: Vector3::new(100.0, 200.0, 300.0),
+            high_side,
+        };
+        let crew = Crew::default();
+        let mut bit = Bit::new(&settings, &OPERATION, 100.0, 1).expect("a sound bit");
+        bit.set_flow(30e-3);
+        let standing = Standing {
+            weight_N: 0.0,
+            torque_N_m: 0.0,
+            rate_m_per_s: 0.0,
+            string_rad_per_s: 0.0,
+        };
+        bit.stand(&chain, &anchor, standing, &crew);
+        Self {
+            chain,
+            bit,
+            anchor,
+            frame: Matrix3::from_columns(&[high_side, tangent.cross(&high_side), tangent]),
+            crew,
+        }
+    }
+
+    /// A step in which a force along the hole pushes the node.
+    fn step(&mut self, push_N: f64) -> BitStep {
+        let came = Came {
+            velocity: self.chain.velocity(0),
+            spin: node!(self.chain, 0, spin),
+        };
+        let along = self.chain.tangent(0).scaled(DT_S * push_N / MASS_KG);
+        self.chain.set_velocity(0, came.velocity + along);
+        self.bit
+            .act(&mut self.chain, &self.anchor, came, &self.crew, DT_S)
+    }
+
+    /// Momentum of the bit and of the rock, N·s.
+    fn momentum(&self) -> [Vector3<f64>; 2] {
+        let velocity: Vector3<f64> = self.chain.velocity(0).into();
+        let mass = Matrix3::from_diagonal(&Vector3::new(2.0, 2.0, 1.0)) * MASS_KG;
+        let block = self.bit.drilling().expect("rock").block();
+        let grid = block.grid();
+        let nodes = grid.each_node().map(|node| grid.node(node));
+        let rock: Vector3<f64> = nodes
+            .map(|n| Vector3::from(block.velocity_m_per_s(n)) * block.mass_kg(n))
+            .sum();
+        [
+            self.frame * mass * self.frame.transpose() * velocity,
+            self.frame * rock,
+        ]
+    }
+}
+
+/// A bit that is thrown into a block which nothing holds, tilted, turning and tilting on: what it loses in momentum the
+/// block gains, what the rock does to it is the change of its kinetic energy, and its bending moment is what tilts it. The string's
+/// part of the work of a bit that a motor turns is the change of the string's energy.
+#[test]
+fn momentum_and_energy_pass_exactly() {
+    let displacement = Motor::Displacement(MudMotor {
+        displacement_m3: 12e-3,
+        rated_flow_m3_per_s: 30e-3,
+        max_pressure_Pa: 6e6,
+        slip: 0.1,
+        efficiency: 0.8,
+        stall_torque_N_m: 14e3,
+    });
+    for (spin, motor) in [
+        (20.0, Motor::Speed(0.0)),
+        (-8.0, Motor::Speed(0.0)),
+        (3.0, Motor::Speed(10.0)),
+        (3.0, displacement),
+    ] {
+        let mut spec = spec();
+        spec.block.edges = [Edge::Free; 6];
+        let mut slant = Slant::new(spec, motor);
+        let thrown = slant.frame * Vector3::new(0.3, -0.2, 0.8);
+        let tilting = slant.frame * Vector3::new(0.0, 0.6, 0.0);
+        let across = Vector3::from(slant.chain.director(0)).cross(&tilting);
+        slant.chain.set_velocity(0, thrown.into());
+        slant.chain.set_turning(0, across.into());
+        node!(slant.chain, 0, spin = spin);
+        let [first, _] = slant.momentum();
+        let all = first.norm();
+        let start_J = kinetic_J(&slant.chain);
+        let (mut passed, mut bent) = (0.0_f64, 0.0_f64);
+        for _ in 0..40 {
+            let before_J = kinetic_J(&slant.chain);
+            let turning = Vector3::from(slant.chain.turning(0));
+            let step = slant.step(0.0);
+            let change_J = kinetic_J(&slant.chain) - before_J;
+            assert!(
+                (change_J - step.work_J).abs() < 1e-11 * start_J,
+                "{change_J} {step:?}"
+            );
+            let turned = (Vector3::from(slant.chain.turning(0)) - turning).norm() * ROTARY_KG_M2;
+            let moment = step.moment_N_m * DT_S;
+            // The spin carries the moment round by a hundredth within the step, the director moves.
+            assert!(
+                (turned - moment).abs() < 0.02 * moment + 1e-5,
+                "{turned} {moment}"
+            );
+            bent = bent.max(step.moment_N_m);
+            let [bit, rock] = slant.momentum();
+            passed = passed.max(rock.norm() / all);
+            let off = (bit + rock - first).norm();
+            assert!(off < 1e-10 * all, "{off}");
+        }
+        // What the string pushes with arrives too, its even part and the rest.
+        let before = slant.momentum().iter().sum::<Vector3<f64>>();
+        for step in 0..20 {
+            slant.step(1000.0 * f64::from(step % 7));
+        }
+        let given = slant.frame * Vector3::z() * (DT_S * 1000.0 * 57.0);
+        let gained = slant.momentum().iter().sum::<Vector3<f64>>() - before;
+        assert!((gained - given).norm() < 1e-10 * all, "{gained} {given}");
+        assert!(passed > 0.1 && bent > 10.0, "{passed} {bent}");
+        // The node is where the bit is.
+        let drilling = slant.bit.drilling().expect("rock");
+        let axis = slant.frame * drilling.pose().axis();
+        assert!((axis - Vector3::from(slant.chain.director(0))).norm() < 1e-12);
+    }
+}

@@ -1,0 +1,242 @@
+//! A string that drills solid rock.
+
+use std::sync::Arc;
+
+use wholestring::{
+    dynamics::{
+        BitLaw, BitSettings, Checkpoint, DynamicOutcome, HoistControl, Precision, RockLaw,
+        SetupError, Simulation, Statistic,
+    },
+    operation::{Operation, OperationKind},
+    rock::{BitShape, DrillingSpec, Executor, Rock, bit_face::PdcBit},
+    string::ComponentLength,
+    well::{HoleKind, Interpolation},
+};
+
+use crate::{
+    common::{Row, Tolerance, mud, operation, path, report, rpm},
+    wells::{Case, each, go, line, model, section, tool},
+};
+
+const DEPTH_M: f64 = 100.0;
+
+/// Bricks, m.
+const SIZE_M: f64 = 6e-3;
+
+/// What the block goes down with, m/s: 9 mm per revolution.
+const RATE_M_PER_S: f64 = 0.036;
+
+/// A bit of 60 mm on a rock of 10 MPa, of which a crushed brick takes as much per volume.
+fn law() -> RockLaw {
+    let rock = Rock {
+        compressive_fracture_energy_J_per_m2: 10e6 * SIZE_M,
+        ..Rock::of_strength(10e6)
+    };
+    let bit = BitShape::Pdc(PdcBit::for_diameter(0.06));
+    let mut drilling = DrillingSpec::new(rock, bit, SIZE_M).expect("a sound face");
+    drilling.block.numerics.density_factor = 400.0;
+    drilling.block.layers_per_slab = 3;
+    RockLaw { drilling }
+}
+
+/// Collars and pipe in a vertical hole without friction and mud, the block going down steadily: what the bit feels is felt above.
+fn case() -> Case {
+    let mut vertical = model(
+        path(
+            &[[0.0, 0.0, 0.0], [DEPTH_M + 20.0, 0.0, 0.0]],
+            Interpolation::Spline,
+        ),
+        vec![section(HoleKind::Open, 0.0, DEPTH_M + 20.0, 0.06, 0.0)],
+        vec![
+            tool("bit", ComponentLength::Metres(0.3), 0.06, 0.0),
+            tool("collars", ComponentLength::Metres(60.0), 0.05, 0.01),
+            tool("pipe", ComponentLength::ToSurface, 0.05, 0.038),
+        ],
+        DEPTH_M,
+    );
+    vertical.mud = mud(0.0);
+    let bit = BitSettings {
+        law: BitLaw::Rock(Box::new(law())),
+        ..BitSettings::default()
+    };
+    let drill = Operation {
+        rotary_speed_rad_per_s: rpm(240.0),
+        weight_on_bit_N: 300.0,
+        bit_torque_N_m: 10.0,
+        rate_of_penetration_m_per_s: RATE_M_PER_S,
+        ..operation(OperationKind::Drill, DEPTH_M)
+    };
+    let mut case = Case::new(vertical, drill);
+    case.settings.bit = bit;
+    case.settings.hoist_control = Some(HoistControl::BlockVelocity(RATE_M_PER_S));
+    case.settings.settle_s = 0.5;
+    case.settings.duration_s = 1.5;
+    case
+}
+
+fn statistic(outcome: &DynamicOutcome, name: &str) -> Statistic {
+    let found = outcome.statistics.iter().find(|(n, _)| *n == name);
+    found.expect("a statistic").1
+}
+
+/// Weight and torque of the rock are what the top of the string lacks and gives, the bit advances as fast as it says, and as the block,
+/// and the energy of the string is accounted for.
+#[test]
+fn what_the_rock_takes_the_top_gives() {
+    let case = case();
+    let mut simulation = case.start();
+    let weight_N: f64 = simulation
+        .mesh()
+        .elements
+        .iter()
+        .map(|e| e.length_m * e.section.buoyed_weight_N_per_m(0.0))
+        .sum();
+    let [mass_kg, polar_kg_m2] = [weight_N / 9.806_65, {
+        let elements = simulation.mesh().elements.iter();
+        elements
+            .map(|e| e.length_m * e.section.polar_inertia_kg_m)
+            .sum()
+    }];
+    go(&mut simulation, 2.0);
+    let outcome = simulation.outcome();
+    let series = &outcome.series;
+    let from = series.time_s.partition_point(|t| *t < 0.5 - 1e-9);
+    let rows = series.time_s.len() - from;
+    let [hook, weight, torque, surface, spin] = [
+        "hook_load_N",
+        "weight_on_bit_N",
+        "bit_torque_N_m",
+        "surface_torque_N_m",
+        "bit_rotary_speed_rad_per_s",
+    ]
+    .map(|name| statistic(&outcome, name));
+    println!("{hook:?}\n{weight:?}\n{torque:?}\n{surface:?}\n{spin:?}");
+    println!("{:?}", outcome.numerics);
+    assert!(weight.mean > 50.0 && torque.mean > 2.0, "the bit drills");
+    // Hook loads of ±F come with waves of F/ρcA; the lightest pipe has 44 N·s/mm.
+    let waves_m_per_s = (hook.max - hook.min) / 35e3;
+    let window_s = rows as f64 * simulation.sample_interval_s();
+    report(&Row {
+        case: "rock",
+        quantity: "mean hook load and weight on solid rock, N",
+        expected: weight_N,
+        computed: hook.mean + weight.mean,
+        tolerance: Tolerance::Absolute(mass_kg * waves_m_per_s / window_s),
+        reason: "momentum that the string holds in its waves",
+    });
+    report(&Row {
+        case: "rock",
+        quantity: "mean torque at surface, of solid rock, N·m",
+        expected: torque.mean,
+        computed: surface.mean,
+        tolerance: Tolerance::Absolute(polar_kg_m2 * (spin.max - spin.min) / window_s),
+        reason: "angular momentum that the string holds in its waves",
+    });
+    let gone_m = series.bit_depth_m[series.bit_depth_m.len() - 1] - series.bit_depth_m[from - 1];
+    let rate: f64 = series.rate_of_penetration_m_per_s[from..].iter().sum();
+    report(&Row {
+        case: "rock",
+        quantity: "way of the bit through solid rock over that by its rate",
+        expected: 1.0,
+        computed: gone_m / (rate * simulation.sample_interval_s()),
+        tolerance: Tolerance::Relative(1e-9),
+        reason: "rounding of depths of 100 m",
+    });
+    let (rate, _) = line(&series.time_s[from..], &series.bit_depth_m[from..]);
+    report(&Row {
+        case: "rock",
+        quantity: "rate of penetration in solid rock under a block that goes down steadily, m/s",
+        expected: RATE_M_PER_S,
+        computed: rate,
+        tolerance: Tolerance::Relative(0.05),
+        reason: "the string stretches by a tenth of a millimetre under what the weight varies",
+    });
+    report(&Row {
+        case: "rock",
+        quantity: "energy of a string on solid rock that is unaccounted for, part of the largest flow",
+        expected: 0.0,
+        computed: outcome.numerics.energy_residual,
+        tolerance: Tolerance::Absolute(0.01),
+        reason: "what is asked",
+    });
+    let bottom = simulation.bottom_hole().expect("rock");
+    let known = (0..bottom.rings()).flat_map(|r| (0..bottom.sectors()).map(move |s| (r, s)));
+    let depths: Vec<f64> = known.filter_map(|(r, s)| bottom.z_m(r, s)).collect();
+    let deepest_m = depths.iter().copied().fold(f64::MIN, f64::max);
+    assert_eq!(depths.len(), bottom.rings() * bottom.sectors());
+    assert!(deepest_m.abs() < 2.0 * SIZE_M, "{deepest_m}");
+}
+
+/// Two threads.
+struct Pair;
+
+impl Executor for Pair {
+    fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
+        std::thread::scope(|scope| {
+            scope.spawn(|| (0..count / 2).for_each(work));
+            (count / 2..count).for_each(work);
+        });
+    }
+}
+
+/// When the runs stop: before the window and within it.
+const STOPS_S: [f64; 3] = [0.06, 0.12, 0.2];
+
+/// Written to bytes, dropped, read back, and worked on by two threads from then on; in double and in single precision.
+#[test]
+fn a_run_on_rock_ends_with_the_same_bits_whoever_works_on_it() {
+    let cases = [Precision::Double, Precision::Single].map(|precision| {
+        let mut case = case();
+        case.settings.precision = precision;
+        case.settings.settle_s = 0.1;
+        case.settings.duration_s = 0.1;
+        case
+    });
+    let run = |case: &Case, stopped: &dyn Fn(Simulation) -> Simulation| {
+        let mut simulation = case.start();
+        for stop_s in STOPS_S {
+            let left_s = stop_s - simulation.time_s();
+            go(&mut simulation, left_s);
+            simulation = stopped(simulation);
+        }
+        (simulation.outcome(), simulation.bottom_hole())
+    };
+    let outcomes = each(&cases, |case| {
+        let resumed = run(case, &|simulation| {
+            let bytes = postcard::to_allocvec(&simulation.checkpoint()).unwrap();
+            let checkpoint: Checkpoint = postcard::from_bytes(&bytes).unwrap();
+            let (model, operation) = (&case.model, &case.operation);
+            let mut resumed =
+                Simulation::resume(model, operation, &case.settings, checkpoint).unwrap();
+            resumed.lend(Arc::new(Pair));
+            resumed
+        });
+        [run(case, &|simulation| simulation), resumed]
+    });
+    for [straight, resumed] in &outcomes {
+        // Their numbers fill pages.
+        assert!(straight == resumed);
+    }
+    // The precision of the string is not that of the rock: they begin alike.
+    let [double, single] = [&outcomes[0][0].0.series, &outcomes[1][0].0.series];
+    let impulse = |weight_N: &[f64]| weight_N[..3].iter().sum::<f64>();
+    let [double, single] = [double, single].map(|series| impulse(&series.weight_on_bit_N));
+    report(&Row {
+        case: "rock",
+        quantity: "weight on solid rock over the first 30 ms, single over double precision",
+        expected: 1.0,
+        computed: single / double,
+        tolerance: Tolerance::Relative(0.02),
+        reason: "which brick goes first is soon decided in the last digits",
+    });
+}
+
+#[test]
+fn a_bit_that_is_lighter_than_what_it_touches_is_refused() {
+    let mut case = case();
+    let mut law = law();
+    law.drilling.block.numerics.density_factor = 4e5;
+    case.settings.bit.law = BitLaw::Rock(Box::new(law));
+    let error = Simulation::new(&case.model, &case.operation, &case.settings).unwrap_err();
+    assert!(matches!(error, SetupError::LightBit { .. }), "{error}");
+}
