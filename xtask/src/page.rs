@@ -1,4 +1,4 @@
-//! The pages of a run, a sweep and a study: whether their committed bundle is what its sources make, and whether they work in a browser.
+//! The pages of a run, a sweep, a study and a bit test: whether their committed bundle is what its sources make, and whether they work in a browser.
 
 use std::{
     env, fs,
@@ -39,7 +39,14 @@ pub(crate) fn browser() -> Result<Finding, Failure> {
         return unable("there is no Chromium, and it cannot be installed here".into());
     };
     const SLANT: &str = "crates/cli/tests/data/slant.toml";
-    let frames = ["--set", NASTY, "--set", "records.frames=20Hz"];
+    let frames = [
+        "--set",
+        NASTY,
+        "--set",
+        "records.frames=20Hz",
+        "--set",
+        r#"operation.kind=["trip_out", "rotate_off_bottom", "drill"]"#,
+    ];
     page(["run", SLANT], &frames, &browser, "page.mjs")?;
     let varied = [
         "--set",
@@ -52,6 +59,15 @@ pub(crate) fn browser() -> Result<Finding, Failure> {
     page(["sweep", SLANT], &varied, &browser, "sweep.mjs")?;
     let study = "studies/friction-on-a-slant.toml";
     page(["study", study], &["--png"], &browser, "study.mjs")?;
+    let made_up = target().join("bit-test-page");
+    run(
+        cargo()
+            .args(["run", "--quiet", "--package", "wholestring-report"])
+            .args(["--example", "bit_test_page", "--"])
+            .arg(&made_up),
+        "the browser needs a page",
+    )?;
+    works(&made_up, &browser, "bit_test.mjs")?;
     Ok(Finding::Done)
 }
 
@@ -72,12 +88,17 @@ fn page(
             .arg(&results),
         "the browser needs a page",
     )?;
+    works(&results, browser, test)
+}
+
+/// Runs the test of the page in a folder in a browser.
+fn works(folder: &Path, browser: &Path, test: &str) -> Result<(), Failure> {
     run(
         Command::new("node")
             .current_dir(web())
             .arg(Path::new("test").join(test))
             .arg(browser)
-            .arg(results.join("report.html")),
+            .arg(folder.join("report.html")),
         "the page must work in a browser",
     )
 }

@@ -80,6 +80,10 @@ pub(crate) struct RunArgs {
     #[arg(long, value_name = "TIME", value_parser = interval)]
     pub(crate) checkpoint: Option<Duration>,
 
+    /// Threads that work on solid rock under the bit; the answer is the same [default: one per core]
+    #[arg(short, long, value_name = "N")]
+    pub(crate) jobs: Option<NonZeroUsize>,
+
     /// Units on the screen [default: the case's]
     #[arg(long, value_name = "si|metric|field")]
     pub(crate) units: Option<UnitSet>,

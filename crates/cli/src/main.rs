@@ -7,6 +7,7 @@ mod check;
 mod checkpoint;
 mod column;
 mod comparison;
+mod cores;
 mod failure;
 mod folder_name;
 mod frames;

@@ -78,6 +78,7 @@ pub(crate) struct Tables {
     wear: Table,
     time: Table,
     contact: Table,
+    bottom_hole: Table,
 }
 
 impl Tables {
@@ -88,6 +89,7 @@ impl Tables {
             wear: table(folder, "wear")?,
             time: table(folder, "time")?,
             contact: table(folder, "contact")?,
+            bottom_hole: table(folder, "bottom_hole")?,
         })
     }
 }
@@ -111,16 +113,19 @@ pub(crate) fn gather(tables: &Tables, summary: &Summary, units: Option<UnitSet>)
         .collect();
     let many = runs.len();
     let settle = &summary.settings["dynamics"]["settle_s"];
+    let window_s = settle.as_f64().unwrap_or(0.0);
     let timed = |solved: &&OperationSummary| {
         let history = history::history(&tables.time, &solved.operation, many);
         TimeRun {
             operation: solved.operation.clone(),
-            window_s: settle.as_f64().unwrap_or(0.0),
+            window_s,
             samples: history.samples,
             history: history.columns,
             notes: history.notes,
             contact: history::contact(&tables.contact, &solved.operation, many),
             frames: None,
+            drill_off: history::drill_off(&tables.time, &solved.operation, window_s, many),
+            bottom: history::bottom(&tables.bottom_hole, &solved.operation),
         }
     };
     Report {

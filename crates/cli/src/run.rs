@@ -10,6 +10,7 @@ use crate::{
     bit_table,
     checkpoint::Laid,
     comparison,
+    cores::Cores,
     failure::Failure,
     folder_name::default_output,
     indicators,
@@ -45,6 +46,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         checkpoint_every: args.checkpoint.unwrap_or_else(|| checkpoint_every(&case)),
         watch: Watch::Screen { quiet: args.quiet },
         interrupt: &Interrupt::listen(),
+        crew: Cores::for_rock(&case, args.jobs),
     };
     let solved = solve(&case, &way, &mut record, &folder, under_way);
     if !args.quiet && !record.summary.operations.is_empty() {

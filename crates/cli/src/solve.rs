@@ -15,6 +15,7 @@ use wholestring_results::{ResultsFolder, Status};
 
 use crate::{
     checkpoint::{self, Keeper, UnderWay},
+    cores::Lent,
     failure::Failure,
     interrupt::Interrupt,
     progress::{OwnBar, Watch},
@@ -30,6 +31,8 @@ pub(crate) struct Way<'a> {
     /// Who watches its progress.
     pub(crate) watch: Watch,
     pub(crate) interrupt: &'a Interrupt,
+    /// Who works on solid rock; the thread that solves alone where nobody is named.
+    pub(crate) crew: Option<Lent>,
 }
 
 /// What the case says about the time between checkpoints.
@@ -212,6 +215,9 @@ fn solve_dynamic(
             }
         }
     };
+    if let Some(crew) = &way.crew {
+        simulation.lend(crew.clone());
+    }
     let took = || before + start.elapsed();
     // Laying the string takes seconds. Whoever has asked by now has nothing of this operation to keep.
     if way.interrupt.asked() && simulation.time_s() == 0.0 {
@@ -268,6 +274,7 @@ fn solve_dynamic(
     record.add_dynamic(
         operation,
         &simulation.outcome(),
+        simulation.bottom_hole().as_ref(),
         lift,
         status.clone(),
         effort,
@@ -388,6 +395,7 @@ mod tests {
             checkpoint_every: Duration::MAX,
             watch: Watch::Screen { quiet: true },
             interrupt,
+            crew: None,
         }
     }
 }

@@ -1,6 +1,8 @@
 //! Pictures of what a run leaves: figures as SVG and PNG, and all of it as a page.
 #![warn(missing_docs)]
 
+mod bit_test;
+mod bottom;
 mod draw;
 pub mod figure;
 mod packed;
@@ -11,15 +13,17 @@ mod study;
 mod sweep;
 mod thin;
 
+pub use bit_test::{BitTest, BitTestPoint, bit_test_plots};
+pub use bottom::BottomPicture;
 pub use draw::Drawing;
 pub use packed::Packed;
-pub use page::{report_html, sweep_html};
+pub use page::{bit_test_html, report_html, sweep_html};
 pub use plots::{
     ContactMap, Plot, Run, Spectrum, common_operations, contact_figure, plots, profile,
 };
 pub use report::{
-    Answer, Cell, ContactPicture, DisplayUnit, Fact, Frames, Part, Place, Report, Section, Sheet,
-    Solved, TimeRun, Well,
+    Answer, Cell, ContactPicture, DisplayUnit, DrillOff, Fact, Frames, Part, Place, Report,
+    Section, Sheet, Solved, TimeRun, Well,
 };
 pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, study_html};
 pub use sweep::{Sweep, SweepRow, sweep_plots};

@@ -1,14 +1,14 @@
-//! The pages of a run and of a sweep, each one file that needs nothing else.
+//! The pages of a run, of a sweep and of a bit test, each one file that needs nothing else.
 
 use std::collections::BTreeMap;
 
 use serde::Serialize;
 
 use crate::{
-    DisplayUnit, Fact, Report, Sheet, Sweep,
+    BitTest, BottomPicture, DisplayUnit, Fact, Plot, Report, Sheet, Sweep, bit_test_plots,
     plots::{
         SETS,
-        catalogue::{TIME_PLOTS, TRACKS, TimePlot, Track},
+        catalogue::{BIT_PLOTS, TIME_PLOTS, TRACKS, TimePlot, Track},
     },
     sweep_plots,
 };
@@ -30,6 +30,7 @@ struct Data<'a> {
     report: &'a Report,
     tracks: &'a [Track],
     time_plots: &'a [TimePlot],
+    bit_plots: &'a [TimePlot],
 }
 
 /// The report of a run as the text of an HTML file.
@@ -40,10 +41,14 @@ pub fn report_html(report: &Report) -> String {
         report,
         tracks: TRACKS,
         time_plots: TIME_PLOTS,
+        bit_plots: BIT_PLOTS,
     };
-    let licences = escaped(LICENCES);
-    let rest = format!("<template id=\"licences\">{licences}</template>");
-    page(&report.title, &report.program, &data, &rest, PROGRAM)
+    page(&report.title, &report.program, &data, &licences(), PROGRAM)
+}
+
+/// The licences for the page's own reader.
+fn licences() -> String {
+    format!("<template id=\"licences\">{}</template>", escaped(LICENCES))
 }
 
 /// What the program of a sweep's page reads.
@@ -70,18 +75,80 @@ pub fn sweep_html(sweep: &Sweep) -> String {
         sheet: sweep.sheet(),
     };
     let figures = SETS.map(|units| {
-        let plots = sweep_plots(sweep, units);
-        let plot = plots.into_iter().next();
-        let figure = plot.map_or(String::new(), |mut plot| {
-            // The page says these itself.
-            plot.figure.title.clear();
-            plot.figure.subtitle.clear();
-            plot.figure.drawing().element(&format!("clip-{units}"))
-        });
-        format!("<template id=\"figure-{units}\">{figure}</template>")
+        let plot = sweep_plots(sweep, units).into_iter().next();
+        template("figure", units, plot)
     });
     let rest = figures.join("\n");
     page(&sweep.title, &sweep.program, &data, &rest, SWEEP_PROGRAM)
+}
+
+/// A picture in a set of units, ready to be shown under a name.
+fn template(name: &str, units: &str, plot: Option<Plot>) -> String {
+    let figure = plot.map_or(String::new(), |mut plot| {
+        // The page says these itself.
+        plot.figure.title.clear();
+        plot.figure.subtitle.clear();
+        let drawing = plot.figure.drawing();
+        drawing.element(&format!("{name}-clip-{units}"))
+    });
+    format!("<template id=\"{name}-{units}\">{figure}</template>")
+}
+
+/// What the program of a bit test's page reads.
+#[derive(Serialize)]
+struct BitTestData<'a> {
+    program: &'a str,
+    title: &'a str,
+    units: &'a str,
+    dimensions: &'a BTreeMap<String, [DisplayUnit; 3]>,
+    asked: &'a [Fact],
+    message: Option<&'a str>,
+    sheets: Vec<Sheet>,
+    bottoms: Vec<TestedBottom<'a>>,
+}
+
+/// The bottom that a weight and a speed left.
+#[derive(Serialize)]
+struct TestedBottom<'a> {
+    weight_N: f64,
+    rotary_rad_per_s: f64,
+    bottom: &'a BottomPicture,
+}
+
+/// The page of a bit test as the text of an HTML file: its figures in every set of units, the bottoms in space, and the
+/// table.
+///
+/// No name in it can end the element that it stands in, whatever it holds.
+pub fn bit_test_html(test: &BitTest) -> String {
+    let bottoms = test.sorted().into_iter().filter_map(|of| {
+        Some(TestedBottom {
+            weight_N: of.weight_N,
+            rotary_rad_per_s: of.rotary_rad_per_s,
+            bottom: of.bottom.as_ref()?,
+        })
+    });
+    let sheets = std::iter::once(test.sheet()).chain(test.sheets.iter().cloned());
+    let data = BitTestData {
+        program: &test.program,
+        title: &test.title,
+        units: &test.units,
+        dimensions: &test.dimensions,
+        asked: &test.asked,
+        message: test.message.as_deref(),
+        sheets: sheets.collect(),
+        bottoms: bottoms.collect(),
+    };
+    let mut rest = licences();
+    for units in SETS {
+        for plot in bit_test_plots(test, units) {
+            // The page draws the bottoms itself.
+            if plot.name != "bottom-hole" {
+                rest += "\n";
+                rest += &template(&plot.name.clone(), units, Some(plot));
+            }
+        }
+    }
+    page(&test.title, &test.program, &data, &rest, PROGRAM)
 }
 
 /// A page of data and the program that shows them, with whatever else the program needs.
@@ -152,7 +219,8 @@ mod tests {
 
     use super::*;
     use crate::{
-        Answer, Cell, DisplayUnit, Fact, Packed, Part, Place, Section, Sheet, Solved, TimeRun, Well,
+        Answer, BottomPicture, Cell, DisplayUnit, DrillOff, Fact, Packed, Part, Place, Section,
+        Sheet, Solved, TimeRun, Well,
     };
 
     const NASTY: &str = "</script><script>alert(1)</script> <!-- & \" ' \u{2028} </title>";
@@ -226,6 +294,12 @@ mod tests {
                 notes: vec![(0.5, NASTY.into())],
                 contact: None,
                 frames: None,
+                drill_off: Some(DrillOff {
+                    weight_N: column(),
+                    rate_m_per_s: column(),
+                    torque_N_m: column(),
+                }),
+                bottom: BottomPicture::new(&[0.1], &[1.0, 3.0], &[0.0, 0.01]),
             }],
             sheets: vec![Sheet {
                 place: Place::Inputs,

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::Packed;
+use crate::{BottomPicture, Packed};
 
 /// A run as its page shows it.
 ///
@@ -201,6 +201,21 @@ pub struct TimeRun {
     pub contact: Option<ContactPicture>,
     /// The string at moments.
     pub frames: Option<Frames>,
+    /// What the bit takes away for what it is given, where it drills.
+    pub drill_off: Option<DrillOff>,
+    /// The bottom of the hole at the end, where the bit stands on solid rock.
+    pub bottom: Option<BottomPicture>,
+}
+
+/// What a bit takes away for what it is given: samples of the window, evenly apart in time.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DrillOff {
+    /// Weight on bit, N.
+    pub weight_N: Packed,
+    /// Rate of penetration, m/s.
+    pub rate_m_per_s: Packed,
+    /// Torque on bit, N·m.
+    pub torque_N_m: Packed,
 }
 
 /// Contact over depth and time: row after row in time, each from the surface down.

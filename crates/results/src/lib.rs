@@ -16,7 +16,7 @@ mod spectrum;
 mod summary;
 mod table;
 
-pub use columns::{CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
+pub use columns::{BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
 pub use error::ResultsError;
 pub use folder::ResultsFolder;
 pub use frames::{FrameWriter, FramesSoFar};

@@ -14,8 +14,8 @@ use wholestring::{
 use wholestring_case::{Case, Records};
 use wholestring_report::profile;
 use wholestring_results::{
-    CONTACT, FramesSoFar, Friction, NODES, OperationSummary, ResultsError, ResultsFolder,
-    SCHEMA_VERSION, SPECTRA, Status, Summary, TIME, Table, WEAR,
+    BOTTOM_HOLE, CONTACT, FramesSoFar, Friction, NODES, OperationSummary, ResultsError,
+    ResultsFolder, SCHEMA_VERSION, SPECTRA, Status, Summary, TIME, Table, WEAR,
 };
 use wholestring_units::{Dimension, UnitSet};
 
@@ -30,6 +30,7 @@ pub(crate) struct Solved {
     time: Table,
     wear: Table,
     contact: Table,
+    bottom_hole: Table,
     spectra: Table,
     /// Frames up to the checkpoint, of the operation under way too.
     frames: Option<FramesSoFar>,
@@ -44,6 +45,7 @@ pub(crate) struct Record {
     schedule: Vec<ScheduleStep>,
     wear: Table,
     contact: Table,
+    bottom_hole: Table,
     spectra: Table,
     /// Frames of the whole string, where the case asks for them.
     pub(crate) frames: Option<Frames>,
@@ -80,6 +82,7 @@ impl Record {
         record.time = solved.time;
         record.wear = solved.wear;
         record.contact = solved.contact;
+        record.bottom_hole = solved.bottom_hole;
         record.spectra = solved.spectra;
         Ok(record)
     }
@@ -97,6 +100,7 @@ impl Record {
             schedule: case.dynamics.schedule.steps.clone(),
             wear: Table::with_columns(WEAR),
             contact: Table::with_columns(CONTACT),
+            bottom_hole: Table::with_columns(BOTTOM_HOLE),
             spectra: Table::with_columns(SPECTRA),
             frames,
             records: case.records.clone(),
@@ -115,6 +119,7 @@ impl Record {
             time,
             wear,
             contact,
+            bottom_hole,
             schedule: _,
             spectra,
             frames,
@@ -129,6 +134,7 @@ impl Record {
             time: time.clone(),
             wear: wear.clone(),
             contact: contact.clone(),
+            bottom_hole: bottom_hole.clone(),
             spectra: spectra.clone(),
             frames: frames.as_ref().map(|frames| frames.so_far().clone()),
         }
@@ -175,6 +181,12 @@ impl Record {
             folder.remove("spectra.csv")?;
         } else {
             folder.write_table("spectra", &self.spectra, csv)?;
+        }
+        if self.bottom_hole.rows() == 0 {
+            folder.remove("bottom_hole.parquet")?;
+            folder.remove("bottom_hole.csv")?;
+        } else {
+            folder.write_table("bottom_hole", &self.bottom_hole, csv)?;
         }
         match &mut self.frames {
             Some(frames) => frames.write()?,

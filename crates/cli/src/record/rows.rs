@@ -6,6 +6,7 @@ use wholestring::{
     dynamics::{ContactClass, DynamicOutcome, NodeProfile, ScheduleStep, TimeSeries, TunedLift},
     operation::Operation,
     outcome::ModelKind,
+    rock::bit_face::BottomHole,
     statics::soft::SoftProfile,
 };
 use wholestring_results::{Numerics, OperationSummary, Spectrum, Statistic, Status};
@@ -58,12 +59,13 @@ impl Record {
         );
     }
 
-    /// Adds what a dynamic run computed, to its end or until `status` says, under the lift that was found for it if one
-    /// was.
+    /// Adds what a dynamic run computed, to its end or until `status` says, the bottom that it left on solid rock, and the lift that
+    /// was found for it, if there is one.
     pub(crate) fn add_dynamic(
         &mut self,
         operation: &Operation,
         outcome: &DynamicOutcome,
+        bottom: Option<&BottomHole>,
         lift: Option<TunedLift>,
         status: Status,
         effort: Effort,
@@ -134,6 +136,17 @@ impl Record {
                 ("contact_force_N_per_m", &contact.contact_force_N_per_m),
             ],
         );
+        if let Some(bottom) = bottom {
+            let [radius_m, angle_rad, depth_m] = bottom_rows(bottom);
+            self.bottom_hole.append(
+                &[("operation", &[operation.kind.name()])],
+                &[
+                    ("radius_m", &radius_m),
+                    ("angle_rad", &angle_rad),
+                    ("depth_m", &depth_m),
+                ],
+            );
+        }
         self.add_series(operation, series);
         self.add_spectra(operation, outcome);
     }
@@ -239,6 +252,9 @@ impl Record {
                 ("bit_depth_m", &series.bit_depth_m),
                 ("weight_on_bit_N", &series.weight_on_bit_N),
                 ("bit_torque_N_m", &series.bit_torque_N_m),
+                ("bit_force_high_N", &series.bit_force_high_N),
+                ("bit_force_right_N", &series.bit_force_right_N),
+                ("bit_moment_N_m", &series.bit_moment_N_m),
                 ("depth_of_cut_m", &series.depth_of_cut_m),
                 (
                     "rate_of_penetration_m_per_s",
@@ -316,6 +332,23 @@ impl Record {
             }
         }
     }
+}
+
+/// Radius, angle and depth of every cell of a bottom, ring after ring.
+pub(crate) fn bottom_rows(bottom: &BottomHole) -> [Vec<f64>; 3] {
+    let cells = (0..bottom.rings())
+        .flat_map(|ring| (0..bottom.sectors()).map(move |sector| (ring, sector)));
+    let column = |of: &dyn Fn(usize, usize) -> f64| -> Vec<f64> {
+        cells
+            .clone()
+            .map(|(ring, sector)| of(ring, sector))
+            .collect()
+    };
+    [
+        column(&|ring, _| bottom.radius_m(ring)),
+        column(&|_, sector| bottom.angle_rad(sector)),
+        column(&|ring, sector| bottom.z_m(ring, sector).unwrap_or(f64::NAN)),
+    ]
 }
 
 /// The table writes what is not finite as `null`.

@@ -31,6 +31,10 @@ const OTHERS: &[(&str, [(&str, f64); 3])] = &[
         ],
     ),
     (
+        "specific energy",
+        [("MPa", 1e6), ("MPa", 1e6), ("psi", 6_894.757_293_168_361)],
+    ),
+    (
         "energy",
         [
             ("kJ", 1e3),

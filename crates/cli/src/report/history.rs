@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use wholestring_report::{ContactPicture, Packed, thinned};
+use wholestring_report::{BottomPicture, ContactPicture, DrillOff, Packed, thinned};
 use wholestring_results::Table;
 
 use super::rows;
@@ -13,6 +13,9 @@ const MOST_ROWS: usize = 12_000;
 
 /// Times of a map of contact that a page holds, all operations together.
 const MOST_TIMES: usize = 450;
+
+/// Samples of what the bit does that a page holds, all operations together.
+const MOST_DRILLED: usize = 3000;
 
 /// Time histories of one operation.
 pub(super) struct History {
@@ -58,6 +61,60 @@ pub(super) fn history(time: &Table, operation: &str, many: usize) -> History {
             .collect(),
         notes: notes(time, &rows),
     }
+}
+
+/// What the bit takes away in the window for what it is given, of an operation that shares the page with `many`, itself
+/// included; none where no weight is on the bit.
+pub(super) fn drill_off(
+    time: &Table,
+    operation: &str,
+    window_s: f64,
+    many: usize,
+) -> Option<DrillOff> {
+    let rows = rows(time, None, operation);
+    let number = |name: &str, row: &usize| numbers(time, name).get(*row).copied().flatten();
+    let begun = |row: &&usize| number("time_s", row).is_some_and(|time_s| time_s >= window_s);
+    let mut window: Vec<&usize> = rows.iter().filter(begun).collect();
+    if window.is_empty() {
+        // What ended before its window shows what there is.
+        window = rows.iter().collect();
+    }
+    let step = window.len().div_ceil((MOST_DRILLED / many.max(1)).max(1));
+    let column = |name: &str| -> Vec<f64> {
+        let chosen = window.iter().step_by(step.max(1));
+        chosen
+            .map(|row| number(name, row).unwrap_or(f64::NAN))
+            .collect()
+    };
+    let weight_N = column("weight_on_bit_N");
+    let drills = weight_N.iter().any(|weight| *weight > 0.0);
+    drills.then(|| DrillOff {
+        weight_N: Packed::single(weight_N),
+        rate_m_per_s: Packed::single(column("rate_of_penetration_m_per_s")),
+        torque_N_m: Packed::single(column("bit_torque_N_m")),
+    })
+}
+
+/// The bottom of the hole that an operation left; none where its bit did not stand on solid rock.
+pub(super) fn bottom(table: &Table, operation: &str) -> Option<BottomPicture> {
+    let rows = rows(table, None, operation);
+    let column = |name: &str| -> Vec<f64> {
+        let values = numbers(table, name);
+        let number = |row: &usize| values.get(*row).copied().flatten();
+        rows.iter()
+            .map(|row| number(row).unwrap_or(f64::NAN))
+            .collect()
+    };
+    let mut radius_m = column("radius_m");
+    let mut angle_rad = column("angle_rad");
+    // All sectors of a ring follow each other.
+    let sectors = radius_m.iter().take_while(|of| **of == radius_m[0]).count();
+    if sectors == 0 || radius_m.len() % sectors != 0 {
+        return None;
+    }
+    radius_m = radius_m.into_iter().step_by(sectors).collect();
+    angle_rad.truncate(sectors);
+    BottomPicture::new(&radius_m, &angle_rad, &column("depth_m"))
 }
 
 /// Where the note changes to another one.

@@ -219,6 +219,8 @@ impl<'a> Batch<'a> {
                 .unwrap_or_else(|| checkpoint_every(&case)),
             watch: Watch::Sweep(self.bar.clone()),
             interrupt: &self.interrupt,
+            // Cases are what the cores share.
+            crew: None,
         };
         let why = solve(&case, &way, &mut record, &folder, under_way).err();
         Ok(Ending {

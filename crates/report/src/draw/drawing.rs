@@ -73,11 +73,11 @@ pub(crate) enum Anchor {
     End,
 }
 
-/// A picture of pixels, row after row from the top.
+/// A picture of pixels, row after row from the top; nothing where what lies below shows.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Image {
     pub(crate) columns: usize,
-    pub(crate) pixels: Vec<[u8; 3]>,
+    pub(crate) pixels: Vec<Option<[u8; 3]>>,
 }
 
 #[derive(Debug, Clone)]

@@ -82,19 +82,24 @@ impl Ink {
 pub enum Hue {
     /// From little to much.
     Amount,
+    /// From the shallow to the deep, which is dark.
+    Depth,
     /// From the low side over nothing to the high side.
     Side,
 }
 
 /// A scale of colours.
-pub(crate) struct ColourScale(&'static [[u8; 3]]);
+pub(crate) struct ColourScale {
+    stops: &'static [[u8; 3]],
+    backwards: bool,
+}
 
 impl ColourScale {
     pub(crate) fn new(hue: Hue) -> Self {
-        Self(match hue {
+        let stops: &[[u8; 3]] = match hue {
             // Cividis (Nuñez, Anderton and Renslow 2018), by a few of its colours: even in lightness to every
             // kind of eye.
-            Hue::Amount => &[
+            Hue::Amount | Hue::Depth => &[
                 [0, 34, 78],
                 [18, 53, 112],
                 [59, 73, 108],
@@ -113,16 +118,24 @@ impl ColourScale {
                 [240, 176, 80],
                 [166, 94, 0],
             ],
-        })
+        };
+        Self {
+            stops,
+            backwards: hue == Hue::Depth,
+        }
     }
 
     /// The colour of a part from 0 to 1.
     pub(crate) fn at(&self, part: f64) -> [u8; 3] {
-        let place = part.clamp(0.0, 1.0) * (self.0.len() - 1) as f64;
-        let low = (place as usize).min(self.0.len() - 2);
+        let part = if self.backwards { 1.0 - part } else { part };
+        let place = part.clamp(0.0, 1.0) * (self.stops.len() - 1) as f64;
+        let low = (place as usize).min(self.stops.len() - 2);
         let rest = place - low as f64;
         std::array::from_fn(|i| {
-            let (from, to) = (f64::from(self.0[low][i]), f64::from(self.0[low + 1][i]));
+            let (from, to) = (
+                f64::from(self.stops[low][i]),
+                f64::from(self.stops[low + 1][i]),
+            );
             (from + rest * (to - from)).round() as u8
         })
     }

@@ -115,8 +115,10 @@ fn pixmap(image: &Image) -> Pixmap {
     let rows = image.pixels.len() / image.columns;
     let mut pixmap =
         Pixmap::new(image.columns as u32, rows as u32).expect("a picture of some size");
-    for (to, [r, g, b]) in pixmap.data_mut().chunks_exact_mut(4).zip(&image.pixels) {
-        to.copy_from_slice(&[*r, *g, *b, 255]);
+    for (to, pixel) in pixmap.data_mut().chunks_exact_mut(4).zip(&image.pixels) {
+        if let Some([r, g, b]) = pixel {
+            to.copy_from_slice(&[*r, *g, *b, 255]);
+        }
     }
     pixmap
 }

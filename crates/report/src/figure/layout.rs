@@ -83,7 +83,7 @@ impl Grid {
     fn of(figure: &Figure, width: f64, top: f64, values: &[f64]) -> Self {
         match figure.layout.direction {
             Direction::Down => Self::down(figure, width, top, values),
-            Direction::Across => Self::across(figure, width, top, values),
+            Direction::Across | Direction::Plan => Self::across(figure, width, top, values),
         }
     }
 
@@ -134,6 +134,10 @@ impl Grid {
             .any(|mark| matches!(mark, Mark::Map(_)));
         let right = if has_map { COLOURS } else { 7.0 };
         let wide = (width - 2.0 * MARGIN) / columns as f64 - left - right;
+        let (wide, height) = match figure.layout.direction {
+            Direction::Plan => (wide.min(height), wide.min(height)),
+            Direction::Down | Direction::Across => (wide, height),
+        };
         let count = (wide / (widest(&about) + 14.0)).clamp(2.0, 12.0);
         let shared = Ruler::new(&figure.shared, values.iter().copied(), count);
         let mut y = top;
@@ -178,7 +182,7 @@ impl Grid {
                     self.depths(on, figure, &place);
                 }
                 Direction::Down => {}
-                Direction::Across => {
+                Direction::Across | Direction::Plan => {
                     if !panel.keys.is_empty() {
                         let legend = Legend::of(&panel.keys, frame.width);
                         legend.draw(on, frame.left, frame.top - 2.0 - legend.height());

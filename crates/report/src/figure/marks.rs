@@ -97,6 +97,11 @@ pub(super) fn draw(on: &mut Drawing, mark: &Mark, all: &[Mark], place: &Place) {
                 }
             }
         }
+        Mark::Bars { ink, bars } => {
+            for [from, to] in bars {
+                bar(on, place.of(*from), place.of(*to), *ink);
+            }
+        }
         Mark::SharedRule { at, label } => rule(on, place.shared_line(*at), label, all, place),
         Mark::OwnRule { at, label } => rule(on, place.own_line(*at), label, all, place),
         Mark::Shade { from, to } => {
@@ -128,6 +133,23 @@ fn band(on: &mut Drawing, points: &[(f64, f64, f64)], (ink, opacity): (Ink, f64)
     if outline.len() > 3 {
         on.fill(outline, ink, opacity);
     }
+}
+
+/// A line between two ends that are marked.
+fn bar(on: &mut Drawing, from: (f64, f64), to: (f64, f64), ink: Ink) {
+    /// Half of a mark at an end, points.
+    const END: f64 = 1.6;
+    let length = (to.0 - from.0).hypot(to.1 - from.1);
+    if !(length > 0.0 && length.is_finite()) {
+        return;
+    }
+    let (x, y) = (
+        END * (to.1 - from.1) / length,
+        END * (to.0 - from.0) / length,
+    );
+    let end = |at: (f64, f64)| vec![(at.0 - x, at.1 + y), (at.0 + x, at.1 - y)];
+    let lines = vec![vec![from, to], end(from), end(to)];
+    on.path(lines, false, None, Some(Pen::new(ink, 0.5)));
 }
 
 /// A dashed line with its name, where few curves run, on a ground of paper: it may lie on a map.
@@ -207,12 +229,12 @@ fn image(map: &Map, place: &Place) -> Image {
             let shared = place.shared_at((column as f64 + 0.5) / columns as f64);
             let moment = map.ends.partition_point(|end| *end < shared);
             let value = map.values.get(moment * stretches + nearest);
-            let value = value.copied().filter(|value| value.is_finite());
-            let part = value.unwrap_or(0.0) / map.largest;
-            scale.at(match map.hue {
+            let value = value.copied().filter(|value| value.is_finite())?;
+            let part = value / map.largest;
+            Some(scale.at(match map.hue {
                 Hue::Side => 0.5 + 0.5 * part,
-                Hue::Amount => part,
-            })
+                Hue::Amount | Hue::Depth => part,
+            }))
         })
     });
     Image {

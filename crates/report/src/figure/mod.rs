@@ -39,7 +39,7 @@ pub struct Layout {
     pub columns: usize,
     /// Width of the figure, mm.
     pub width_mm: f64,
-    /// Height of a panel's frame, mm.
+    /// Height of a panel's frame, mm; of a plan its width too, as far as there is room.
     pub panel_mm: f64,
 }
 
@@ -50,6 +50,8 @@ pub enum Direction {
     Down,
     /// Across the page: time, or anything else.
     Across,
+    /// Across the page, in frames that are as high as wide: of two axes that reach as far, something seen from above.
+    Plan,
 }
 
 /// An axis.
@@ -148,6 +150,13 @@ pub enum Mark {
         /// Where they are.
         points: Vec<(f64, f64)>,
     },
+    /// How far points spread: from one end to the other.
+    Bars {
+        /// Their colour.
+        ink: Ink,
+        /// Ends, along either axis.
+        bars: Vec<[(f64, f64); 2]>,
+    },
     /// A line across the panel at a value of the shared axis.
     SharedRule {
         /// Where.
@@ -182,7 +191,7 @@ pub struct Map {
     pub ends: Vec<f64>,
     /// The middles of the stretches of the panel's own axis.
     pub middles: Vec<f64>,
-    /// A value for each of `middles`, then again for the next of `ends`.
+    /// A value for each of `middles`, then again for the next of `ends`; one that is not finite has no colour.
     pub values: Vec<f64>,
     /// What the colours tell.
     pub hue: Hue,

@@ -164,6 +164,7 @@ fn own_values(mark: &Mark) -> Vec<f64> {
             points.iter().map(|point| point.1).collect()
         }
         Mark::Band { points, .. } => points.iter().flat_map(|point| [point.1, point.2]).collect(),
+        Mark::Bars { bars, .. } => bars.iter().flatten().map(|end| end.1).collect(),
         Mark::OwnRule { at, .. } => vec![*at],
         Mark::SharedRule { .. } | Mark::Shade { .. } => Vec::new(),
         Mark::Map(map) => map.middles.clone(),
@@ -177,6 +178,7 @@ pub(super) fn shared_values(mark: &Mark) -> Vec<f64> {
             points.iter().map(|point| point.0).collect()
         }
         Mark::Band { points, .. } => points.iter().map(|point| point.0).collect(),
+        Mark::Bars { bars, .. } => bars.iter().flatten().map(|end| end.0).collect(),
         Mark::Map(map) => map.ends.iter().copied().chain([map.from]).collect(),
         Mark::SharedRule { .. } | Mark::OwnRule { .. } | Mark::Shade { .. } => Vec::new(),
     }
@@ -294,8 +296,13 @@ fn colour_bar(on: &mut Drawing, map: &Map, frame: &Box) {
         ..*frame
     };
     const STEPS: usize = 256;
+    // Depth grows down the page.
+    let at = |part: f64| match map.hue {
+        Hue::Depth => part,
+        Hue::Side | Hue::Amount => 1.0 - part,
+    };
     let scale = ColourScale::new(map.hue);
-    let pixels = (0..STEPS).map(|row| scale.at(1.0 - (row as f64 + 0.5) / STEPS as f64));
+    let pixels = (0..STEPS).map(|row| Some(scale.at(at((row as f64 + 0.5) / STEPS as f64))));
     let image = crate::draw::Image {
         columns: 1,
         pixels: pixels.collect(),
@@ -304,12 +311,12 @@ fn colour_bar(on: &mut Drawing, map: &Map, frame: &Box) {
     on.frame(bar, Pen::new(Ink::Frame, FRAME));
     let from = match map.hue {
         Hue::Side => -map.largest,
-        Hue::Amount => 0.0,
+        Hue::Amount | Hue::Depth => 0.0,
     };
     let axis = Axis::new("", super::Range::Fixed(from, map.largest));
     let ruler = Ruler::new(&axis, [], frame.height / 20.0);
     for (value, text) in &ruler.ticks {
-        let y = bar.top + bar.height * (1.0 - ruler.place(*value));
+        let y = bar.top + bar.height * at(ruler.place(*value));
         on.text(text, (bar.right() + 3.0, y), TICK, Ink::Text, Anchor::Start);
     }
     let x = bar.right() + 3.0 + widest(&ruler) + 7.0;

@@ -173,16 +173,6 @@ pub(crate) const TIME_PLOTS: &[TimePlot] = &[
         ..TIME_PLOT
     },
     TimePlot {
-        name: "time-weight-on-bit",
-        title: "Weight on bit",
-        dimension: "force",
-        columns: &[
-            ["weight_on_bit_N", "on bit"],
-            ["weight_on_bit_set_N", "set"],
-        ],
-        ..TIME_PLOT
-    },
-    TimePlot {
         name: "time-rotary-speed",
         title: "Rotary speed",
         dimension: "rotary speed",
@@ -219,6 +209,75 @@ pub(crate) const TIME_PLOTS: &[TimePlot] = &[
             ["cutoff_depth_m", "cut-off depth"],
         ],
         points: true,
+        ..TIME_PLOT
+    },
+];
+
+/// What the bit does, of a run that drills.
+pub(crate) const BIT_PLOTS: &[TimePlot] = &[
+    TimePlot {
+        name: "bit-rate-of-penetration",
+        title: "Rate of penetration",
+        dimension: "rate of penetration",
+        columns: &[["rate_of_penetration_m_per_s", "rate of penetration"]],
+        ..TIME_PLOT
+    },
+    TimePlot {
+        name: "bit-depth-of-cut",
+        title: "Depth of cut per revolution",
+        dimension: "diameter",
+        columns: &[["depth_of_cut_m", "depth of cut"]],
+        ..TIME_PLOT
+    },
+    TimePlot {
+        name: "bit-weight",
+        title: "Weight on bit",
+        dimension: "force",
+        columns: &[
+            ["weight_on_bit_N", "on bit"],
+            ["weight_on_bit_set_N", "set"],
+        ],
+        ..TIME_PLOT
+    },
+    TimePlot {
+        name: "bit-torque",
+        title: "Torque on bit",
+        dimension: "torque",
+        columns: &[["bit_torque_N_m", "torque on bit"]],
+        ..TIME_PLOT
+    },
+    TimePlot {
+        name: "bit-speed",
+        title: "Speed of string at the bit and of the motor",
+        dimension: "rotary speed",
+        columns: &[
+            ["bit_rotary_speed_rad_per_s", "string"],
+            ["motor_speed_rad_per_s", "motor"],
+        ],
+        ..TIME_PLOT
+    },
+    TimePlot {
+        name: "bit-motor-pressure",
+        title: "Pressure drop of the motor",
+        dimension: "pressure",
+        columns: &[["motor_pressure_Pa", "pressure drop"]],
+        ..TIME_PLOT
+    },
+    TimePlot {
+        name: "bit-force-across",
+        title: "Force on the bit across the hole",
+        dimension: "force",
+        columns: &[
+            ["bit_force_high_N", "to the high side"],
+            ["bit_force_right_N", "to the right"],
+        ],
+        ..TIME_PLOT
+    },
+    TimePlot {
+        name: "bit-bending-moment",
+        title: "Bending moment on the bit",
+        dimension: "torque",
+        columns: &[["bit_moment_N_m", "bending moment"]],
         ..TIME_PLOT
     },
 ];

@@ -2,7 +2,7 @@
 
 use super::{
     Plot, Run,
-    catalogue::{TIME_PLOTS, TimePlot},
+    catalogue::{BIT_PLOTS, TIME_PLOTS, TimePlot},
     shown::Shown,
 };
 use crate::{
@@ -12,7 +12,7 @@ use crate::{
     },
 };
 
-/// Each history in a figure of its own, and all in one.
+/// Each history in a figure of its own, and all in one; those of the bit apart.
 pub(super) fn plots(
     runs: &[Run<'_>],
     operation: &str,
@@ -28,10 +28,28 @@ pub(super) fn plots(
             Some((place, timed.find(|timed| timed.operation == operation)?))
         })
         .collect();
-    let panels: Vec<(&TimePlot, Panel)> = TIME_PLOTS
-        .iter()
-        .filter_map(|plot| Some((plot, panel(plot, runs, &timed, operation, shown)?)))
-        .collect();
+    let drills = timed.iter().any(|(_, run)| run.drill_off.is_some());
+    let bit = if drills { BIT_PLOTS } else { &[] };
+    [("time", TIME_PLOTS), ("bit", bit)]
+        .into_iter()
+        .flat_map(|(name, plots)| {
+            let panels: Vec<(&TimePlot, Panel)> = plots
+                .iter()
+                .filter_map(|plot| Some((plot, panel(plot, runs, &timed, operation, shown)?)))
+                .collect();
+            group(name, &panels, runs, subtitle, suffix)
+        })
+        .collect()
+}
+
+/// All panels in one figure of this name, and each in one of its own.
+fn group(
+    name: &str,
+    panels: &[(&TimePlot, Panel)],
+    runs: &[Run<'_>],
+    subtitle: &str,
+    suffix: &str,
+) -> Vec<Plot> {
     if panels.is_empty() {
         return Vec::new();
     }
@@ -50,8 +68,8 @@ pub(super) fn plots(
         hole: Vec::new(),
     };
     let all = Plot {
-        name: format!("time{suffix}"),
-        figure: figure(&panels, 26.0),
+        name: format!("{name}{suffix}"),
+        figure: figure(panels, 26.0),
     };
     let single = panels.iter().map(|panel| Plot {
         name: format!("{}{suffix}", panel.0.name),

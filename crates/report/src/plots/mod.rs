@@ -1,7 +1,9 @@
 //! The pictures of a run, or of two on the same axes: what the page shows, as figures for paper.
 
+mod bottom;
 pub(crate) mod catalogue;
 mod contact;
+mod drill_off;
 mod histories;
 mod look;
 mod near;
@@ -12,6 +14,7 @@ mod tracks;
 pub use self::contact::{ContactMap, contact_figure};
 use self::look::Looks;
 pub(crate) use self::{
+    bottom::bottoms_figure,
     look::spoken,
     shown::{SETS, Shown},
 };
@@ -86,7 +89,13 @@ pub fn plots(runs: &[Run<'_>], units: &str) -> Vec<Plot> {
     for operation in &operations {
         let suffix = suffix(operation);
         let subtitle = asked_of(runs, shown, Some(operation));
-        for draw in [histories::plots, contact::plots, spectra::plots] {
+        for draw in [
+            histories::plots,
+            drill_off::plots,
+            bottom::plots,
+            contact::plots,
+            spectra::plots,
+        ] {
             plots.extend(draw(runs, operation, shown, &subtitle, &suffix));
         }
     }

@@ -2,17 +2,19 @@
 
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
+import { air, axes, LEGEND, legendText } from "./chart.js";
 import { below } from "./curve.js";
 import { el } from "./dom.js";
 import { colour, line } from "./palette.js";
 import { NODE_CHANNELS } from "./channels.js";
 import { chosen, chosenRun } from "./solutions.js";
 import { choose, on, state } from "./state.js";
-import { digits, grouped, quantity, shown, shownAll, symbol } from "./units.js";
+import { quantity, shown, shownAll, symbol } from "./units.js";
 
 const SYNC = uPlot.sync("time");
 
-export function history(report) {
+/** Histories of these plots; with what the chosen node did where `follows` says so. */
+export function history(report, timePlots, follows) {
   const holder = el("div", { class: "histories" });
   let plots = [];
   let following = false;
@@ -20,12 +22,12 @@ export function history(report) {
   /** Plots of the chosen operation, with their data. */
   function shownPlots(run) {
     const columns = run.history;
-    const fixed = report.time_plots
+    const fixed = timePlots
       .map((plot) => ({ ...plot, columns: plot.columns.filter(([name]) => columns[name]) }))
       .filter((plot) => plot.columns.length)
       .filter((plot) => plot.columns.some(([name]) => columns[name].some((value) => value !== 0)))
       .map((plot) => ({ ...plot, times: columns.time_s, values: plot.columns.map(([name]) => columns[name]) }));
-    const node = nodePlot(run);
+    const node = follows ? nodePlot(run) : null;
     return node ? [...fixed, node] : fixed;
   }
 
@@ -113,7 +115,7 @@ export function history(report) {
         dash: set ? [5, 4] : undefined,
         spanGaps: Boolean(plot.points),
         points: { show: false },
-        value: (_, value) => (value === null ? "–" : digits(value)),
+        value: legendText,
       };
     });
     if (softValue !== null) {
@@ -124,15 +126,9 @@ export function history(report) {
         width: 1.4,
         dash: [7, 4],
         points: { show: false },
-        value: (_, value) => digits(value ?? NaN),
+        value: legendText,
       });
     }
-    const axis = {
-      stroke: colour("muted"),
-      grid: { stroke: colour("grid"), width: 1 },
-      ticks: { show: false },
-      font: "11px system-ui, sans-serif",
-    };
     const view = state.times ?? [0, Math.max(run.history.time_s.at(-1), 1e-3)];
     const made = new uPlot(
       {
@@ -143,24 +139,12 @@ export function history(report) {
           drag: { x: true, y: false, uni: 8 },
           points: { size: 6 },
         },
-        legend: { live: true, markers: { width: 0, fill: (plot, i) => plot.series[i].stroke(plot, i) } },
+        legend: LEGEND,
         scales: {
           x: { time: false, min: view[0], max: view[1] },
           y: { dir: plot.points ? -1 : 1, range: (_, low, high) => air(low, high, plot.dimension) },
         },
-        axes: [
-          {
-            ...axis,
-            size: 30,
-            values: (_, splits) => splits.map((split) => grouped(String(Number(split.toFixed(6))))),
-            label: undefined,
-          },
-          {
-            ...axis,
-            size: 62,
-            values: (_, splits) => splits.map((split) => grouped(String(Number(split.toFixed(6))))),
-          },
-        ],
+        axes: axes(),
         series: [{ label: "time, s", value: (_, value) => (value === null ? "–" : value.toFixed(2)) }, ...series],
         hooks: {
           setScale: [(plot, key) => key === "x" && follow(plot)],
@@ -274,7 +258,7 @@ export function history(report) {
     over.addEventListener("dblclick", () => plot.setScale("x", { min: 0, max: end() }));
   }
 
-  on("units operation depth", draw);
+  on(follows ? "units operation depth" : "units operation", draw);
   on("times", () => {
     if (following) return;
     const run = chosenRun(report);
@@ -297,15 +281,6 @@ export function history(report) {
     "drag to zoom, Ctrl + wheel, Shift + drag to move, double-click for all times; grey: before the window of the statistics",
   );
   return { element: el("div", {}, hint, holder), redraw: draw };
-}
-
-/** The interval with air; what hardly moves is not blown up to noise. */
-function air(low, high, dimension) {
-  if (low === null || high === null) return [0, 1];
-  const least = 2e-3 * Math.max(Math.abs(low), Math.abs(high)) || shown(1, dimension);
-  const span = Math.max(high - low, least);
-  const middle = (low + high) / 2;
-  return [middle - 0.58 * span, middle + 0.58 * span];
 }
 
 /** The index whose depth is nearest. */

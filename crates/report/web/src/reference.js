@@ -16,7 +16,7 @@ import { ticks, tickText } from "./ticks.js";
 import { shown, si, symbol } from "./units.js";
 
 /** Words that face the reader; `anchor` is the part of them that lies left of their place. */
-function label(text, place, size, ink = "text", anchor = 0.5) {
+export function label(text, place, size, ink = "text", anchor = 0.5) {
   const sheet = el("canvas", {});
   const pen = sheet.getContext("2d");
   const font = "600 44px system-ui, sans-serif";

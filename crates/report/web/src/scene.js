@@ -1,51 +1,24 @@
 // The well in space with the string in it: across the hole everything is larger than along it.
 
-import {
-  AmbientLight,
-  Color,
-  DirectionalLight,
-  DoubleSide,
-  Mesh,
-  MeshLambertMaterial,
-  PerspectiveCamera,
-  Scene,
-  Vector3,
-  WebGLRenderer,
-} from "three";
-import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { Color, DoubleSide, Mesh, MeshLambertMaterial } from "three";
 import { Course, Tube } from "./bore.js";
+import { colourKey } from "./colour_key.js";
 import { el, select } from "./dom.js";
 import { colour, colourScale } from "./palette.js";
 import { frameAt, poseOf, quantitiesOf, rangeOf } from "./pose.js";
 import { bounds, reference, walls } from "./reference.js";
 import { chosenRun, spoken } from "./solutions.js";
+import { LOOK_AROUND, noSpace, stage } from "./stage.js";
 import { choose, on, state } from "./state.js";
-import { isPrinting } from "./theme.js";
-import { ticks, tickText } from "./ticks.js";
-import { digits, shown, symbol } from "./units.js";
+import { digits, symbol } from "./units.js";
 
 const HEIGHT = 520;
 const SIDES = 10;
 
 export function scene(report) {
-  const canvas = el("canvas", { class: "space", role: "img", "aria-label": "The well in space, the string in it" });
-  let renderer;
-  try {
-    renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
-  } catch {
-    return {
-      element: el("p", { class: "warning" }, "This view needs WebGL, which this browser does not give."),
-      redraw: () => {},
-    };
-  }
+  const space = stage("The well in space, the string in it", HEIGHT);
+  if (!space) return { element: noSpace(), redraw: () => {} };
   const course = new Course(report.well);
-  const world = new Scene();
-  const camera = new PerspectiveCamera(38, 1, 1, 1e5);
-  const orbit = new OrbitControls(camera, canvas);
-  orbit.enableDamping = false;
-  orbit.enableZoom = false;
-  const sun = new DirectionalLight(0xffffff, 2.2);
-  world.add(new AmbientLight(0xffffff, 1.6), sun);
   const deepest = report.well.md_m.at(-1);
   const widest = Math.max(...report.hole.map((section) => section.diameter_m), 0.1);
   // So that the hole is as thick as an eye can tell the sides of.
@@ -53,11 +26,7 @@ export function scene(report) {
   let quantity = null;
   let frame = null;
   let playing = null;
-  let items = [];
 
-  // Browsers print the picture that was last on the screen: paper gets a copy of the one that is meant for it.
-  const paper = el("canvas", { class: "space-paper" });
-  const holder = el("div", { class: "space-holder" }, canvas, paper);
   const key = el("div", { class: "colour-key" });
   const time = el("output", {});
   const scrubber = el("input", {
@@ -108,28 +77,8 @@ export function scene(report) {
     quantityHolder,
     el("label", {}, "Across × ", slider, factor),
     views,
-    el(
-      "span",
-      { class: "hint" },
-      "drag to turn, right-drag to move, Ctrl + wheel to go nearer; shows the depths in view above",
-    ),
+    el("span", { class: "hint" }, `${LOOK_AROUND}; shows the depths in view above`),
   );
-
-  canvas.addEventListener(
-    "wheel",
-    (event) => {
-      if (!event.ctrlKey && !event.metaKey) return;
-      event.preventDefault();
-      const offset = camera.position
-        .clone()
-        .sub(orbit.target)
-        .multiplyScalar(Math.exp(event.deltaY * 0.002));
-      camera.position.copy(orbit.target).add(offset);
-      render();
-    },
-    { passive: false },
-  );
-  orbit.addEventListener("change", render);
 
   function start() {
     play.textContent = "Stop";
@@ -156,25 +105,9 @@ export function scene(report) {
     return [...even, ...within].sort((a, b) => a - b);
   }
 
-  function dispose() {
-    for (const item of items) {
-      world.remove(item);
-      item.geometry?.dispose();
-      item.material.map?.dispose();
-      item.material.dispose();
-    }
-    items = [];
-  }
-
-  function add(item) {
-    items.push(item);
-    world.add(item);
-    return item;
-  }
-
   /** Everything anew: hole, string, frame of reference. */
   function build() {
-    dispose();
+    space.remove();
     const [from, to] = view();
     const out = {};
     for (const section of report.hole) {
@@ -195,12 +128,12 @@ export function scene(report) {
         side: DoubleSide,
         depthWrite: false,
       });
-      add(new Mesh(tube, material)).renderOrder = 2;
+      space.add(new Mesh(tube, material)).renderOrder = 2;
     }
-    reference(course, [from, to], (widest / 2) * exaggeration, across(0.3)).forEach(add);
+    reference(course, [from, to], (widest / 2) * exaggeration, across(0.3)).forEach(space.add);
     string();
     factor.textContent = ` ${digits(exaggeration, 2)}`;
-    render();
+    space.render();
   }
 
   let tube = null;
@@ -222,7 +155,7 @@ export function scene(report) {
         (value) => {
           quantity = value;
           string();
-          render();
+          space.render();
         },
       ),
     );
@@ -231,16 +164,11 @@ export function scene(report) {
       ([depth]) => depth >= from - 1 && depth <= to + 1,
     );
     if (!tube || drawn.geometry !== tube || tube.rings !== nodes.length) {
-      if (drawn) {
-        world.remove(drawn);
-        items = items.filter((item) => item !== drawn);
-        drawn.geometry.dispose();
-        drawn.material.dispose();
-      }
+      if (drawn) space.remove([drawn]);
       tube = new Tube(Math.max(nodes.length, 2), SIDES);
-      drawn = add(new Mesh(tube, new MeshLambertMaterial({ vertexColors: true })));
+      drawn = space.add(new Mesh(tube, new MeshLambertMaterial({ vertexColors: true })));
     }
-    if (!items.includes(drawn)) add(drawn);
+    if (!space.has(drawn)) space.add(drawn);
     const values = pose.values(quantity);
     const range = rangeOf(pose, run, frame, quantity, signed);
     const scale = colourScale(signed);
@@ -259,7 +187,9 @@ export function scene(report) {
       tube.paint(ring, tint.r, tint.g, tint.b);
     });
     tube.changed();
-    drawKey(name, dimension, range, signed, scale);
+    const unit = symbol(dimension) ? `, ${symbol(dimension)}` : "";
+    const sides = signed ? " (low side −, high side +)" : "";
+    key.replaceChildren(...colourKey(`${name}${unit}${sides}, ${spoken(state.operation)}`, dimension, range, scale));
     moments.hidden = !run?.frames;
     if (run?.frames) {
       scrubber.max = run.frames.time_s.length - 1;
@@ -267,27 +197,6 @@ export function scene(report) {
       mean.disabled = frame === null;
       time.textContent = frame === null ? "mean of the window" : `${run.frames.time_s[frame].toFixed(2)} s`;
     }
-  }
-
-  function drawKey(name, dimension, range, signed, scale) {
-    const stops = Array.from({ length: 21 }, (_, i) => `rgb(${scale(i / 20).join(" ")}) ${i * 5}%`);
-    const ends = range.map((value) => shown(value, dimension));
-    const { values, step } = ticks(ends[0], ends[1], 4);
-    key.replaceChildren(
-      el(
-        "span",
-        {},
-        `${name}${symbol(dimension) ? `, ${symbol(dimension)}` : ""}${signed ? " (low side −, high side +)" : ""}, ${spoken(state.operation)}`,
-      ),
-      el("div", { class: "ramp", style: `background:linear-gradient(to right, ${stops.join(",")})` }),
-      el(
-        "div",
-        { class: "ramp-ticks" },
-        values.map((value) =>
-          el("span", { style: `left:${((value - ends[0]) / (ends[1] - ends[0])) * 100}%` }, tickText(value, step)),
-        ),
-      ),
-    );
   }
 
   /** Places along the path in view. */
@@ -310,48 +219,12 @@ export function scene(report) {
   function look(direction) {
     const { low, high } = bounds(course, view());
     const middle = low.clone().add(high).multiplyScalar(0.5);
-    orbit.target.copy(middle);
-    const wide = canvas.clientWidth / HEIGHT;
-    const towards = new Vector3(...direction).normalize();
-    const right = new Vector3(0, 1, 0).cross(towards).normalize();
-    const up = towards.clone().cross(right);
-    const tall = Math.tan((camera.fov * Math.PI) / 360);
-    // As near as the path and the drawn corners of the box allow, with room for their labels.
-    let far = 0;
     const corners = walls({ low, high }, across(0.3)).flatMap(([x, z]) => [low.y, high.y].map((y) => [x, y, z]));
-    for (const corner of [...corners, ...along()]) {
-      const at = new Vector3(...corner).sub(middle);
-      const needs = Math.max(Math.abs(at.dot(right)) / (tall * wide * 0.86), Math.abs(at.dot(up)) / (tall * 0.93));
-      far = Math.max(far, needs + at.dot(towards));
-    }
-    camera.position.copy(middle).addScaledVector(towards, far);
-    camera.near = far / 200;
-    camera.far = far * 20;
-    camera.updateProjectionMatrix();
-    orbit.update();
-    render();
-  }
-
-  function render() {
-    sun.position.copy(camera.position);
-    sun.target.position.copy(orbit.target);
-    sun.target.updateMatrixWorld();
-    renderer.render(world, camera);
-    if (!isPrinting()) return;
-    [paper.width, paper.height] = [canvas.width, canvas.height];
-    paper.getContext("2d").drawImage(canvas, 0, 0);
-  }
-
-  function size() {
-    const width = holder.clientWidth || 1200;
-    renderer.setPixelRatio(Math.min(devicePixelRatio * (devicePixelRatio < 1.5 ? 1.5 : 1), 2.5));
-    renderer.setSize(width, HEIGHT, false);
-    camera.aspect = width / HEIGHT;
-    camera.updateProjectionMatrix();
+    space.lookAt([...corners, ...along()], direction, middle);
   }
 
   function redraw() {
-    size();
+    space.size();
     build();
     look(across(0.3));
   }
@@ -362,20 +235,13 @@ export function scene(report) {
   });
   on("depths", () => {
     build();
-    look(camera.position.clone().sub(orbit.target).toArray());
+    look(space.from().toArray());
   });
   on("moment", () => {
     string();
-    render();
+    space.render();
   });
-  let width = 0;
-  new ResizeObserver(() => {
-    if (holder.clientWidth === width) return;
-    width = holder.clientWidth;
-    size();
-    render();
-  }).observe(holder);
-  return { element: el("div", {}, tools, holder, moments, key), redraw };
+  return { element: el("div", {}, tools, space.holder, moments, key), redraw };
 }
 
 /** 1, 2 or 5 times a power of ten that is not above. */

@@ -56,3 +56,36 @@ export async function browse(executablePath, file, { args = [], timeout_ms }) {
 
   return { check, open, close };
 }
+
+/** What a browser without a graphics card needs for a view in space. */
+export const SPACE = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
+
+/** How many different colours a canvas shows. */
+export const colours = (page, selector) =>
+  page.evaluate((selector) => {
+    const canvas = document.querySelector(selector);
+    const copy = new OffscreenCanvas(400, 200);
+    const pen = copy.getContext("2d", { willReadFrequently: true });
+    pen.drawImage(canvas, 0, 0, 400, 200);
+    const { data } = pen.getImageData(0, 0, 400, 200);
+    const seen = new Set();
+    for (let i = 0; i < data.length; i += 4)
+      seen.add((data[i] << 24) | (data[i + 1] << 16) | (data[i + 2] << 8) | data[i + 3]);
+    return seen.size;
+  }, selector);
+
+/** What a canvas shows, smaller, as one text to compare. */
+export const picture = (page, selector) =>
+  page.evaluate((selector) => {
+    const copy = new OffscreenCanvas(400, 200);
+    const pen = copy.getContext("2d", { willReadFrequently: true });
+    pen.drawImage(document.querySelector(selector), 0, 0, 400, 200);
+    return pen.getImageData(0, 0, 400, 200).data.join();
+  }, selector);
+export const text = (page, selector) => page.locator(selector).first().textContent();
+export const settled = (page) =>
+  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+/** Whether two pictures are the same; said without printing them. */
+export const same = (a, b, what) => assert.ok(a === b, `${what} looks the same`);
+export const differs = (a, b, what) => assert.ok(a !== b, `${what} looks different`);

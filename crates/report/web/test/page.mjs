@@ -1,43 +1,13 @@
 // The report in a real browser: `node test/page.mjs CHROMIUM report.html`. Everything draws, what can be switched
 // switches, nothing is fetched and nothing is complained about.
 import assert from "node:assert/strict";
-import { browse } from "./browser.mjs";
+import { browse, colours, differs, picture, same, settled, SPACE, text } from "./browser.mjs";
 
 const [executablePath, file] = process.argv.slice(2);
 const { check, open, close } = await browse(executablePath, file, {
-  args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
+  args: SPACE,
   timeout_ms: 120_000,
 });
-
-/** How many different colours a canvas shows. */
-const colours = (page, selector) =>
-  page.evaluate((selector) => {
-    const canvas = document.querySelector(selector);
-    const copy = new OffscreenCanvas(400, 200);
-    const pen = copy.getContext("2d", { willReadFrequently: true });
-    pen.drawImage(canvas, 0, 0, 400, 200);
-    const { data } = pen.getImageData(0, 0, 400, 200);
-    const seen = new Set();
-    for (let i = 0; i < data.length; i += 4)
-      seen.add((data[i] << 24) | (data[i + 1] << 16) | (data[i + 2] << 8) | data[i + 3]);
-    return seen.size;
-  }, selector);
-
-/** What a canvas shows, smaller, as one text to compare. */
-const picture = (page, selector) =>
-  page.evaluate((selector) => {
-    const copy = new OffscreenCanvas(400, 200);
-    const pen = copy.getContext("2d", { willReadFrequently: true });
-    pen.drawImage(document.querySelector(selector), 0, 0, 400, 200);
-    return pen.getImageData(0, 0, 400, 200).data.join();
-  }, selector);
-const text = (page, selector) => page.locator(selector).first().textContent();
-const settled = (page) =>
-  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-
-/** Whether two pictures are the same; said without printing them. */
-const same = (a, b, what) => assert.ok(a === b, `${what} looks the same`);
-const differs = (a, b, what) => assert.ok(a !== b, `${what} looks different`);
 
 const page = await open();
 
@@ -227,11 +197,27 @@ await check("time histories zoom together", async () => {
   same(await picture(page, ".history:nth-of-type(3) canvas"), before, "all of the time");
 });
 
-await check("another operation has its own answer", async () => {
+await check("what the bit does is drawn", async () => {
+  const titles = await page.locator("#bit h3").allTextContents();
+  for (const title of ["Rate of penetration", "Weight on bit", "Torque on bit", "Torque against weight"])
+    assert.ok(
+      titles.some((of) => of.startsWith(title)),
+      `${title} in ${titles}`,
+    );
+  const count = await page.locator("#bit canvas").count();
+  for (let i = 0; i < count; i++) {
+    await page.evaluate((i) => document.querySelectorAll("#bit canvas")[i].setAttribute("id", `bit-${i}`), i);
+    assert.ok((await colours(page, `#bit-${i}`)) > 4, `${titles[i]} is not blank`);
+  }
+  assert.equal(await page.locator("#bottom").count(), 0, "no bottom without solid rock");
+});
+
+await check("another operation has its own answer, and no bit where it does not drill", async () => {
   const before = await page.locator(".answer .number").allTextContents();
   await page.locator(".operations button").first().click();
   await settled(page);
   assert.notDeepEqual(await page.locator(".answer .number").allTextContents(), before);
+  assert.ok(!(await page.locator("#bit").isVisible()), "a trip drills nothing");
 });
 
 await check("dark looks different, and light comes back", async () => {

@@ -1,5 +1,6 @@
 //! Every column of every table: name, unit and meaning in one place.
 
+mod bottom_hole;
 mod contact;
 mod frames;
 mod nodes;
@@ -8,7 +9,8 @@ mod time;
 mod wear;
 
 pub use self::{
-    contact::CONTACT, frames::FRAMES, nodes::NODES, spectra::SPECTRA, time::TIME, wear::WEAR,
+    bottom_hole::BOTTOM_HOLE, contact::CONTACT, frames::FRAMES, nodes::NODES, spectra::SPECTRA,
+    time::TIME, wear::WEAR,
 };
 use crate::{Column, Data};
 
@@ -64,7 +66,7 @@ mod tests {
 
     #[test]
     fn names_are_unique_and_end_in_their_unit() {
-        for table in [NODES, TIME, WEAR, CONTACT, FRAMES, SPECTRA] {
+        for table in [NODES, TIME, WEAR, CONTACT, BOTTOM_HOLE, FRAMES, SPECTRA] {
             for (index, column) in table.iter().enumerate() {
                 assert!(
                     table[..index].iter().all(|other| other.name != column.name),

@@ -15,6 +15,21 @@ pub const TIME: &[ColumnSpec] = &[
     ColumnSpec::number("weight_on_bit_N", "N", "Weight on bit"),
     ColumnSpec::number("bit_torque_N_m", "N·m", "Torque at the bit"),
     ColumnSpec::number(
+        "bit_force_high_N",
+        "N",
+        "Force of rock and hole on the bit across the hole, towards its high side",
+    ),
+    ColumnSpec::number(
+        "bit_force_right_N",
+        "N",
+        "The same to the right, looking down the hole",
+    ),
+    ColumnSpec::number(
+        "bit_moment_N_m",
+        "N·m",
+        "Bending moment of solid rock on the bit, whatever its direction; 0 of other laws",
+    ),
+    ColumnSpec::number(
         "depth_of_cut_m",
         "m",
         "Rock that a revolution of the bit takes away; 0 where a motor turns it at a speed that is not given",

@@ -1,0 +1,243 @@
+//! How a bit gets on against what it is given.
+
+use super::{BitTest, BitTestPoint};
+use crate::{
+    BottomPicture, Plot,
+    figure::{
+        Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke,
+    },
+    plots::{Shown, bottoms_figure},
+};
+
+const SHAPES: [Shape; 5] = [
+    Shape::Circle,
+    Shape::Square,
+    Shape::Triangle,
+    Shape::Diamond,
+    Shape::Tip,
+];
+
+/// A quantity of a point: what it is called, its dimension, the number and how far it spreads.
+struct Quantity {
+    title: &'static str,
+    dimension: &'static str,
+    value: fn(&BitTestPoint) -> f64,
+    std: Option<fn(&BitTestPoint) -> f64>,
+}
+
+const WEIGHT: Quantity = Quantity {
+    title: "Weight on bit",
+    dimension: "force",
+    value: |of| of.weight_N,
+    std: Some(|of| of.weight_std_N),
+};
+const RATE: Quantity = Quantity {
+    title: "Rate of penetration",
+    dimension: "rate of penetration",
+    value: |of| of.rate_m_per_s,
+    std: None,
+};
+const TORQUE: Quantity = Quantity {
+    title: "Torque",
+    dimension: "torque",
+    value: |of| of.torque_N_m,
+    std: Some(|of| of.torque_std_N_m),
+};
+const DEPTH_OF_CUT: Quantity = Quantity {
+    title: "Depth of cut per revolution",
+    dimension: "diameter",
+    value: |of| of.depth_of_cut_m,
+    std: None,
+};
+const ENERGY: Quantity = Quantity {
+    title: "Specific energy",
+    dimension: "specific energy",
+    value: |of| of.specific_energy_Pa,
+    std: None,
+};
+
+pub(super) fn plots(test: &BitTest, units: &str) -> Vec<Plot> {
+    let drawing = Drawing {
+        test,
+        shown: Shown::new(&test.dimensions, units),
+        points: test.sorted(),
+    };
+    if drawing.points.is_empty() {
+        return Vec::new();
+    }
+    let plot = |name: &str, figure| Plot {
+        name: name.into(),
+        figure,
+    };
+    let mut plots = vec![
+        plot("drill-off", drawing.drill_off()),
+        plot("specific-energy", drawing.specific_energy()),
+    ];
+    plots.extend(drawing.bottoms().map(|figure| plot("bottom-hole", figure)));
+    plots
+}
+
+/// A bit test on its way to paper.
+struct Drawing<'a> {
+    test: &'a BitTest,
+    shown: Shown<'a>,
+    /// By speed, then by weight.
+    points: Vec<&'a BitTestPoint>,
+}
+
+impl Drawing<'_> {
+    /// The points of each speed.
+    fn speeds(&self) -> impl Iterator<Item = (usize, &[&BitTestPoint])> {
+        let same = |a: &&BitTestPoint, b: &&BitTestPoint| a.rotary_rad_per_s == b.rotary_rad_per_s;
+        self.points.chunk_by(same).enumerate()
+    }
+
+    fn value(&self, of: &Quantity, point: &BitTestPoint) -> f64 {
+        self.shown.value((of.value)(point), of.dimension)
+    }
+
+    fn axis(&self, of: &Quantity) -> Axis {
+        Axis::new(self.shown.label(of.title, of.dimension), Range::Zero)
+    }
+
+    /// How far the points spread, and a curve for each speed.
+    fn marks(&self, shared: &Quantity, own: &Quantity) -> Vec<Mark> {
+        let at = |point: &&BitTestPoint| (self.value(shared, point), self.value(own, point));
+        let spread = |of: &Quantity, point: &BitTestPoint| {
+            let std = of.std.map_or(0.0, |std| std(point));
+            self.shown.value(std, of.dimension)
+        };
+        let mut marks = Vec::new();
+        for (index, points) in self.speeds() {
+            let bars = points.iter().flat_map(|point| {
+                let (x, y) = at(point);
+                let (dx, dy) = (spread(shared, point), spread(own, point));
+                [[(x - dx, y), (x + dx, y)], [(x, y - dy), (x, y + dy)]]
+            });
+            marks.push(Mark::Bars {
+                ink: Ink::Line(index),
+                bars: bars.collect(),
+            });
+        }
+        for (index, points) in self.speeds() {
+            let points: Vec<(f64, f64)> = points.iter().map(at).collect();
+            marks.push(Mark::Curve {
+                ink: Ink::Line(index),
+                stroke: Stroke::Solid,
+                points: points.clone(),
+            });
+            marks.push(Mark::Points {
+                ink: Ink::Line(index),
+                shape: SHAPES[index % SHAPES.len()],
+                points,
+            });
+        }
+        marks
+    }
+
+    fn keys(&self) -> Vec<Key> {
+        let key = |(index, points): (usize, &[&BitTestPoint])| {
+            let speed = points[0].rotary_rad_per_s;
+            Key {
+                name: self.shown.quantity(speed, "rotary speed"),
+                sample: Sample::Point(Ink::Line(index), SHAPES[index % SHAPES.len()]),
+            }
+        };
+        self.speeds().map(key).collect()
+    }
+
+    fn panel(&self, shared: &Quantity, own: &Quantity) -> Panel {
+        Panel {
+            axis: self.axis(own),
+            marks: self.marks(shared, own),
+            keys: Vec::new(),
+        }
+    }
+
+    fn figure(&self, shared: &Quantity, panels: Vec<Panel>, keys: Vec<Key>) -> Figure {
+        Figure {
+            title: self.test.title.clone(),
+            subtitle: self.told(),
+            keys,
+            layout: Layout {
+                direction: Direction::Across,
+                columns: panels.len(),
+                width_mm: if panels.len() > 1 { 180.0 } else { 120.0 },
+                panel_mm: 70.0,
+            },
+            shared: self.axis(shared),
+            panels,
+            hole: Vec::new(),
+        }
+    }
+
+    /// Bit and rock.
+    fn told(&self) -> String {
+        let facts = self.test.asked.iter();
+        let told = facts.filter_map(|fact| self.shown.fact(fact));
+        told.collect::<Vec<_>>().join("; ")
+    }
+
+    fn drill_off(&self) -> Figure {
+        let mut torque = self.panel(&WEIGHT, &TORQUE);
+        let mut keys = self.keys();
+        if let Some((slope_m, offset_N_m)) = self.test.torque_fit() {
+            let weights = || self.points.iter().map(|of| of.weight_N);
+            let ends = [0.0, weights().fold(0.0, f64::max)];
+            let line = |weight_N: f64| {
+                (
+                    self.shown.value(weight_N, "force"),
+                    self.shown.value(offset_N_m + slope_m * weight_N, "torque"),
+                )
+            };
+            torque.marks.insert(
+                0,
+                Mark::Curve {
+                    ink: Ink::Note,
+                    stroke: Stroke::Dashed,
+                    points: ends.map(line).to_vec(),
+                },
+            );
+            keys.push(Key {
+                name: format!(
+                    "torque by weight: {:.2} of the bit's radius",
+                    slope_m / self.test.radius_m
+                ),
+                sample: Sample::Line(Ink::Note, Stroke::Dashed),
+            });
+        }
+        self.figure(&WEIGHT, vec![self.panel(&WEIGHT, &RATE), torque], keys)
+    }
+
+    fn specific_energy(&self) -> Figure {
+        let mut panel = self.panel(&DEPTH_OF_CUT, &ENERGY);
+        if self.test.strength_Pa.is_finite() {
+            panel.marks.push(Mark::OwnRule {
+                at: self.shown.value(self.test.strength_Pa, ENERGY.dimension),
+                label: "strength of the rock".into(),
+            });
+        }
+        self.figure(&DEPTH_OF_CUT, vec![panel], self.keys())
+    }
+
+    /// The bottoms that the points left.
+    fn bottoms(&self) -> Option<Figure> {
+        let name = |of: &BitTestPoint| {
+            let weight = self.shown.quantity(round(of.weight_N), "force");
+            let speed = self.shown.quantity(of.rotary_rad_per_s, "rotary speed");
+            format!("{weight} at {speed}")
+        };
+        let bottoms: Vec<(String, &BottomPicture)> = self
+            .points
+            .iter()
+            .filter_map(|of| Some((name(of), of.bottom.as_ref()?)))
+            .collect();
+        (!bottoms.is_empty())
+            .then(|| bottoms_figure(self.test.title.clone(), self.told(), &bottoms, self.shown))
+    }
+}
+
+/// A number in three digits.
+fn round(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
+}

@@ -1,0 +1,12 @@
+// The end of a page.
+
+import { el } from "./dom.js";
+
+/** Whose programs the page is made with. */
+export const licences = () =>
+  el(
+    "details",
+    {},
+    el("summary", {}, "Plots by uPlot, 3D by three.js: their licences (MIT)"),
+    el("pre", {}, document.getElementById("licences").content.textContent),
+  );

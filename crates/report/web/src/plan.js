@@ -1,0 +1,101 @@
+// The bottom of the hole from above, as a map in colours.
+
+import { deepestOf, depthAt, depthScale, edgesOf } from "./cells.js";
+import { el } from "./dom.js";
+import { colour } from "./palette.js";
+import { on } from "./state.js";
+import { isPrinting } from "./theme.js";
+import { ticks, tickText } from "./ticks.js";
+import { quantity, shown, si, symbol } from "./units.js";
+
+const LEFT = 44;
+const BOTTOM = 34;
+const TOP = 18;
+const RIGHT = 8;
+
+/** Side of the map, in pixels at most and on paper. */
+const WIDEST = 400;
+const PAPER = 330;
+
+/** The map of the bottom that `get` gives. */
+export function plan(get, sided) {
+  const canvas = el("canvas", { class: "plan", role: "img", "aria-label": "The bottom of the hole from above" });
+  const readout = el("p", { class: "readout-line" }, "\u00a0");
+  const holder = el("div", { class: "plan-holder" }, canvas, readout);
+  let side = WIDEST;
+
+  function draw() {
+    const bottom = get();
+    if (!bottom) return;
+    side = isPrinting() ? PAPER : Math.min(Math.max((holder.clientWidth || WIDEST) - LEFT - RIGHT, 150), WIDEST);
+    const ratio = Math.max(devicePixelRatio, 2);
+    const [width, height] = [LEFT + side + RIGHT, TOP + side + BOTTOM];
+    [canvas.width, canvas.height] = [width * ratio, height * ratio];
+    canvas.style.width = `${width}px`;
+    canvas.style.height = `${height}px`;
+    const ink = canvas.getContext("2d");
+    ink.scale(ratio, ratio);
+    ink.font = "11px system-ui, sans-serif";
+    const reach = 1.04 * edgesOf(bottom)[1];
+    picture(ink, bottom, reach, Math.round(side * ratio));
+    axes(ink, reach);
+  }
+
+  function picture(ink, bottom, reach, pixels) {
+    const scale = depthScale();
+    const deepest = deepestOf(bottom) || 1;
+    const image = new ImageData(pixels, pixels);
+    const at = (pixel) => (2 * ((pixel + 0.5) / pixels) - 1) * reach;
+    for (let row = 0; row < pixels; row++)
+      for (let column = 0; column < pixels; column++) {
+        const depth = depthAt(bottom, -at(row), at(column));
+        if (Number.isFinite(depth)) image.data.set([...scale(depth / deepest), 255], 4 * (row * pixels + column));
+      }
+    const sheet = new OffscreenCanvas(pixels, pixels);
+    sheet.getContext("2d").putImageData(image, 0, 0);
+    ink.drawImage(sheet, LEFT, TOP, side, side);
+  }
+
+  function axes(ink, reach) {
+    const far = shown(reach, "diameter");
+    const { values, step } = ticks(-far, far, 6);
+    const part = (value) => 0.5 + si(value, "diameter") / (2 * reach);
+    ink.fillStyle = colour("muted");
+    ink.textAlign = "center";
+    ink.textBaseline = "top";
+    for (const value of values) ink.fillText(tickText(value, step), LEFT + part(value) * side, TOP + side + 5);
+    const right = sided ? "to the right" : "across";
+    ink.fillText(`${right}, ${symbol("diameter")}`, LEFT + side / 2, TOP + side + 19);
+    ink.textAlign = "right";
+    ink.textBaseline = "middle";
+    for (const value of values) ink.fillText(tickText(value, step), LEFT - 6, TOP + (1 - part(value)) * side);
+    if (sided) {
+      ink.textAlign = "center";
+      ink.textBaseline = "bottom";
+      ink.fillText("high side ▴", LEFT + side / 2, TOP - 4);
+    }
+    ink.strokeStyle = colour("frame");
+    ink.strokeRect(LEFT, TOP, side, side);
+  }
+
+  canvas.addEventListener("pointermove", (event) => {
+    const bottom = get();
+    if (!bottom) return;
+    const bounds = canvas.getBoundingClientRect();
+    const reach = 1.04 * edgesOf(bottom)[1];
+    const away = (pixel) => (2 * (pixel / side) - 1) * reach;
+    const right = away(event.clientX - bounds.left - LEFT);
+    const high = -away(event.clientY - bounds.top - TOP);
+    const depth = depthAt(bottom, high, right);
+    const turn = (Math.atan2(right, high) + 2 * Math.PI) % (2 * Math.PI);
+    readout.textContent = Number.isFinite(depth)
+      ? `radius ${quantity(Math.hypot(high, right), "diameter", 3)}, ${quantity(turn, "angle", 3)}: ${quantity(depth, "diameter", 3)} deep`
+      : "\u00a0";
+  });
+  canvas.addEventListener("pointerleave", () => (readout.textContent = "\u00a0"));
+  new ResizeObserver(() => {
+    const room = Math.min(Math.max(holder.clientWidth - LEFT - RIGHT, 150), WIDEST);
+    if (!isPrinting() && holder.clientWidth && room !== side) draw();
+  }).observe(holder);
+  return { element: holder, draw };
+}

@@ -1,0 +1,110 @@
+// The page of a run.
+
+import { answers, asked } from "./answer.js";
+import { bottomView } from "./bottom.js";
+import { contactMap } from "./contact.js";
+import { choice, el } from "./dom.js";
+import { drillOff } from "./drill_off.js";
+import { licences } from "./footer.js";
+import { header } from "./header.js";
+import { history } from "./history.js";
+import { scene } from "./scene.js";
+import { sheet } from "./sheet.js";
+import { chosenRun, operations, spoken } from "./solutions.js";
+import { choose, on, state } from "./state.js";
+import { tracks } from "./tracks.js";
+
+/** Shows the report of a run. */
+export function runPage(report) {
+  const all = operations(report);
+  const dynamic = report.runs.at(-1);
+  Object.assign(state, {
+    units: report.units,
+    operation: dynamic?.operation ?? all.at(-1),
+    depth: (report.well.md_m.at(-1) ?? 0) / 2,
+  });
+
+  const parts = { answers: answers(report), tracks: tracks(report) };
+  if (report.runs.length) {
+    parts.history = history(report, report.time_plots, true);
+    parts.contact = contactMap(report);
+  }
+  if (report.runs.some((run) => run.drill_off)) {
+    parts.bit = history(report, report.bit_plots, false);
+    parts.drillOff = drillOff(report);
+  }
+  if (report.runs.some((run) => run.bottom)) parts.bottom = bottomView(() => chosenRun(report)?.bottom, true);
+  if (report.well.md_m.length > 1) parts.scene = scene(report);
+
+  const section = (id, title, ...children) => el("section", { id }, el("h2", {}, title), children);
+  const sheets = (place) => report.sheets.filter((sheet) => sheet.place === place).map(sheet);
+
+  function noteOf(run) {
+    const rows = run.history.time_s.length;
+    const thin =
+      rows < run.samples
+        ? `${run.samples} samples are drawn as ${rows}, the smallest and the largest of each few: peaks keep their height`
+        : `all ${run.samples} samples are drawn`;
+    const { frames } = run;
+    const moments =
+      frames &&
+      (frames.time_s.length < frames.kept
+        ? `; ${frames.time_s.length} of ${frames.kept} frames`
+        : `; all ${frames.kept} frames`);
+    const nodes = frames && frames.md_m.length < frames.nodes ? `, ${frames.md_m.length} of ${frames.nodes} nodes` : "";
+    return `${spoken(run.operation)}: ${thin}${moments ?? ""}${nodes}.`;
+  }
+
+  const page = document.getElementById("page");
+  const operationChoice =
+    all.length > 1
+      ? choice(
+          "Operation",
+          all.map((name) => [name, spoken(name)]),
+          state.operation,
+          (operation) => choose({ operation, times: null, moment: null }),
+        )
+      : null;
+  page.append(
+    header(report.title, asked(report), () => Object.values(parts).forEach((part) => part.redraw())),
+    section(
+      "answer",
+      "Answer",
+      operationChoice && el("div", { class: "operations" }, operationChoice),
+      parts.answers.element,
+    ),
+    section("tracks", "Along the hole", parts.tracks.element),
+  );
+  /** Sections of what not every operation has, each with what it needs. */
+  const some = [];
+  const add = (needs, ...section_) => some.push([section(...section_), needs]);
+  if (parts.history) add((run) => run, "history", "In time", parts.history.element);
+  if (parts.bit) add((run) => run?.drill_off, "bit", "Bit", parts.bit.element, parts.drillOff.element);
+  if (parts.bottom) add((run) => run?.bottom, "bottom", "Bottom of the hole", parts.bottom.element);
+  if (parts.contact) add((run) => run, "contact", "Contact over depth and time", parts.contact.element);
+  page.append(...some.map(([section]) => section));
+  if (parts.scene) page.append(section("scene", "In space", parts.scene.element));
+  page.append(
+    section("results", "All numbers", sheets("results")),
+    ...(report.runs.length ? [section("numerics", "Numerics", sheets("numerics"))] : []),
+    section("inputs", "Inputs, defaults included", sheets("inputs")),
+    el(
+      "footer",
+      {},
+      el(
+        "p",
+        {},
+        `Made by ${report.program}. The tables beside this file hold every digit; this page holds what can be seen. `,
+        report.runs.map(noteOf).join(" "),
+      ),
+      licences(),
+    ),
+  );
+
+  /** What the chosen operation does not have goes. */
+  const hide = () =>
+    some.forEach(([section, needs]) => section.toggleAttribute("hidden", !needs(chosenRun(report))));
+  on("operation", hide);
+  hide();
+  Object.values(parts).forEach((part) => part.redraw());
+}
