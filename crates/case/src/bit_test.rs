@@ -4,7 +4,10 @@ use std::f64::consts::{PI, TAU};
 
 use serde_json::{Value as Json, json};
 use wholestring::{
-    GRAVITY_M_PER_S2, dynamics::BitSettings, operation::Operation, rock::DrillingSpec,
+    GRAVITY_M_PER_S2,
+    dynamics::{BitSettings, RockLaw},
+    operation::Operation,
+    rock::DrillingSpec,
 };
 use wholestring_units::Dimension;
 
@@ -26,9 +29,6 @@ const SPEEDS: [f64; 3] = [0.5, 1.0, 1.5];
 const SETTLE: f64 = 2.0;
 const COUNTED: f64 = 4.0;
 const STEP_S: f64 = 5e-4;
-
-/// Lighter bits than this many bricks are thrown by those that they touch.
-const LEAST_BRICKS: f64 = 20.0;
 
 /// Most weights, and most speeds.
 const MOST: usize = 50;
@@ -199,8 +199,14 @@ pub(crate) fn build(
         averaging_s: averaging_s.max(step.value),
         step_s: step.value,
     };
-    check_mass(&test, mass.map_or(whole, |at| at.place), reader)?;
-    Some(Some(test))
+    let Some(mistake) = too_light(&test, mass.map_or(whole, |at| at.place)) else {
+        return Some(Some(test));
+    };
+    if !asked {
+        return Some(None);
+    }
+    reader.report(mistake);
+    None
 }
 
 /// The list of the case, or factors on the operation's number; empty where neither is.
@@ -239,28 +245,20 @@ fn sorted(
     Some(list.into_iter().map(|at| at.value).collect())
 }
 
-/// The bit must be heavier than what it touches.
-fn check_mass(test: &BitTest, place: Place, reader: &mut Reader) -> Option<()> {
-    let block = &test.drilling.block;
-    let density = block.rock.density_kg_per_m3 * block.numerics.density_factor;
-    let brick_kg = density * block.size_m.iter().product::<f64>();
-    let least_kg = LEAST_BRICKS * brick_kg;
-    if test.mass_kg >= least_kg {
-        return Some(());
+/// The mistake of a bit that is no heavier than what it touches.
+fn too_light(test: &BitTest, place: Place) -> Option<Diagnostic> {
+    let law = RockLaw {
+        drilling: test.drilling.clone(),
+    };
+    let [least_kg, _] = law.touched();
+    if test.mass_kg > least_kg {
+        return None;
     }
-    let least = number_text((least_kg * 10.0).ceil() * 0.1);
-    reader.report(
-        Diagnostic::error("the bit is too light for the bricks that it touches")
-            .at(
-                place,
-                format!(
-                    "{} kg move with it: expected at least {least} kg",
-                    number_text((test.mass_kg * 10.0).round() * 0.1)
-                ),
-            )
-            .help("raise mass, or lower density_factor or element_size under [rock]: their density is scaled"),
-    );
-    None
+    let [mass, least] = [test.mass_kg, least_kg].map(|kg| number_text((kg * 10.0).round() * 0.1));
+    let diagnostic = Diagnostic::error("the bit is too light for the bricks that it touches")
+        .at(place, format!("{mass} kg move with it: expected more than {least} kg"))
+        .help("raise mass, or lower density_factor or element_size under [rock]: their density is scaled");
+    Some(diagnostic)
 }
 
 /// Where the table stands, if it does.

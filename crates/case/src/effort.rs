@@ -1,7 +1,7 @@
 //! Whether a run of the case can be finished.
 
 use wholestring::{
-    dynamics::{DynamicsSettings, Effort},
+    dynamics::{DynamicsSettings, Effort, SetupError},
     model::Model,
     operation::Operation,
     outcome::ModelKind,
@@ -34,9 +34,7 @@ pub(crate) fn check_effort(
     let efforts: Vec<Effort> = match efforts.collect() {
         Ok(efforts) => efforts,
         Err(error) => {
-            reader.report(Diagnostic::error(format!(
-                "the dynamic model refuses: {error}"
-            )));
+            reader.report(refused(&error, case));
             return None;
         }
     };
@@ -61,6 +59,34 @@ pub(crate) fn check_effort(
     };
     reader.report(advice(Diagnostic::error(message), shortest_s, case));
     None
+}
+
+/// What the engine refuses, where the reader has found nothing wrong.
+fn refused(error: &SetupError, case: &CaseTable) -> Diagnostic {
+    let (
+        SetupError::LightBit {
+            direction,
+            unit,
+            bit,
+            rock,
+        },
+        Some(table),
+    ) = (error, case.rock.given())
+    else {
+        return Diagnostic::error(format!("the dynamic model refuses: {error}"));
+    };
+    let [bit, rock] = [bit, rock].map(|of| number_text((of * 1e3).round() * 1e-3));
+    Diagnostic::error(
+        "the bit is too light for the bricks that it touches, whose density is scaled",
+    )
+    .at(
+        table.value.weighty_place().unwrap_or(table.place),
+        format!("they have {rock} {unit}"),
+    )
+    .help(format!(
+        "the lower end of the string has {bit} {unit} {direction}"
+    ))
+    .help("lower density_factor or element_size under [rock], or raise element_length under [mesh]")
 }
 
 /// What makes a run shorter, at the places of the case that make it long.

@@ -307,6 +307,13 @@ impl RockTable {
         Some(spec)
     }
 
+    /// What makes the bricks heavy, if it stands in the case.
+    pub(crate) fn weighty_place(&self) -> Option<Place> {
+        place(&self.density_factor)
+            .or(place(&self.element_size))
+            .or(place(&self.density))
+    }
+
     /// Refuses what would take weeks: the rock moving for so long.
     pub(crate) fn check_effort(
         &self,

@@ -1,6 +1,6 @@
 //! The command line as the user writes it.
 
-use std::{num::NonZeroUsize, path::PathBuf, str::FromStr, time::Duration};
+use std::{num::NonZeroUsize, path::PathBuf, str::FromStr, thread, time::Duration};
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use wholestring::well::Interpolation;
@@ -26,11 +26,13 @@ pub(crate) enum Command {
     Run(RunArgs),
     /// Solve a case for all combinations of some values
     Sweep(SweepArgs),
+    /// Try the bit alone on its rock under every weight at every speed
+    BitTest(BitTestArgs),
     /// Solve the cases of a study and make its figures and tables
     Study(StudyArgs),
-    /// Make the report of a run or a sweep again
+    /// Make the report of a run, a sweep or a bit test again
     Report(ReportArgs),
-    /// Draw what a run or a sweep left as SVG files; a second run on the same axes
+    /// Draw what a run, a sweep or a bit test left as SVG files; a second run on the same axes
     Plot(PlotArgs),
     /// Position and dogleg severity along a survey
     Survey(SurveyArgs),
@@ -99,7 +101,7 @@ pub(crate) struct RunArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct ReportArgs {
-    /// Folder that a run or a sweep wrote to
+    /// Folder that a run, a sweep or a bit test wrote to
     #[arg(value_name = "DIR")]
     pub(crate) folder: PathBuf,
 
@@ -110,7 +112,7 @@ pub(crate) struct ReportArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct PlotArgs {
-    /// Folder that a run or a sweep wrote to, or those of two runs
+    /// Folder that a run, a sweep or a bit test wrote to, or those of two runs
     #[arg(value_name = "DIR", required = true, num_args = 1..=2)]
     pub(crate) folders: Vec<PathBuf>,
 
@@ -136,6 +138,19 @@ pub(crate) struct SweepArgs {
     /// includes its end). Repeatable: every combination is a case, the last key varying fastest
     #[arg(long, value_name = "KEY=VALUES", required = true)]
     pub(crate) vary: Vec<String>,
+
+    #[command(flatten)]
+    pub(crate) batch: BatchArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct BitTestArgs {
+    #[command(flatten)]
+    pub(crate) case: CaseArgs,
+
+    /// Units on the screen [default: the case's]
+    #[arg(long, value_name = "si|metric|field")]
+    pub(crate) units: Option<UnitSet>,
 
     #[command(flatten)]
     pub(crate) batch: BatchArgs,
@@ -195,6 +210,14 @@ pub(crate) struct BatchArgs {
     /// Print nothing but errors
     #[arg(short, long)]
     pub(crate) quiet: bool,
+}
+
+impl BatchArgs {
+    /// Cases that are solved side by side.
+    pub(crate) fn jobs(&self) -> usize {
+        let jobs = self.jobs.or_else(|| thread::available_parallelism().ok());
+        jobs.map_or(1, NonZeroUsize::get)
+    }
 }
 
 /// One share of the cases: every `of`-th, beginning with the `index`-th, counted from one.

@@ -62,7 +62,16 @@ pub(crate) struct Laid<'a> {
     pub(crate) under_way: Option<UnderWay<'a>>,
 }
 
-impl Laid<'_> {
+impl<'a> Laid<'a> {
+    /// What a run knows.
+    pub(crate) fn new(record: &Record, under_way: Option<UnderWay<'a>>) -> Self {
+        Self {
+            settings: record.summary.settings.to_string(),
+            solved: record.solved_so_far(),
+            under_way,
+        }
+    }
+
     /// The checkpoint in the folder, if there is one.
     ///
     /// # Errors
@@ -103,17 +112,9 @@ impl<'a> Keeper<'a> {
         self.last.elapsed() >= self.every
     }
 
-    /// Writes what the run knows.
-    pub(crate) fn write(
-        &mut self,
-        record: &Record,
-        under_way: Option<UnderWay<'_>>,
-    ) -> Result<(), ResultsError> {
-        let written = self.folder.write_checkpoint(&Laid {
-            settings: record.summary.settings.to_string(),
-            solved: record.solved_so_far(),
-            under_way,
-        });
+    /// Writes what is needed to go on.
+    pub(crate) fn write(&mut self, content: &impl Serialize) -> Result<(), ResultsError> {
+        let written = self.folder.write_checkpoint(content);
         self.last = Instant::now();
         written
     }

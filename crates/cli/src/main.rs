@@ -3,22 +3,26 @@
 mod args;
 mod bench;
 mod bit_table;
+mod bit_test;
 mod check;
 mod checkpoint;
 mod column;
 mod comparison;
+mod conclusion;
 mod cores;
 mod failure;
 mod folder_name;
 mod frames;
 mod indicators;
 mod interrupt;
+mod parallel;
 mod plot;
 mod progress;
 mod record;
 mod report;
 mod rig;
 mod run;
+mod screen_table;
 mod solve;
 mod study;
 mod survey;
@@ -40,6 +44,7 @@ fn main() -> ExitCode {
         Command::Check(args) => check::check(&args),
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::sweep(&args),
+        Command::BitTest(args) => bit_test::bit_test(&args),
         Command::Study(args) => study::study(&args),
         Command::Report(args) => report::report(&args),
         Command::Plot(args) => plot::plot(&args),

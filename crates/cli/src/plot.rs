@@ -1,15 +1,17 @@
-//! `wholestring plot`: the pictures of a run, of two on the same axes, or of a sweep, as files.
+//! `wholestring plot`: the pictures of a run, of two on the same axes, of a sweep, or of a bit test, as files.
 
 use std::path::{Path, PathBuf};
 
 use wholestring_report::{
-    Plot, Report, Run, Spectrum, common_operations, figure::Figure, plots, sweep_plots,
+    Plot, Report, Run, Spectrum, bit_test_plots, common_operations, figure::Figure, plots,
+    sweep_plots,
 };
 use wholestring_results::{ResultsError, ResultsFolder, Summary, Table};
 use wholestring_units::UnitSet;
 
 use crate::{
     args::PlotArgs,
+    bit_test::page as bit_test,
     column::{numbers, words},
     failure::Failure,
     folder_name::file_name,
@@ -23,7 +25,16 @@ const DOTS_PER_INCH: f64 = 300.0;
 
 pub(crate) fn plot(args: &PlotArgs) -> Result<(), Failure> {
     let are_sweeps = sweeps(&args.folders);
+    let bit_tests = args.folders.iter().filter(|of| bit_test::is_bit_test(of));
+    let are_bit_tests = bit_tests.count() > 0;
     let plots = match (&args.folders[..], &are_sweeps[..]) {
+        ([folder], _) if are_bit_tests => {
+            let test = bit_test::gather(folder, args.units).map_err(bad)?;
+            bit_test_plots(&test, &test.units)
+        }
+        _ if are_bit_tests => {
+            return Err(bad("a bit test cannot be overlaid with anything"));
+        }
         ([folder], [true]) => {
             let sweep = sweep::gather(folder, args.units).map_err(bad)?;
             sweep_plots(&sweep, &sweep.units)
@@ -116,7 +127,7 @@ impl Drawn {
         let path = folder.join("summary.json");
         if !path.is_file() {
             return Err(bad(format!(
-                "{place} is no folder of a run or a sweep: it holds neither summary.json nor sweep.csv"
+                "{place} is no folder of a run, a sweep or a bit test: it holds neither summary.json nor sweep.csv"
             )));
         }
         let summary = Summary::read(&path).map_err(bad)?;

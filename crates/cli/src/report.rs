@@ -4,8 +4,8 @@ mod answers;
 pub(crate) mod asked;
 pub(crate) mod dimensions;
 mod frames;
-mod history;
-mod inputs;
+pub(crate) mod history;
+pub(crate) mod inputs;
 mod sheets;
 pub(crate) mod well;
 
@@ -17,6 +17,7 @@ use wholestring_units::UnitSet;
 
 use crate::{
     args::ReportArgs,
+    bit_test::page as bit_test,
     column::{numbers, words},
     failure::Failure,
     say,
@@ -37,7 +38,10 @@ pub(crate) fn report(args: &ReportArgs) -> Result<(), Failure> {
     let place = args.folder.display();
     let bad = |error: &dyn std::fmt::Display| Failure::BadInput(format!("error: {error}"));
     // Whatever the folder holds is the input here.
-    if args.folder.join("summary.json").is_file() {
+    if bit_test::is_bit_test(&args.folder) {
+        let test = bit_test::gather(&args.folder, args.units).map_err(|error| bad(&error))?;
+        bit_test::write(&ResultsFolder::create(&args.folder)?, &test)?;
+    } else if args.folder.join("summary.json").is_file() {
         let page = page(&args.folder, args.units).map_err(|error| bad(&error))?;
         let folder = ResultsFolder::create(&args.folder)?;
         folder.write_file(FILE, page.as_bytes())?;
@@ -46,7 +50,7 @@ pub(crate) fn report(args: &ReportArgs) -> Result<(), Failure> {
         sweep::write(&folder, args.units).map_err(|error| bad(&error))?;
     } else {
         return Err(bad(&format!(
-            "{place} is no folder of a run or a sweep: it holds neither summary.json nor sweep.csv"
+            "{place} is no folder of a run, a sweep or a bit test: it holds neither summary.json nor sweep.csv"
         )));
     }
     say(&format!("{}\n", args.folder.join(FILE).display()))

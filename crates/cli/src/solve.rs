@@ -14,7 +14,7 @@ use wholestring_case::Case;
 use wholestring_results::{ResultsFolder, Status};
 
 use crate::{
-    checkpoint::{self, Keeper, UnderWay},
+    checkpoint::{self, Keeper, Laid, UnderWay},
     cores::Lent,
     failure::Failure,
     interrupt::Interrupt,
@@ -143,7 +143,7 @@ pub(crate) fn solve(
 /// Writes a checkpoint. A run does not end because one cannot be written: the next may, and so may the
 /// results.
 fn lay_aside(keeper: &mut Keeper<'_>, record: &Record, under_way: Option<UnderWay>, watch: &Watch) {
-    if let Err(error) = keeper.write(record, under_way) {
+    if let Err(error) = keeper.write(&Laid::new(record, under_way)) {
         watch.tell(&format!("warning: no checkpoint: {error}\n"));
     }
 }

@@ -5,18 +5,21 @@
 //! apply, and appear whole or not at all: each is written beside its final name and then renamed.
 #![warn(missing_docs)]
 
+mod bit_test;
 mod checkpoint;
 mod columns;
 mod error;
 mod file;
 mod folder;
 mod frames;
+mod json;
 mod parquet_file;
 mod spectrum;
 mod summary;
 mod table;
 
-pub use columns::{BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
+pub use bit_test::{BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
+pub use columns::{BIT_TEST, BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
 pub use error::ResultsError;
 pub use folder::ResultsFolder;
 pub use frames::{FrameWriter, FramesSoFar};

@@ -1,6 +1,6 @@
 //! `summary.json`: the scalars of every model and operation solved.
 
-use std::{collections::BTreeMap, fs::File, io::BufReader, io::Write, path::Path};
+use std::{collections::BTreeMap, path::Path};
 
 use serde::{Deserialize, Serialize};
 use wholestring::{
@@ -9,7 +9,10 @@ use wholestring::{
     outcome::{ModelKind, Scalars},
 };
 
-use crate::{ResultsError, file::write_whole};
+use crate::{
+    ResultsError,
+    json::{read_versioned, write_json},
+};
 
 /// Version of the layout of `summary.json`; raised when a key changes or goes.
 pub const SCHEMA_VERSION: u32 = 1;
@@ -205,31 +208,11 @@ mod finite {
 impl Summary {
     /// Writes the summary as indented JSON.
     pub fn write(&self, path: &Path) -> Result<(), ResultsError> {
-        write_whole(path, |writer| {
-            serde_json::to_writer_pretty(&mut *writer, self)?;
-            writer.write_all(b"\n")
-        })
+        write_json(self, path)
     }
 
     /// Reads back a summary, and refuses one of another [`SCHEMA_VERSION`].
     pub fn read(path: &Path) -> Result<Self, ResultsError> {
-        let file = File::open(path).map_err(|source| ResultsError::Read {
-            path: path.to_owned(),
-            source,
-        })?;
-        let value: serde_json::Value = serde_json::from_reader(BufReader::new(file))
-            .map_err(|error| ResultsError::format(path, error))?;
-        // Before anything else, so that a newer file is not called malformed.
-        match value.get("schema_version").and_then(|v| v.as_u64()) {
-            Some(version) if version == u64::from(SCHEMA_VERSION) => {}
-            Some(version) => {
-                return Err(ResultsError::format(
-                    path,
-                    format_args!("its schema_version is {version}, expected {SCHEMA_VERSION}"),
-                ));
-            }
-            None => return Err(ResultsError::format(path, "it has no schema_version")),
-        }
-        serde_json::from_value(value).map_err(|error| ResultsError::format(path, error))
+        read_versioned(path, SCHEMA_VERSION)
     }
 }

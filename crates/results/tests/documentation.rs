@@ -2,7 +2,9 @@
 
 use std::{fs, path::Path};
 
-use wholestring_results::{BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
+use wholestring_results::{
+    BIT_TEST, BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR,
+};
 
 fn rows(columns: &[ColumnSpec]) -> String {
     let mut text = String::from("| column | unit | meaning |\n|---|---|---|\n");
@@ -24,6 +26,7 @@ fn the_page_lists_every_column() {
         ("spectra", SPECTRA),
         ("wear", WEAR),
         ("contact", CONTACT),
+        ("bit-test", BIT_TEST),
         ("bottom_hole", BOTTOM_HOLE),
     ] {
         let expected = rows(columns);

@@ -62,6 +62,8 @@ fn rocks() {
     for (name, tables) in cases {
         refused(name, read(&on_rock("", tables)));
     }
+    let heavy = format!("{SOUND}\ndensity_factor = 1e5");
+    refused("rock_heavier_than_the_bit", read(&on_rock("", &heavy)));
 }
 
 #[test]

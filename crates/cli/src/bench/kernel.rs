@@ -6,10 +6,9 @@ use wholestring::{dynamics::Simulation, rod::counted::Flops};
 use super::{
     Bench, Spread,
     clock::Clock,
-    table::Table,
     well::{self, TIMED_S},
 };
-use crate::failure::Failure;
+use crate::{failure::Failure, screen_table::Table};
 
 /// Steps after which caches and the prediction of branches know the loop.
 const WARM_STEPS: usize = 20;

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use super::{Bench, Spread, table::Table, well};
-use crate::failure::Failure;
+use super::{Bench, Spread, well};
+use crate::{failure::Failure, screen_table::Table};
 
 /// Something that a case can ask for: keys of the case, as for `--set`.
 struct Mechanism {

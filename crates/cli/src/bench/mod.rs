@@ -8,7 +8,6 @@ mod process;
 mod rock;
 mod scratch;
 mod sweep;
-mod table;
 mod well;
 mod whole_run;
 

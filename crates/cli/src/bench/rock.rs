@@ -6,8 +6,8 @@ use wholestring::rock::{
     bit_face::{BitFace, ContactLaw, PdcBit, Pose, SurfaceNodes},
 };
 
-use super::{Bench, Spread, clock::Clock, failed, table::Table};
-use crate::failure::Failure;
+use super::{Bench, Spread, clock::Clock, failed};
+use crate::{failure::Failure, screen_table::Table};
 
 /// Diameter of the bit, m: 8½ in.
 const BIT_M: f64 = 0.2159;

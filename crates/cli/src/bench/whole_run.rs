@@ -3,8 +3,8 @@
 use serde::Serialize;
 use wholestring::dynamics::Simulation;
 
-use super::{Bench, Spread, table::Table, well};
-use crate::failure::Failure;
+use super::{Bench, Spread, well};
+use crate::{failure::Failure, screen_table::Table};
 
 #[derive(Serialize)]
 pub(crate) struct Row {

@@ -2,7 +2,7 @@
 
 mod rows;
 
-pub(crate) use rows::Effort;
+pub(crate) use rows::{Effort, bottom_rows};
 
 use serde::{Deserialize, Serialize};
 use wholestring::{

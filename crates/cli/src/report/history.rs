@@ -96,7 +96,7 @@ pub(super) fn drill_off(
 }
 
 /// The bottom of the hole that an operation left; none where its bit did not stand on solid rock.
-pub(super) fn bottom(table: &Table, operation: &str) -> Option<BottomPicture> {
+pub(crate) fn bottom(table: &Table, operation: &str) -> Option<BottomPicture> {
     let rows = rows(table, None, operation);
     let column = |name: &str| -> Vec<f64> {
         let values = numbers(table, name);

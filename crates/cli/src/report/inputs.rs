@@ -6,7 +6,7 @@ use wholestring_report::{Cell, Place, Sheet};
 use super::dimensions;
 
 /// The settings of a summary, a table for each of the case file's, and one for each list in them.
-pub(super) fn sheets(settings: &Json) -> Vec<Sheet> {
+pub(crate) fn sheets(settings: &Json) -> Vec<Sheet> {
     let Some(settings) = settings.as_object() else {
         return Vec::new();
     };

@@ -1,10 +1,8 @@
 //! Sets of cases that are solved together: all cores, one progress bar.
 
 use std::{
-    num::NonZeroUsize,
     path::{Path, PathBuf},
     sync::{Mutex, PoisonError},
-    thread,
     time::{Duration, Instant},
 };
 
@@ -14,7 +12,6 @@ use wholestring_results::{OperationSummary, ResultsFolder, Status, Summary};
 
 use super::{
     checked::{Checked, check},
-    parallel::{in_parallel, lock},
     points::Point,
     report,
     table::{FILE, SweepTable},
@@ -22,11 +19,12 @@ use super::{
 use crate::{
     args::{BatchArgs, Shard},
     checkpoint::{Laid, UnderWay, difference},
+    conclusion::Conclusion,
     failure::Failure,
     interrupt::Interrupt,
+    parallel::{in_parallel, lock},
     progress::{self, Watch, milliseconds},
     record::Record,
-    say,
     solve::{Stop, Way, checkpoint_every, solve},
 };
 
@@ -72,14 +70,6 @@ pub(crate) struct Batch<'a> {
     mine: Vec<usize>,
     progress: Mutex<Reached>,
     start: Instant,
-}
-
-impl BatchArgs {
-    /// Cases that are solved side by side.
-    pub(crate) fn jobs(&self) -> usize {
-        let jobs = self.jobs.or_else(|| thread::available_parallelism().ok());
-        jobs.map_or(1, NonZeroUsize::get)
-    }
 }
 
 /// The cases of a batch, read and checked, with the name of the first.
@@ -281,7 +271,7 @@ impl<'a> Batch<'a> {
     /// Says how it went; its results are in `place`.
     pub(crate) fn conclude(self, place: &Path) -> Result<(), Failure> {
         let endings = std::mem::take(&mut lock(&self.progress).endings);
-        let (place, noun, cases) = (place.display(), self.noun, self.mine.len());
+        let (noun, cases) = (self.noun, self.mine.len());
         let mut finished = 0;
         let mut failed = Vec::new();
         for (point, ending) in self.points.iter().zip(&endings) {
@@ -294,30 +284,17 @@ impl<'a> Batch<'a> {
                 None => {}
             }
         }
-        if !self.args.quiet {
-            let took_s = self.start.elapsed().as_secs_f64();
-            say(&format!(
-                "{finished} of {cases} cases finished in {took_s:.1} s\nResults in {place}\n",
-            ))?;
+        Conclusion {
+            noun,
+            items: "cases",
+            all: cases,
+            finished,
+            failed,
+            interrupted: self.interrupt.asked(),
+            place,
+            took: self.start.elapsed(),
         }
-        let failures = failed.join("\n");
-        if self.interrupt.asked() && finished + failed.len() < cases {
-            let failures = if failed.is_empty() {
-                failures
-            } else {
-                failures + "\n"
-            };
-            return Err(Failure::Interrupted(format!(
-                "{failures}interrupted: what was computed is in {place}\nto go on, run the {noun} again with --resume"
-            )));
-        }
-        if failed.is_empty() {
-            return Ok(());
-        }
-        Err(Failure::Failed(format!(
-            "error: {} of {cases} cases failed\n{failures}\nwhat was computed is in {place}",
-            failed.len(),
-        )))
+        .tell(self.args.quiet)
     }
 }
 

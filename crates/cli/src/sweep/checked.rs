@@ -8,11 +8,13 @@ use std::{
 use wholestring::{dynamics::Effort, outcome::ModelKind};
 use wholestring_case::{Case, Report};
 
-use super::{
+use super::points::Point;
+use crate::{
+    color,
+    failure::Failure,
     parallel::{in_parallel, lock},
-    points::Point,
+    tell,
 };
-use crate::{color, failure::Failure, tell};
 
 /// What is known of a case before it is solved.
 pub(super) struct Checked {

@@ -2,7 +2,6 @@
 
 mod batch;
 mod checked;
-mod parallel;
 mod points;
 pub(crate) mod report;
 mod table;

@@ -391,7 +391,7 @@ impl Effort {
     /// What the run would cost, found without laying the string.
     ///
     /// # Errors
-    /// A setting out of range.
+    /// A setting out of range, or a bit on solid rock that is lighter than what it touches.
     pub fn of(
         model: &Model,
         operation: &Operation,
@@ -399,6 +399,7 @@ impl Effort {
     ) -> Result<Self, SetupError> {
         check(settings)?;
         let (mesh, plan) = mesh_and_plan(model, first_bit_md_m(operation, settings), settings);
+        check_weight_of_bit(settings, &plan)?;
         let laying_s = match settings.start {
             Start::Prepared => start::SETTLING_S,
             Start::Centred => 0.0,

@@ -6,7 +6,8 @@
 //! failed are removed, and energy is accounted for throughout ([`Energies`]). A block [follows](Block::follow) the bit that
 //! drills it.
 //!
-//! What touches it is the bit's [face](bit_face). [`Drilling`] puts the one on the other.
+//! What touches it is the bit's [face](bit_face). [`Drilling`] puts the one on the other; a [`Trial`] finds what becomes of a
+//! bit under one weight at one speed.
 //!
 //! z points down the hole, x and y across it. Stresses are positive in tension.
 
@@ -26,6 +27,7 @@ mod kernel;
 mod material;
 mod plasticity;
 mod surface;
+mod trial;
 
 pub use block::{Block, BlockSpec, SurfaceNode};
 pub use constants::Numerics;
@@ -39,3 +41,4 @@ pub use executor::{Alone, Executor};
 pub use grid::Grid;
 pub use kernel::Stepper;
 pub use material::{Cone, Rock, RockError};
+pub use trial::{DrillingResponse, Trial, TrialError, TrialOutcome, TrialSpec};

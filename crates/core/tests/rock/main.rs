@@ -14,4 +14,5 @@ mod setup;
 mod slabs;
 mod specific_energy;
 mod strength;
+mod trial;
 mod waves;

@@ -1,5 +1,6 @@
 //! Every column of every table: name, unit and meaning in one place.
 
+mod bit_test;
 mod bottom_hole;
 mod contact;
 mod frames;
@@ -9,8 +10,8 @@ mod time;
 mod wear;
 
 pub use self::{
-    bottom_hole::BOTTOM_HOLE, contact::CONTACT, frames::FRAMES, nodes::NODES, spectra::SPECTRA,
-    time::TIME, wear::WEAR,
+    bit_test::BIT_TEST, bottom_hole::BOTTOM_HOLE, contact::CONTACT, frames::FRAMES, nodes::NODES,
+    spectra::SPECTRA, time::TIME, wear::WEAR,
 };
 use crate::{Column, Data};
 
@@ -66,7 +67,16 @@ mod tests {
 
     #[test]
     fn names_are_unique_and_end_in_their_unit() {
-        for table in [NODES, TIME, WEAR, CONTACT, BOTTOM_HOLE, FRAMES, SPECTRA] {
+        for table in [
+            NODES,
+            TIME,
+            WEAR,
+            CONTACT,
+            BOTTOM_HOLE,
+            FRAMES,
+            SPECTRA,
+            BIT_TEST,
+        ] {
             for (index, column) in table.iter().enumerate() {
                 assert!(
                     table[..index].iter().all(|other| other.name != column.name),

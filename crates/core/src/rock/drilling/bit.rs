@@ -14,6 +14,14 @@ pub enum BitShape {
 }
 
 impl BitShape {
+    /// Diameter, m.
+    pub fn diameter_m(&self) -> f64 {
+        match self {
+            Self::Pdc(bit) => bit.diameter_m,
+            Self::Insert(bit) => bit.diameter_m,
+        }
+    }
+
     /// The face.
     ///
     /// # Errors

@@ -9,7 +9,7 @@ use std::{
 };
 
 /// Does `work` on every item of `order`, on so many threads; each takes the next item that is left.
-pub(super) fn in_parallel(jobs: usize, order: &[usize], work: impl Fn(usize) + Sync) {
+pub(crate) fn in_parallel(jobs: usize, order: &[usize], work: impl Fn(usize) + Sync) {
     let next = AtomicUsize::new(0);
     let busy = || {
         while let Some(item) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
@@ -24,6 +24,6 @@ pub(super) fn in_parallel(jobs: usize, order: &[usize], work: impl Fn(usize) + S
     });
 }
 
-pub(super) fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+pub(crate) fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

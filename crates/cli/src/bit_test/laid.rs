@@ -1,0 +1,81 @@
+//! What a point's folder holds while the point is not finished, and when it is.
+
+use std::{borrow::Cow, path::Path};
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use wholestring::rock::{Stepper, Trial, TrialOutcome};
+use wholestring_results::{BIT_TEST_VERSION, BitTestOutcome, ResultsError, ResultsFolder};
+
+use super::points::Point;
+use crate::checkpoint::difference;
+
+/// Name of the file of a finished point.
+const FILE: &str = "point.json";
+
+/// A trial that was laid aside: the content of its checkpoint.
+#[derive(Serialize, Deserialize)]
+pub(super) struct Laid<'a> {
+    /// The point's settings, as JSON.
+    settings: String,
+    /// Instruction set that the trial was computed with.
+    pub(super) instructions: String,
+    pub(super) trial: Cow<'a, Trial>,
+}
+
+impl<'a> Laid<'a> {
+    pub(super) fn new(point: &Point, stepper: &Stepper, trial: &'a Trial) -> Self {
+        Self {
+            settings: point.settings.to_string(),
+            instructions: stepper.instructions.to_owned(),
+            trial: Cow::Borrowed(trial),
+        }
+    }
+}
+
+impl Laid<'static> {
+    /// The checkpoint in the point's folder, if there is one.
+    ///
+    /// # Errors
+    /// Why the point cannot go on from it.
+    pub(super) fn read(folder: &ResultsFolder, point: &Point) -> Result<Option<Self>, String> {
+        let laid: Option<Self> = folder.read_checkpoint().map_err(|e| e.to_string())?;
+        let Some(laid) = laid else { return Ok(None) };
+        let settings: Value = serde_json::from_str(&laid.settings).map_err(|e| e.to_string())?;
+        match difference(&settings, &point.settings) {
+            None => Ok(Some(laid)),
+            Some(difference) => Err(format!(
+                "the checkpoint in {} is of another test: {difference}",
+                folder.path().display()
+            )),
+        }
+    }
+}
+
+/// What a finished trial of the point left in its folder; nothing if it is not finished, or of another test.
+pub(super) fn finished(folder: &Path, point: &Point) -> Option<TrialOutcome> {
+    let there = BitTestOutcome::read(&folder.join(FILE)).ok()?;
+    difference(&there.settings, &point.settings)
+        .is_none()
+        .then_some(there.outcome)
+}
+
+/// Writes that the point is finished.
+pub(super) fn finish(
+    folder: &ResultsFolder,
+    point: &Point,
+    outcome: TrialOutcome,
+) -> Result<(), ResultsError> {
+    let done = BitTestOutcome {
+        schema_version: BIT_TEST_VERSION,
+        settings: point.settings.clone(),
+        outcome,
+    };
+    done.write(&folder.path().join(FILE))
+}
+
+/// The point begins anew: what an earlier test left of it goes.
+pub(super) fn begin(folder: &ResultsFolder) -> Result<(), ResultsError> {
+    folder.remove(FILE)?;
+    folder.remove_checkpoint()
+}

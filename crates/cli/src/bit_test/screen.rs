@@ -1,0 +1,147 @@
+//! What a bit test shows on the screen.
+
+use wholestring::rock::TrialOutcome;
+use wholestring_results::BitTestSummary;
+use wholestring_units::{Dimension, UnitSet};
+
+use crate::screen_table::Table;
+
+/// Kinetic energy of the rock, over the work of its deformation, from where it is told of.
+const MUCH_KINETIC: f64 = 0.05;
+
+/// A column: what people call the quantity, what it is measured in, and its value with its error, where there are such.
+type Column = (&'static str, Dimension, fn(&TrialOutcome) -> Option<Value>);
+type Value = (f64, Option<f64>);
+
+const COLUMNS: [Column; 7] = [
+    ("weight on bit", Dimension::Force, |of| {
+        Some((of.weight_on_bit_N, None))
+    }),
+    ("rotary speed", Dimension::RotarySpeed, |of| {
+        Some((of.rotary_speed_rad_per_s, None))
+    }),
+    ("rate of penetration", Dimension::RateOfPenetration, |of| {
+        Some((
+            of.rate_of_penetration_m_per_s,
+            of.rate_of_penetration_error_m_per_s,
+        ))
+    }),
+    ("depth of cut", Dimension::Diameter, |of| {
+        Some((of.depth_of_cut_m, None))
+    }),
+    ("torque", Dimension::Torque, |of| {
+        Some((of.torque_N_m, of.torque_error_N_m))
+    }),
+    ("its deviation", Dimension::Torque, |of| {
+        Some((of.torque_std_N_m, None))
+    }),
+    ("specific energy", Dimension::Pressure, |of| {
+        Some((of.specific_energy_Pa?, None))
+    }),
+];
+
+/// The finished points as a table, what they have in common, and what is to be wary of.
+pub(super) fn text(summary: &BitTestSummary, units: UnitSet) -> String {
+    let title = format!(
+        "{}: a bit of {} on rock of {}",
+        summary.case,
+        Dimension::Diameter.format(2.0 * summary.bit_radius_m, units),
+        Dimension::Pressure.format(summary.rock_strength_Pa, units)
+    );
+    let headings = COLUMNS.map(|(label, dimension, _)| {
+        let symbol = dimension.unit_in(units).symbol;
+        format!("{label}, {symbol}")
+    });
+    let mut table = Table::new(&title, 0, &headings.each_ref().map(String::as_str));
+    let mut any = false;
+    for outcome in summary.points.iter().filter_map(|point| point.outcome) {
+        any = true;
+        let cell = |(_, dimension, value): Column| {
+            let unit = dimension.unit_in(units);
+            match value(&outcome) {
+                Some((value, None)) => number(unit.from_si(value)),
+                Some((value, Some(error))) => {
+                    format!(
+                        "{} ± {}",
+                        number(unit.from_si(value)),
+                        number(unit.from_si(error))
+                    )
+                }
+                None => "–".to_owned(),
+            }
+        };
+        table.row(COLUMNS.map(cell).into());
+    }
+    if !any {
+        return String::new();
+    }
+    format!("{}{}{}\n", table.text(), common(summary), warnings(summary))
+}
+
+/// Lines about all points together.
+fn common(summary: &BitTestSummary) -> String {
+    let response = &summary.response;
+    let mut text = String::new();
+    if let Some(slope) = response.torque_over_weight_and_radius {
+        text += &format!("Torque over weight times radius, slope of all points: {slope:.2}\n");
+    }
+    if let Some(ratio) = response.specific_energy_over_strength {
+        text += &format!("Specific energy over the rock's strength, all points: {ratio:.2}\n");
+    }
+    text
+}
+
+fn warnings(summary: &BitTestSummary) -> String {
+    let mut text = String::new();
+    for point in &summary.points {
+        let Some(outcome) = &point.outcome else {
+            continue;
+        };
+        if outcome.bricks_broken == 0 {
+            text += &format!("warning: {}: the bit does not drill\n", point.point);
+        }
+        if outcome.kinetic_fraction > MUCH_KINETIC {
+            text += &format!(
+                "warning: {}: the rock's kinetic energy is {:.0} % of the work of its deformation: lower rock.density_factor\n",
+                point.point,
+                100.0 * outcome.kinetic_fraction
+            );
+        }
+    }
+    text
+}
+
+/// Three significant digits, and whole numbers whole.
+fn number(value: f64) -> String {
+    const DIGITS: i32 = 3;
+    let size = value.abs();
+    if size < 1e-9 {
+        return "0".to_owned();
+    }
+    let decimals = (DIGITS - 1 - size.log10().floor() as i32).clamp(0, 6) as usize;
+    let text = format!("{value:.decimals$}");
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::number;
+
+    #[test]
+    fn numbers_have_three_digits() {
+        for (value, text) in [
+            (120.000000000001, "120"),
+            (1234.5, "1234"),
+            (0.012345, "0.0123"),
+            (-2.5, "-2.5"),
+            (0.0, "0"),
+            (-1e-15, "0"),
+            (9.999, "10"),
+        ] {
+            assert_eq!(number(value), text);
+        }
+    }
+}

@@ -1,0 +1,338 @@
+//! `bit-test`: the bit alone on its rock.
+
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    fs,
+    path::Path,
+    process::Stdio,
+    thread::sleep,
+    time::{Duration, Instant},
+};
+
+use insta::assert_snapshot;
+use wholestring_results::{BitTestOutcome, BitTestSummary, Status, Table};
+
+use crate::desk::{Desk, masked, transcript};
+
+/// Weak rock in coarse bricks under the bit of 120 mm: a point takes half a second.
+const ROCK: &str = r#"
+[rock]
+strength = "10 MPa"
+element_size = "15 mm"
+compressive_fracture_energy = "150 kJ/m2"
+
+[bit_test]
+wob = ["10 kN", "20 kN"]
+rpm = [240, 300]
+settle_revolutions = 0.25
+revolutions = 2
+"#;
+
+const POINTS: [&str; 4] = [
+    "wob=10kN,rpm=240",
+    "wob=10kN,rpm=300",
+    "wob=20kN,rpm=240",
+    "wob=20kN,rpm=300",
+];
+
+/// A desk with the rock under the slant well's bit in `rock.toml`.
+fn desk() -> Desk {
+    let desk = Desk::new();
+    let slant = fs::read_to_string(desk.path("slant.toml")).unwrap();
+    fs::write(desk.path("rock.toml"), slant + ROCK).unwrap();
+    desk
+}
+
+fn bit_test<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    [&["bit-test", "rock.toml"], more].concat()
+}
+
+fn summary(desk: &Desk, folder: &str) -> BitTestSummary {
+    BitTestSummary::read(&desk.path(folder).join("summary.json")).unwrap()
+}
+
+/// Every file of a folder and the folders in it.
+fn leavings(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let mut files = BTreeMap::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_str().unwrap().to_owned();
+        if path.is_dir() {
+            let within = leavings(&path).into_iter();
+            files.extend(within.map(|(file, bytes)| (format!("{name}/{file}"), bytes)));
+        } else {
+            files.insert(name, fs::read(path).unwrap());
+        }
+    }
+    files
+}
+
+/// Tables, summary and points say the same, and a case with the law "table" drills as the bit did.
+#[test]
+fn every_weight_at_every_speed() {
+    let desk = desk();
+    let output = desk.run(&bit_test(&["-o", "results", "--csv"]));
+    assert_snapshot!(masked(&transcript(&output)));
+    let summary = summary(&desk, "results");
+    assert_eq!(summary.case, "Straight slant");
+    assert_eq!(summary.bit_radius_m, 0.06);
+    assert!((summary.rock_strength_Pa / 10e6 - 1.0).abs() < 1e-12);
+    let names: Vec<&str> = summary.points.iter().map(|of| of.point.as_str()).collect();
+    assert_eq!(names, POINTS);
+    // The page and the picture are made again from the files.
+    let page = || fs::read(desk.path("results/report.html")).unwrap();
+    let before = page();
+    assert!(desk.run(&["report", "results"]).status.success());
+    assert!(page() == before);
+    assert!(desk.path("results/drill-off.svg").exists());
+    let drawn = desk.run(&["plot", "results", "-o", "pictures"]);
+    assert!(drawn.status.success(), "{}", transcript(&drawn));
+    let pictures: BTreeSet<String> = leavings(&desk.path("pictures")).into_keys().collect();
+    let named = ["bottom-hole.svg", "drill-off.svg", "specific-energy.svg"];
+    assert_eq!(pictures, named.map(String::from).into());
+    let table = Table::read_csv(&desk.path("results/bit-test.csv")).unwrap();
+    let law = Table::read_csv(&desk.path("results/bit-table.csv")).unwrap();
+    assert_eq!((table.rows(), law.rows()), (4, 4));
+    let word = |table: &Table, name: &str, row: usize| match &table.column(name).unwrap().data {
+        wholestring_results::Data::Text(words) => words[row].clone(),
+        wholestring_results::Data::Number(_) => panic!("CSV is read as words"),
+    };
+    let number = |table: &Table, name: &str, row: usize| -> f64 {
+        word(table, name, row).parse().expect(name)
+    };
+    let overrides = [
+        "bit.law=table",
+        "bit.table.file=results/bit-table.csv",
+        "operation.kind=drill",
+        "wob=15 kN",
+        "rpm=270",
+    ];
+    let overrides = overrides.map(|text| text.parse().expect("an override"));
+    let lawful = wholestring_case::load(&desk.path("slant.toml"), &overrides);
+    let lawful = lawful.unwrap_or_else(|report| panic!("{}", report.render(false)));
+    for (row, point) in summary.points.iter().enumerate() {
+        assert_eq!(point.status, Status::Complete);
+        let outcome = point.outcome.expect("a finished point has one");
+        let folder = desk.path("results").join(&point.point);
+        let alone = BitTestOutcome::read(&folder.join("point.json")).unwrap();
+        assert_eq!(alone.outcome, outcome);
+        assert!(!folder.join("checkpoint.bin").exists());
+        assert!(outcome.bricks_broken > 0);
+        assert_eq!(outcome.revolutions.round(), 2.0);
+        assert_eq!(word(&table, "point", row), point.point);
+        assert_eq!(word(&table, "status", row), "complete");
+        for (name, value) in [
+            ("weight_on_bit_N", outcome.weight_on_bit_N),
+            ("rotary_speed_rad_per_s", outcome.rotary_speed_rad_per_s),
+            (
+                "rate_of_penetration_m_per_s",
+                outcome.rate_of_penetration_m_per_s,
+            ),
+            ("torque_N_m", outcome.torque_N_m),
+            ("torque_error_N_m", outcome.torque_error_N_m.unwrap()),
+            ("specific_energy_Pa", outcome.specific_energy_Pa.unwrap()),
+            ("bricks_broken", outcome.bricks_broken as f64),
+        ] {
+            assert_eq!(number(&table, name, row), value, "{name}");
+        }
+        for (name, value) in [
+            ("weight_on_bit_N", outcome.weight_on_bit_N),
+            (
+                "rotary_speed_rpm",
+                (outcome.rotary_speed_rad_per_s * 30.0 / std::f64::consts::PI).round(),
+            ),
+            ("torque_N_m", outcome.torque_N_m),
+            ("torque_std_N_m", outcome.torque_std_N_m),
+            ("weight_on_bit_std_N", outcome.weight_on_bit_std_N),
+        ] {
+            assert_eq!(number(&law, name, row), value, "{name}");
+        }
+        let drilled = lawful
+            .dynamics
+            .bit
+            .law
+            .steady(outcome.weight_on_bit_N, outcome.rotary_speed_rad_per_s);
+        let drilled = drilled.expect("a table knows its points");
+        for (of_law, of_rock) in [
+            (
+                drilled.rate_of_penetration_m_per_s,
+                outcome.rate_of_penetration_m_per_s,
+            ),
+            (drilled.torque_N_m, outcome.torque_N_m),
+        ] {
+            assert!((of_law / of_rock - 1.0).abs() < 1e-9, "{of_law} {of_rock}");
+        }
+        let bottom = Table::read_parquet(&folder.join("bottom_hole.parquet")).unwrap();
+        assert!(bottom.rows() > 100, "{} cells", bottom.rows());
+    }
+}
+
+/// The same bits on one thread and on two.
+#[test]
+fn threads_leave_the_numbers_alone() {
+    let desk = desk();
+    for jobs in ["1", "2"] {
+        let output = desk.run(&bit_test(&["-j", jobs, "-o", jobs, "--quiet"]));
+        assert!(output.status.success(), "{}", transcript(&output));
+        assert!(output.stdout.is_empty() && output.stderr.is_empty());
+    }
+    let [one, two] = ["1", "2"].map(|folder| leavings(&desk.path(folder)));
+    assert!(one.contains_key("wob=10kN,rpm=240/point.json"));
+    let differing: BTreeSet<_> = one.keys().filter(|name| one[*name] != two[*name]).collect();
+    assert!(
+        one.len() == two.len() && differing.is_empty(),
+        "{differing:?}"
+    );
+}
+
+/// What is finished is left alone, what was begun goes on, the rest is drilled: as if nothing had happened. A grid
+/// that has grown keeps its points.
+#[test]
+fn a_killed_test_goes_on() {
+    let desk = desk();
+    let first = ["-o", "killed", "-j", "1", "--checkpoint", "0.01 s"];
+    let mut child = desk
+        .command(&bit_test(&first))
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let any = |name: &str| {
+        let mut points = POINTS.iter();
+        points.any(|point| desk.path("killed").join(point).join(name).exists())
+    };
+    let start = Instant::now();
+    while !any("point.json") || !any("checkpoint.bin") {
+        assert!(start.elapsed() < Duration::from_secs(120), "nothing done");
+        assert!(child.try_wait().unwrap().is_none(), "done too soon");
+        sleep(Duration::from_millis(2));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(!desk.path("killed/bit-table.csv").exists());
+    let written = |point: &str| {
+        let file = desk.path("killed").join(point).join("point.json");
+        fs::metadata(file).ok()?.modified().ok()
+    };
+    let done = POINTS
+        .iter()
+        .find(|point| written(point).is_some())
+        .unwrap();
+    let before = written(done);
+    let output = desk.run(&bit_test(&["-o", "killed", "--resume"]));
+    assert!(output.status.success(), "{}", transcript(&output));
+    assert_eq!(written(done), before);
+    assert!(!any("checkpoint.bin"));
+    assert!(desk.run(&bit_test(&["-o", "whole"])).status.success());
+    assert!(leavings(&desk.path("killed")) == leavings(&desk.path("whole")));
+    // Another speed joins.
+    let more = [
+        "-o",
+        "killed",
+        "--resume",
+        "--set",
+        "bit_test.rpm=[240, 300, 360]",
+    ];
+    assert!(desk.run(&bit_test(&more)).status.success());
+    assert_eq!(written(done), before);
+    assert_eq!(summary(&desk, "killed").points.len(), 6);
+}
+
+/// Shares of the points in one folder; the table stands when all are there.
+#[test]
+fn shards_make_up_the_whole() {
+    let desk = desk();
+    let share = |shard: &'static str| {
+        let output = desk.run(&bit_test(&["-o", "shares", "--shard", shard, "--resume"]));
+        assert!(output.status.success(), "{}", transcript(&output));
+        String::from_utf8(output.stdout).unwrap()
+    };
+    assert!(share("1/2").contains("2 of 2 points finished"));
+    assert!(!desk.path("shares/bit-table.csv").exists());
+    share("2/2");
+    assert!(desk.path("shares/bit-table.csv").exists());
+    let points = summary(&desk, "shares").points;
+    assert!(points.iter().all(|point| point.status == Status::Complete));
+}
+
+/// Ctrl-C keeps all.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_test_goes_on() {
+    let desk = desk();
+    let stopped = bit_test(&["-o", "stopped", "-j", "1", "--set", "bit_test.rpm=300"]);
+    let child = desk
+        .command(&stopped)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let start = Instant::now();
+    while !desk.path("stopped").join(POINTS[1]).exists() {
+        assert!(start.elapsed() < Duration::from_secs(120), "nothing done");
+        sleep(Duration::from_millis(2));
+    }
+    let sent = std::process::Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(sent.unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(130));
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(
+        message,
+        "interrupted: what was computed is in stopped\n\
+         to go on, run the bit test again with --resume\n"
+    );
+    let place = desk.path("stopped");
+    assert!(place.join(POINTS[1]).join("checkpoint.bin").exists());
+    assert!(!place.join("bit-table.csv").exists());
+    let points = summary(&desk, "stopped").points;
+    assert!(
+        points
+            .iter()
+            .all(|point| point.status == Status::Interrupted)
+    );
+    let output = desk.run(&[&stopped[..], &["--resume"]].concat());
+    assert!(output.status.success(), "{}", transcript(&output));
+    assert!(place.join("bit-table.csv").exists());
+}
+
+/// Mistakes are answered before anything is drilled.
+#[test]
+fn mistakes_are_told() {
+    let desk = desk();
+    let answer = |arguments: &[&str]| {
+        let output = desk.run(arguments);
+        assert_eq!(output.status.code(), Some(2), "{}", transcript(&output));
+        transcript(&output)
+    };
+    let without = ["bit-test", "slant.toml", "-o", "results"];
+    assert_snapshot!("bit_test_without_rock", answer(&without));
+    assert!(!desk.path("results").exists());
+    answer(&bit_test(&["-j", "0"]));
+    answer(&bit_test(&["--vary", "rpm=60,70"]));
+    answer(&bit_test(&["--set", "bit_test.wob=[\"10 kN\", \"10 kN\"]"]));
+    answer(&bit_test(&["--set", "rock.strenght=10 MPa"]));
+    let together = ["plot", "results", "results"];
+    // The folder of a run.
+    let run = ["run", "slant.toml", "-o", "run", "--set", "model=soft"];
+    assert!(desk.run(&run).status.success());
+    let of_run = answer(&bit_test(&["-o", "run", "--resume"]));
+    assert_snapshot!("bit_test_in_the_folder_of_a_run", of_run);
+    // The folder of a test of another rock.
+    let quick = [
+        "-o",
+        "results",
+        "--quiet",
+        "--set",
+        "bit_test.wob=10 kN",
+        "--set",
+        "bit_test.rpm=300",
+    ];
+    assert!(desk.run(&bit_test(&quick)).status.success());
+    assert_snapshot!("bit_test_overlaid", answer(&together));
+    let other = ["--resume", "--set", "rock.density=2600 kg/m3"];
+    let of_other = answer(&bit_test(&[&quick[..], &other].concat()));
+    assert_snapshot!("bit_test_in_the_folder_of_another", of_other);
+}

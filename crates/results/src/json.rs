@@ -1,0 +1,40 @@
+//! JSON files with a version of their layout.
+
+use std::{fs::File, io::BufReader, io::Write, path::Path};
+
+use serde::{Serialize, de::DeserializeOwned};
+
+use crate::{ResultsError, file::write_whole};
+
+/// Writes a value as indented JSON.
+pub(crate) fn write_json(value: &impl Serialize, path: &Path) -> Result<(), ResultsError> {
+    write_whole(path, |writer| {
+        serde_json::to_writer_pretty(&mut *writer, value)?;
+        writer.write_all(b"\n")
+    })
+}
+
+/// Reads back a value, and refuses one whose `schema_version` is another.
+pub(crate) fn read_versioned<T: DeserializeOwned>(
+    path: &Path,
+    expected: u32,
+) -> Result<T, ResultsError> {
+    let file = File::open(path).map_err(|source| ResultsError::Read {
+        path: path.to_owned(),
+        source,
+    })?;
+    let value: serde_json::Value = serde_json::from_reader(BufReader::new(file))
+        .map_err(|error| ResultsError::format(path, error))?;
+    // Before anything else, so that a newer file is not called malformed.
+    match value.get("schema_version").and_then(|v| v.as_u64()) {
+        Some(version) if version == u64::from(expected) => {}
+        Some(version) => {
+            return Err(ResultsError::format(
+                path,
+                format_args!("its schema_version is {version}, expected {expected}"),
+            ));
+        }
+        None => return Err(ResultsError::format(path, "it has no schema_version")),
+    }
+    serde_json::from_value(value).map_err(|error| ResultsError::format(path, error))
+}
