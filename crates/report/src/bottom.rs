@@ -4,6 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::Packed;
 
+/// Part of the cells that are above the rim.
+const RIM: f64 = 0.05;
+
 /// Depths of the bottom of a hole by rings and sectors, SI.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BottomPicture {
@@ -11,8 +14,8 @@ pub struct BottomPicture {
     pub radius_m: Packed,
     /// Angle of the middle of each sector from the high side towards the right, rad; they part the circle evenly.
     pub angle_rad: Packed,
-    /// Depth below the highest point that is known, m: sector by sector of a ring after the other; missing where nothing
-    /// is known.
+    /// Depth below the rim, m: sector by sector of a ring after the other; missing where nothing is known. The rim is what a
+    /// twentieth of the cells is above: a splinter of the wall does not count.
     pub depth_m: Packed,
 }
 
@@ -28,11 +31,13 @@ impl BottomPicture {
             "a depth for each cell"
         );
         let known = depth_m.iter().copied().filter(|depth| depth.is_finite());
-        let highest = known.reduce(f64::min)?;
+        let mut known: Vec<f64> = known.collect();
+        known.sort_by(f64::total_cmp);
+        let rim = *known.get((RIM * known.len() as f64) as usize)?;
         Some(Self {
             radius_m: Packed::single(radius_m.iter().copied()),
             angle_rad: Packed::single(angle_rad.iter().copied()),
-            depth_m: Packed::single(depth_m.iter().map(|depth| depth - highest)),
+            depth_m: Packed::single(depth_m.iter().map(|depth| depth - rim)),
         })
     }
 
@@ -52,7 +57,18 @@ mod tests {
     use super::*;
 
     #[test]
-    fn depths_begin_at_the_highest_point() {
+    fn a_splinter_is_not_the_rim() {
+        let radii: Vec<f64> = (0..40).map(f64::from).collect();
+        let mut depths = vec![0.02; 40];
+        depths[39] = -0.05;
+        let bottom = BottomPicture::new(&radii, &[0.0], &depths).expect("depths are known");
+        let depths = bottom.depth_m.values();
+        assert_eq!(depths[0], 0.0);
+        assert!((depths[39] + 0.07).abs() < 1e-8, "{} m", depths[39]);
+    }
+
+    #[test]
+    fn depths_begin_at_the_rim() {
         let bottom = BottomPicture::new(
             &[0.01, 0.03],
             &[1.0, 3.0, 5.0],

@@ -380,3 +380,20 @@ fn sides(side_force: &[f64]) -> Vec<&'static str> {
     };
     side_force.iter().map(side).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_cells_of_a_bottom_follow_each_other_ring_after_ring() {
+        let mut bottom = BottomHole::new([0.02, 0.10], 4, 6);
+        bottom.set_m(1, 2, -0.03);
+        let [radius_m, angle_rad, depth_m] = bottom_rows(&bottom);
+        assert_eq!([radius_m.len(), angle_rad.len(), depth_m.len()], [24; 3]);
+        assert_eq!(radius_m[6], bottom.radius_m(1));
+        assert_eq!(angle_rad[8], bottom.angle_rad(2));
+        let known: Vec<usize> = (0..24).filter(|cell| depth_m[*cell].is_finite()).collect();
+        assert_eq!((known, depth_m[8]), (vec![8], -0.03));
+    }
+}

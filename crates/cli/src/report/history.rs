@@ -181,3 +181,38 @@ pub(super) fn contact(table: &Table, operation: &str, many: usize) -> Option<Con
         contact_force: Packed::short(&mean("contact_force_N_per_m")),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use wholestring_results::BOTTOM_HOLE;
+
+    use super::*;
+
+    /// Of each operation its own, ring after ring, and none of one without rock.
+    #[test]
+    fn a_bottom_is_read_back() {
+        const NAN: f64 = f64::NAN;
+        let mut table = Table::with_columns(BOTTOM_HOLE);
+        for (operation, deep_m) in [("drill", 0.01), ("slide", 0.02)] {
+            table.append(
+                &[("operation", &[operation])],
+                &[
+                    ("radius_m", &[0.03, 0.03, 0.03, 0.05, 0.05, 0.05]),
+                    ("angle_rad", &[1.0, 3.0, 5.0, 1.0, 3.0, 5.0]),
+                    ("depth_m", &[-0.03, NAN, 0.0, 0.0, 0.0, deep_m]),
+                ],
+            );
+        }
+        for (operation, deepest_m) in [("drill", 0.04), ("slide", 0.05)] {
+            let shown = bottom(&table, operation).expect("a bottom");
+            let near = |a: f64, b: f64| (a - b).abs() < 1e-7;
+            let radii = shown.radius_m.values();
+            assert!(radii.len() == 2 && near(radii[1], 0.05), "{radii:?}");
+            assert_eq!(shown.angle_rad.values(), [1.0, 3.0, 5.0]);
+            let depths = shown.depth_m.values();
+            assert!(near(depths[0], 0.0) && depths[1].is_nan() && near(depths[5], deepest_m));
+        }
+        assert_eq!(bottom(&table, "trip_out"), None);
+        assert_eq!(bottom(&Table::new(Vec::new()), "drill"), None);
+    }
+}

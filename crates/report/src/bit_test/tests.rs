@@ -161,8 +161,8 @@ fn pictures_are_drawn() {
     assert!(map.values[0].is_nan(), "a corner");
     let side = map.middles.len();
     let middle = map.values[side * side / 2 + side / 2];
-    // 29.5 mm at the first ring and 8.5 mm at the highest point, within the grooves' 2 mm.
-    assert!((middle - 21.0).abs() < 2.01, "{middle} mm at the nose");
+    // 29.5 mm within the grooves' 2 mm, below a rim that lies within the two outermost rings, 8.5 to 13.5 mm.
+    assert!((14.0..23.0).contains(&middle), "{middle} mm at the nose");
     let energy = plot(&test, "specific-energy", "si").figure;
     let strength = energy.panels[0].marks.last();
     assert!(

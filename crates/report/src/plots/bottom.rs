@@ -50,7 +50,7 @@ pub(crate) fn bottoms_figure(
                 } else {
                     1.0
                 },
-                label: shown.label("Depth below the highest point", "diameter"),
+                label: shown.label("Depth below the rim", "diameter"),
                 sides: None,
             })],
             keys: Vec::new(),

@@ -224,9 +224,9 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
     },
     TimePlot {
         name: "bit-depth-of-cut",
-        title: "Depth of cut per revolution",
+        title: "Depth of cut",
         dimension: "diameter",
-        columns: &[["depth_of_cut_m", "depth of cut"]],
+        columns: &[["depth_of_cut_m", "per revolution"]],
         ..TIME_PLOT
     },
     TimePlot {
@@ -248,7 +248,7 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
     },
     TimePlot {
         name: "bit-speed",
-        title: "Speed of string at the bit and of the motor",
+        title: "Speed at the bit",
         dimension: "rotary speed",
         columns: &[
             ["bit_rotary_speed_rad_per_s", "string"],
@@ -258,14 +258,14 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
     },
     TimePlot {
         name: "bit-motor-pressure",
-        title: "Pressure drop of the motor",
+        title: "Motor pressure",
         dimension: "pressure",
         columns: &[["motor_pressure_Pa", "pressure drop"]],
         ..TIME_PLOT
     },
     TimePlot {
         name: "bit-force-across",
-        title: "Force on the bit across the hole",
+        title: "Force across",
         dimension: "force",
         columns: &[
             ["bit_force_high_N", "to the high side"],
@@ -275,7 +275,7 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
     },
     TimePlot {
         name: "bit-bending-moment",
-        title: "Bending moment on the bit",
+        title: "Bending moment",
         dimension: "torque",
         columns: &[["bit_moment_N_m", "bending moment"]],
         ..TIME_PLOT

@@ -66,7 +66,7 @@ export function bottomView(get, sided) {
     const [, outer] = edgesOf(bottom);
     const deepest = deepestOf(bottom);
     const unit = symbol("diameter");
-    key.replaceChildren(...colourKey(`Depth below the highest point, ${unit}`, "diameter", [0, deepest], depthScale()));
+    key.replaceChildren(...colourKey(`Depth below the rim, ${unit}`, "diameter", [0, deepest], depthScale()));
     if (!space) return;
     space.remove();
     space.add(relief(bottom, deepest, exaggeration));
@@ -81,11 +81,12 @@ export function bottomView(get, sided) {
     if (!bottom || !space) return;
     const [, outer] = edgesOf(bottom);
     const deep = deepestOf(bottom) * exaggeration;
+    const high = bottom.depth_m.reduce((least, depth) => (depth < least ? depth : least), 0) * exaggeration;
     const round = Array.from({ length: 24 }, (_, k) => (k * Math.PI) / 12);
-    const hole = round.flatMap((angle) => [0, deep].map((down) => place(outer, angle, down)));
+    const hole = round.flatMap((angle) => [high, deep].map((down) => place(outer, angle, down)));
     const beside = [-1, 1].map((side) => [0.7 * side * outer, 0, 1.25 * outer]);
     // What is near takes more room: the middle of the picture lies on the reader's side of the axis.
-    space.lookAt([...hole, ...beside], from, new Vector3(0, -deep / 2, 0.22 * outer));
+    space.lookAt([...hole, ...beside], from, new Vector3(0, -(high + deep) / 2, 0.22 * outer));
   }
 
   /** Another bottom, seen as far off as it is large. */
@@ -170,15 +171,16 @@ function relief(bottom, deepest, exaggeration) {
   return new Mesh(shape, new MeshLambertMaterial({ vertexColors: true, side: DoubleSide }));
 }
 
-/** The wall of the hole about the relief, up to where its highest point is; the reader looks through the near side. */
+/** The wall of the hole about the relief, up to the rim and its splinters; the reader looks through the near side. */
 function wall(bottom, exaggeration) {
   const [, outer] = edgesOf(bottom);
   const sectors = bottom.angle_rad.length;
   const rim = bottom.depth_m.subarray((bottom.radius_m.length - 1) * sectors);
+  const top = Math.min(0, ...rim.filter(Number.isFinite)) * exaggeration - 0.02 * outer;
   const [places, faces] = [[], []];
   rim.forEach((depth, k) => {
     const angle = bottom.angle_rad[k];
-    places.push(...place(outer, angle, -0.02 * outer));
+    places.push(...place(outer, angle, top));
     places.push(...place(outer, angle, (Number.isFinite(depth) ? depth : 0) * exaggeration));
     const [a, b] = [2 * k, 2 * ((k + 1) % sectors)];
     faces.push(a, a + 1, b, b, a + 1, b + 1);

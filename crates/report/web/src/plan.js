@@ -15,7 +15,7 @@ const RIGHT = 8;
 
 /** Side of the map, in pixels at most and on paper. */
 const WIDEST = 400;
-const PAPER = 330;
+const PAPER = 270;
 
 /** The map of the bottom that `get` gives. */
 export function plan(get, sided) {

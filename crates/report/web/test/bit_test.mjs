@@ -70,7 +70,7 @@ await check("units switch everywhere", async () => {
     assert.match(await page.locator(".figure").first().textContent(), new RegExp(`Weight on bit, ${force}`));
     assert.match(await page.locator("#points thead").textContent(), new RegExp(`Depth of cut ${small}`));
     assert.match(await page.locator("#bottom select").textContent(), new RegExp(`\\d.${force} at`));
-    assert.match(await text(page, "#bottom .colour-key"), new RegExp(`point, ${small}`));
+    assert.match(await text(page, "#bottom .colour-key"), new RegExp(`rim, ${small}`));
     if (units === "field") differs(await picture(page, "canvas.plan"), plan, "the map in inches");
   }
   same(await picture(page, "canvas.plan"), plan, "the map in millimetres");
