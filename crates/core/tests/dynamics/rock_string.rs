@@ -110,8 +110,6 @@ fn what_the_rock_takes_the_top_gives() {
         "bit_rotary_speed_rad_per_s",
     ]
     .map(|name| statistic(&outcome, name));
-    println!("{hook:?}\n{weight:?}\n{torque:?}\n{surface:?}\n{spin:?}");
-    println!("{:?}", outcome.numerics);
     assert!(weight.mean > 50.0 && torque.mean > 2.0, "the bit drills");
     // Hook loads of ±F come with waves of F/ρcA; the lightest pipe has 44 N·s/mm.
     let waves_m_per_s = (hook.max - hook.min) / 35e3;
@@ -157,7 +155,7 @@ fn what_the_rock_takes_the_top_gives() {
         expected: 0.0,
         computed: outcome.numerics.energy_residual,
         tolerance: Tolerance::Absolute(0.01),
-        reason: "what is asked",
+        reason: "what the bit does within a step of the string",
     });
     let bottom = simulation.bottom_hole().expect("rock");
     let known = (0..bottom.rings()).flat_map(|r| (0..bottom.sectors()).map(move |s| (r, s)));
