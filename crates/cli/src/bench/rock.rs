@@ -162,7 +162,7 @@ impl Scene {
             block: Block::new(&spec).map_err(|error| failed(&error))?,
             bit: Bit {
                 face: face.map_err(|error| failed(&error))?,
-                law: ContactLaw::for_rock(rock.youngs_modulus_Pa, EDGE_M),
+                law: ContactLaw::for_rock(rock.ucs_Pa(), EDGE_M),
                 pose: pose.moving(
                     down.map(|part| DOWN_M_PER_S * part).into(),
                     down.map(|part| TURN_RAD_PER_S * part).into(),

@@ -75,19 +75,19 @@ impl Law {
         let third = 1.0 / 3.0_f64.sqrt();
         // Of the work in uniaxial compression, what is not done against friction counts.
         let share = (third - dilation) / (third - alpha);
-        let per_size = 0.5 * k * share / rock.compressive_fracture_energy_J_per_m2;
+        let [tensile, compressive] = rock.failure_J_per_m2(size_m);
+        let per_size = 0.5 * k * share / compressive;
         let fall = per_size * size_m;
         // The work of a stress that shrinks is twice its elastic energy; above that of uniaxial tension it is shear's.
-        let tear = 0.5 * tension * size_m / rock.tensile_fracture_energy_J_per_m2;
+        let tear = 0.5 * tension * size_m / tensile;
         let hard = shear + 9.0 * bulk * alpha * dilation;
         let edge = k - alpha * tension;
         let largest_m = [
             hard / (k * per_size),
             shear / (edge * per_size).max(f64::MIN_POSITIVE),
             // A band in a bar of its own length.
-            2.0 * rock.youngs_modulus_Pa * rock.compressive_fracture_energy_J_per_m2
-                / rock.ucs_Pa().powi(2),
-            2.0 * rock.youngs_modulus_Pa * rock.tensile_fracture_energy_J_per_m2 / tension.powi(2),
+            2.0 * rock.youngs_modulus_Pa * compressive / rock.ucs_Pa().powi(2),
+            2.0 * rock.youngs_modulus_Pa * tensile / tension.powi(2),
         ]
         .into_iter()
         .fold(f64::INFINITY, f64::min);

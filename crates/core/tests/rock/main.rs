@@ -12,5 +12,6 @@ mod fracture;
 mod hertz;
 mod setup;
 mod slabs;
+mod specific_energy;
 mod strength;
 mod waves;

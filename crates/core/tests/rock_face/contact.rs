@@ -80,7 +80,11 @@ fn random(seed: u64) -> impl FnMut() -> f64 {
 }
 
 fn law() -> ContactLaw {
-    ContactLaw::for_rock(20e9, 0.004)
+    ContactLaw {
+        stiffness_Pa_per_m: 20e9 / 0.004,
+        damping_ratio: 1.0,
+        friction: 0.3,
+    }
 }
 
 const DT: f64 = 2e-7;

@@ -8,21 +8,24 @@ use super::{face::BitFace, pose::Pose};
 /// How the face pushes back and rubs.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ContactLaw {
-    /// Pressure per depth of penetration, Pa/m; times a node's area it is the stiffness that holds the node. About the rock's
-    /// modulus over the size of its elements lets rock and contact give way alike. Any is stable; more lets less penetrate.
+    /// Pressure per depth of penetration, Pa/m; times a node's area it is the stiffness that holds the node. It stands for the
+    /// rock that is crushed within a brick. Any is stable; more lets less penetrate.
     pub stiffness_Pa_per_m: f64,
-    /// Damping against that of a node on this stiffness that does not swing. Default 1. Less lets nodes bounce.
+    /// Damping against that of a node on this stiffness that does not swing. Default 0: what it takes grows with the speed and
+    /// the density, also where that is scaled. More keeps nodes from bouncing.
     pub damping_ratio: f64,
     /// Coefficient of friction between the face and the rock. Default 0.3.
     pub friction: f64,
 }
 
 impl ContactLaw {
-    /// The defaults for a rock of this Young's modulus in elements of this size.
-    pub fn for_rock(youngs_modulus_Pa: f64, element_m: f64) -> Self {
+    /// The defaults for a rock of this unconfined strength in elements of this size: the pressure is the strength at a 25th of
+    /// an element. Stiffer, an element breaks as soon as a cutter meets it, however little of it is in the way, and bears less
+    /// weight.
+    pub fn for_rock(ucs_Pa: f64, element_m: f64) -> Self {
         Self {
-            stiffness_Pa_per_m: youngs_modulus_Pa / element_m,
-            damping_ratio: 1.0,
+            stiffness_Pa_per_m: 25.0 * ucs_Pa / element_m,
+            damping_ratio: 0.0,
             friction: 0.3,
         }
     }
