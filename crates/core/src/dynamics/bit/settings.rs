@@ -59,18 +59,17 @@ impl BitSettings {
     }
 
     /// The operation with the torque and the rate of penetration of steady drilling, where the law knows
-    /// them from weight and speed; the rate law takes the operation's.
+    /// them from weight and speed; the rate law takes the operation's. With them comes what a motor takes off the mud.
     #[must_use]
-    pub fn drilling_steadily(&self, operation: Operation) -> Operation {
+    pub fn drilling_steadily(&self, mut operation: Operation) -> Operation {
         let speed = self.drilling_speed_rad_per_s(&operation);
-        let Some(steady) = self.law.steady(operation.weight_on_bit_N, speed) else {
-            return operation;
-        };
-        Operation {
-            bit_torque_N_m: steady.torque_N_m.min(self.motor.most_torque_N_m()),
-            rate_of_penetration_m_per_s: steady.rate_of_penetration_m_per_s,
-            ..operation
+        if let Some(steady) = self.law.steady(operation.weight_on_bit_N, speed) {
+            operation.bit_torque_N_m = steady.torque_N_m.min(self.motor.most_torque_N_m());
+            operation.rate_of_penetration_m_per_s = steady.rate_of_penetration_m_per_s;
         }
+        let pressure_Pa = self.motor.pressure_Pa(operation.bit_torque_N_m);
+        operation.motor_pressure_drop_Pa = pressure_Pa.unwrap_or(0.0);
+        operation
     }
 
     /// Axial speed of the string at another weight on bit and rotary speed, m/s, positive towards the bit: on bottom by

@@ -38,6 +38,7 @@ const OPERATION: Operation = Operation {
     trip_speed_m_per_s: 0.3,
     flow_rate_m3_per_s: 0.0,
     bit_pressure_drop_Pa: 0.0,
+    motor_pressure_drop_Pa: 0.0,
 };
 
 /// A bit that forces push and turn.
