@@ -26,8 +26,8 @@ const TOUCHED: f64 = 0.125;
 /// Speed of a bit that hardly turns, rad/s: a revolution a minute.
 const HARDLY_RAD_PER_S: f64 = 0.1;
 
-/// Angle by which the bit turns on its bottom before the start, rad: every blade has been everywhere.
-const RUN_IN_RAD: f64 = std::f64::consts::TAU;
+/// Angle by which the bit turns on its bottom before the start, rad: every place has met two blades.
+const RUN_IN_RAD: f64 = std::f64::consts::PI;
 
 /// How long a bit that does not turn presses before the start, s, when all weight is there, as a part of that, and what calms
 /// it, 1/s.
@@ -189,7 +189,7 @@ impl RockCut {
         self.resisting_N_m = first.torque_N_m;
     }
 
-    /// Drills a revolution at a constant rate and speed.
+    /// Drills half a revolution at a constant rate and speed.
     fn run_in(&mut self, rate_m_per_s: f64, rotary_rad_per_s: f64, crew: &Crew) {
         let driver = Driver::Rate {
             rate_m_per_s,
