@@ -281,6 +281,7 @@ impl OperationTable {
                 trip_speed_m_per_s: trip_speed,
                 flow_rate_m3_per_s: flow_rate,
                 bit_pressure_drop_Pa: bit_pressure_drop,
+                motor_pressure_drop_Pa: 0.0,
             })
         };
         let operations: Vec<Operation> = kinds.iter().map(operation).collect();

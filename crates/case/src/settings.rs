@@ -187,6 +187,7 @@ fn bit(dynamics: &DynamicsSettings, operations: &[Operation]) -> Json {
             json!({ "table": points(&law.table) }),
             Some((law.rock_stiffness_N_per_m, law.excitation)),
         ),
+        BitLaw::Rock(_) => ("rock", json!({}), None),
     };
     bit["law"] = json!(law);
     if let Some((stiffness, shaken)) = front {

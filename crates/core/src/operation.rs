@@ -87,6 +87,8 @@ pub struct Operation {
     pub flow_rate_m3_per_s: f64,
     /// Pressure drop of the bit's nozzles at that flow rate, Pa.
     pub bit_pressure_drop_Pa: f64,
+    /// Pressure drop of a mud motor that gives `bit_torque_N_m`, Pa.
+    pub motor_pressure_drop_Pa: f64,
 }
 
 impl Operation {
@@ -154,6 +156,15 @@ impl Operation {
         match self.kind {
             OperationKind::TripOut | OperationKind::TripIn => 0.0,
             _ => self.flow_rate_m3_per_s,
+        }
+    }
+
+    /// Pressure drop of a mud motor, Pa; zero off bottom, where the bit takes no torque.
+    pub fn motor_loss_Pa(&self) -> f64 {
+        if self.kind.on_bottom() {
+            self.motor_pressure_drop_Pa
+        } else {
+            0.0
         }
     }
 

@@ -67,8 +67,9 @@ fn dynamic() -> OperationSummary {
             jet_thrust_N: 3.0,
             bore_loss_Pa: 4.0,
             bit_loss_Pa: 5.0,
+            motor_loss_Pa: 7.0,
             annulus_loss_Pa: 6.0,
-            pump_pressure_Pa: 15.0,
+            pump_pressure_Pa: 22.0,
         }),
         statistics: Some(BTreeMap::from([("hook_load_N".into(), statistic)])),
         indicators: Some(Indicators {
@@ -191,7 +192,7 @@ fn the_keys_are_the_contract() {
     let failed = &mut expected["operations"][1];
     failed["hydraulics"] = json!({
         "mud_drag_N": 1.0, "mud_torque_N_m": 2.0, "jet_thrust_N": 3.0, "bore_loss_Pa": 4.0,
-        "bit_loss_Pa": 5.0, "annulus_loss_Pa": 6.0, "pump_pressure_Pa": 15.0
+        "bit_loss_Pa": 5.0, "motor_loss_Pa": 7.0, "annulus_loss_Pa": 6.0, "pump_pressure_Pa": 22.0
     });
     failed["lift"] = json!({"hook_load_N": 700_000.0, "weight_on_bit_N": 59_900.0, "runs": 5});
     failed["numerics"]["energy"] = json!({

@@ -24,6 +24,7 @@ impl Given<'_> {
             BitLaw::Regenerative(_) => "the regenerative law of the bit finds its own",
             BitLaw::DetournayDefourny(_) => "Detournay and Defourny's law of the bit finds its own",
             BitLaw::Table(_) => "the table of the bit has its own",
+            BitLaw::Rock(_) => "the rock under the bit has its own",
         };
         if let Some(rop) = self.rop {
             reader.report(Diagnostic::warning("`rop` has no effect here").at(rop.place, finds));

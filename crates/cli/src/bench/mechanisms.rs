@@ -79,6 +79,25 @@ const MECHANISMS: &[Mechanism] = &[
     ),
     with("regenerative bit", &["bit.law=regenerative"]),
     with(
+        "bit in three regimes",
+        &["bit.law=detournay-defourny", "bit.steerability=0.05"],
+    ),
+    with(
+        "bit from a table, with its spread",
+        &[
+            "bit.law=table",
+            "bit.table.points=[[30e3, 60, 3, 2e3, 300], [30e3, 120, 6, 2e3, 300], [90e3, 60, 9, 6e3, 900], [90e3, 120, 18, 6e3, 900]]",
+            "bit.excitation.lobes=3",
+        ],
+    ),
+    with(
+        "mud motor",
+        &[
+            "operation.flow_rate=30 L/s",
+            "bit.motor={ displacement = \"20 L\", max_differential_pressure = \"5 MPa\" }",
+        ],
+    ),
+    with(
         "statistics every ms, not every 10",
         &["dynamics.sample_interval=1 ms"],
     ),

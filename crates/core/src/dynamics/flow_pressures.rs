@@ -30,12 +30,12 @@ impl FlowPressures {
         self.stream_N_m2 = 0.0;
     }
 
-    /// Finds the pressures from the losses of each element's annulus and bore, Pa, and of the bit, Pa: the mud
-    /// leaves the annulus at the surface without any, so that they rise down the annulus, by the bit's to the bore
+    /// Finds the pressures from the losses of each element's annulus and bore, Pa, and of bit and motor, Pa: the mud
+    /// leaves the annulus at the surface without any, so that they rise down the annulus, by the loss below to the bore
     /// and on up it.
     pub fn find(
         &mut self,
-        bit_loss_Pa: f64,
+        below_Pa: f64,
         stream_N_m2: f64,
         losses_Pa: impl DoubleEndedIterator<Item = (f64, f64)> + Clone,
     ) {
@@ -45,7 +45,7 @@ impl FlowPressures {
             pressure_Pa += annulus_Pa;
             *below = pressure_Pa;
         }
-        pressure_Pa += bit_loss_Pa;
+        pressure_Pa += below_Pa;
         let last = self.inside_Pa.len() - 1;
         self.inside_Pa[last] = pressure_Pa;
         for (above, (_, bore_Pa)) in self.inside_Pa[..last].iter_mut().rev().zip(losses_Pa.rev()) {

@@ -6,6 +6,7 @@ mod bit;
 mod body;
 mod carry;
 mod chain;
+mod crew;
 mod energy;
 mod flow_pressures;
 mod frame;
@@ -33,7 +34,8 @@ mod wear;
 
 pub use bit::{
     Band, BitLaw, BitSettings, BitTable, Cutters, DetournayDefournyLaw, Excitation, Motor,
-    MudMotor, RateLaw, RegenerativeLaw, SteadyCut, TableFault, TableLaw, TablePoint, TableUse,
+    MudMotor, RateLaw, RegenerativeLaw, RockLaw, SteadyCut, TableFault, TableLaw, TablePoint,
+    TableUse,
 };
 pub use energy::EnergyBalance;
 pub use frame::{Channel, Frame};

@@ -264,6 +264,12 @@ pub struct TimeSeries {
     pub weight_on_bit_N: Vec<f64>,
     /// Bit torque, N·m.
     pub bit_torque_N_m: Vec<f64>,
+    /// Force of rock and hole on the bit towards the high side of the hole, N.
+    pub bit_force_high_N: Vec<f64>,
+    /// Force of rock and hole on the bit to the right of that, looking down the hole, N.
+    pub bit_force_right_N: Vec<f64>,
+    /// Magnitude of the bending moment of solid rock on the bit, N·m; zero of other rock.
+    pub bit_moment_N_m: Vec<f64>,
     /// Rock that a revolution of the bit takes away, m; zero where a motor turns it at a speed that is not
     /// given.
     pub depth_of_cut_m: Vec<f64>,

@@ -1,5 +1,7 @@
 //! A run in the precision that its settings ask for.
 
+use std::sync::Arc;
+
 use nalgebra::Vector3;
 
 use super::{
@@ -13,6 +15,7 @@ use super::{
 use crate::{
     model::Model,
     operation::Operation,
+    rock::{Executor, bit_face::BottomHole},
     rod::{
         counted::Flops,
         mesh::{Mesh, MeshNode},
@@ -186,6 +189,18 @@ impl Simulation {
     /// Kinetic energy of the string, J.
     pub fn kinetic_energy_J(&self) -> f64 {
         either!(&self.0, run => run.kinetic_energy_J())
+    }
+
+    /// Lends an executor to solid rock under the bit; the answer does not depend on it. A simulation that was resumed has to be
+    /// lent it anew.
+    pub fn lend(&mut self, executor: Arc<dyn Executor + Send + Sync>) {
+        either!(&mut self.0, run => run.lend(executor));
+    }
+
+    /// The pattern that the bit has left on the bottom of the hole, radii from the bit's axis, angles from the high side to the right,
+    /// depths below the bit's nose; none without solid rock.
+    pub fn bottom_hole(&self) -> Option<BottomHole> {
+        either!(&self.0, run => run.bottom_hole())
     }
 
     /// Changes the hoist from now on: a connection, a stop, a lift.

@@ -14,6 +14,7 @@ use super::{
 use crate::{
     model::Model,
     operation::Operation,
+    rock::{Drilling, DrillingError},
     rod::{
         mesh::Mesh,
         number::Real,
@@ -38,6 +39,9 @@ pub enum SetupError {
         /// What it should be.
         expected: &'static str,
     },
+    /// A bit and solid rock that cannot be.
+    #[error(transparent)]
+    Rock(#[from] DrillingError),
     /// Single precision, where it does not serve.
     #[error("single precision does not serve here: {0}")]
     Precision(&'static str),
@@ -122,6 +126,10 @@ fn check_bit(bit: &BitSettings) -> Result<(), SetupError> {
             (law.rock_stiffness_N_per_m, law.excitation)
         }
         BitLaw::Table(law) => (law.rock_stiffness_N_per_m, law.excitation),
+        BitLaw::Rock(law) => {
+            Drilling::new(&law.drilling)?;
+            return Ok(());
+        }
     };
     check_numbers(&[("bit.rock_stiffness_N_per_m", stiffness)], &[])?;
     excitation.map_or(Ok(()), check_excitation)

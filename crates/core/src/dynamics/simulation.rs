@@ -1,10 +1,14 @@
 //! A run: the string in time, from its start to its outcome, in either kind of number.
 
+use std::sync::Arc;
+
 use nalgebra::Vector3;
 
 use super::{
     assembly::{Anchor, Surroundings},
+    bit::Came,
     chain::{Chain, node},
+    crew::{Crew, Lent},
     energy::StepWork,
     frame::{self, Frame},
     hoist::Target,
@@ -19,10 +23,12 @@ use super::{
 use crate::{
     model::{Model, MudColumn},
     operation::Operation,
+    rock::{Executor, bit_face::BottomHole},
     rod::{
         mesh::{Mesh, MeshElement, MeshNode},
         number::Real,
         stability::StepPlan,
+        vector::Vector,
     },
 };
 
@@ -63,6 +69,7 @@ pub struct Run<R: Real> {
     steps_per_sample: u64,
     chain: Chain<R>,
     state: State,
+    crew: Crew,
 }
 
 impl<R: Real> Run<R> {
@@ -96,6 +103,7 @@ impl<R: Real> Run<R> {
             steps_per_sample,
             chain,
             state,
+            crew: Crew::default(),
         }
     }
 
@@ -127,6 +135,16 @@ impl<R: Real> Run<R> {
     /// The nodes and elements of the string.
     pub fn mesh(&self) -> &Mesh {
         &self.mesh
+    }
+
+    /// Lends an executor to solid rock under the bit; the answer does not depend on it.
+    pub fn lend(&mut self, executor: Arc<dyn Executor + Send + Sync>) {
+        self.crew.lent = Lent::new(executor);
+    }
+
+    /// The pattern that the bit has left on the bottom of the hole; none without solid rock.
+    pub fn bottom_hole(&self) -> Option<BottomHole> {
+        self.state.bit.bottom_hole()
     }
 
     /// Changes the hoist from now on: a connection, a stop, a lift.
@@ -211,17 +229,19 @@ impl<R: Real> Run<R> {
         self.state.top_drive.prescribe(&mut self.chain, rotation);
         let last = self.chain.nodes() - 1;
         let top_before = self.chain.velocity(0).dot(self.chain.tangent(0));
-        let bit_before = self.chain.velocity(last);
-        let bit_spin_before = node!(self.chain, last, spin);
+        let came = Came {
+            velocity: self.chain.velocity(last),
+            spin: node!(self.chain, last, spin),
+        };
 
         let before = self.state.body.push(&mut self.chain, &input, ramp);
         let mut losses = self.stepper.step(&mut self.chain, &input);
 
         let bit = self.state.bit.act(
             &mut self.chain,
-            self.state.anchors[last].md_m,
-            bit_before,
-            bit_spin_before,
+            &self.state.anchors[last],
+            came,
+            &self.crew,
             dt,
         );
         let weight = bit.weight_on_bit_N;
@@ -250,6 +270,10 @@ impl<R: Real> Run<R> {
         sum.surface_torque += drive.string_torque_N_m;
         sum.weight_on_bit += bit.weight_on_bit_N;
         sum.bit_torque += bit.torque_N_m;
+        let high = Vector::from(self.state.anchors[last].high_side);
+        sum.bit_high += bit.force_N.dot(high);
+        sum.bit_right += bit.force_N.dot(self.chain.tangent(last).cross(high));
+        sum.bit_moment += bit.moment_N_m;
         sum.depth_of_cut += bit.depth_of_cut_m;
         sum.rate_of_penetration += bit.rate_of_penetration_m_per_s;
         sum.motor_speed += bit.motor_speed_rad_per_s;

@@ -263,11 +263,12 @@ impl Viscous {
         self.sum_pressures.clear();
     }
 
-    /// Samples forces and pressures.
-    pub fn sample(&mut self, chain: &Chain<impl Real>) {
+    /// Samples forces and pressures; `motor_loss_Pa` is what a mud motor takes.
+    pub fn sample(&mut self, chain: &Chain<impl Real>, motor_loss_Pa: f64) {
         let mut now = Hydraulics {
             jet_thrust_N: self.mud.jet_thrust_N(self.flow_m3_per_s, self.bit_loss_Pa),
             bit_loss_Pa: self.bit_loss_Pa,
+            motor_loss_Pa,
             ..Hydraulics::default()
         };
         let along = |i| chain.tangent(i).dot(chain.velocity(i));
@@ -280,15 +281,13 @@ impl Viscous {
             now.annulus_loss_Pa += passage.annulus_loss_Pa;
             now.bore_loss_Pa += passage.length_m * passage.bore_gradient_Pa_per_m;
         }
-        now.pump_pressure_Pa = now.bore_loss_Pa + now.bit_loss_Pa + now.annulus_loss_Pa;
+        let below_Pa = now.bit_loss_Pa + motor_loss_Pa;
+        now.pump_pressure_Pa = now.bore_loss_Pa + below_Pa + now.annulus_loss_Pa;
         self.sum = self.sum + now;
         let losses = |p: &Passage| (p.annulus_loss_Pa, p.length_m * p.bore_gradient_Pa_per_m);
         let stream_N_m2 = self.mud.density_kg_per_m3 * self.flow_m3_per_s * self.flow_m3_per_s;
-        self.pressures.find(
-            self.bit_loss_Pa,
-            stream_N_m2,
-            self.passages.iter().map(losses),
-        );
+        self.pressures
+            .find(below_Pa, stream_N_m2, self.passages.iter().map(losses));
         self.sum_pressures.add(&self.pressures);
         self.samples += 1;
     }

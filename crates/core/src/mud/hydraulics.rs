@@ -16,9 +16,12 @@ pub struct Hydraulics {
     pub bore_loss_Pa: f64,
     /// Pressure drop of the bit, Pa.
     pub bit_loss_Pa: f64,
+    /// Pressure drop of a mud motor, Pa.
+    #[serde(default)]
+    pub motor_loss_Pa: f64,
     /// Friction in the annulus, Pa: with the mud's weight, the pressure at the bottom.
     pub annulus_loss_Pa: f64,
-    /// Pressure that the pump delivers at, Pa: the sum of the three.
+    /// Pressure that the pump delivers at, Pa: the sum of the four.
     pub pump_pressure_Pa: f64,
 }
 
@@ -31,6 +34,7 @@ impl Hydraulics {
             jet_thrust_N: join(self.jet_thrust_N, other.jet_thrust_N),
             bore_loss_Pa: join(self.bore_loss_Pa, other.bore_loss_Pa),
             bit_loss_Pa: join(self.bit_loss_Pa, other.bit_loss_Pa),
+            motor_loss_Pa: join(self.motor_loss_Pa, other.motor_loss_Pa),
             annulus_loss_Pa: join(self.annulus_loss_Pa, other.annulus_loss_Pa),
             pump_pressure_Pa: join(self.pump_pressure_Pa, other.pump_pressure_Pa),
         }

@@ -18,7 +18,7 @@ use super::{
 const REMOVED: f64 = -1.0;
 
 /// What a block is to be made of.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BlockSpec {
     /// Bricks along x, y and z, z pointing down the hole.
     pub cells: [usize; 3],

@@ -155,6 +155,7 @@ pub fn operation(kind: OperationKind, bit_depth_m: f64) -> Operation {
         trip_speed_m_per_s: 0.3,
         flow_rate_m3_per_s: 0.0,
         bit_pressure_drop_Pa: 0.0,
+        motor_pressure_drop_Pa: 0.0,
     }
 }
 

@@ -1,10 +1,10 @@
 //! A mud that flows, against the soft string and closed forms.
 
-use std::f64::consts::{FRAC_PI_4, PI};
+use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
 use wholestring::{
     GRAVITY_M_PER_S2,
-    dynamics::{HoistControl, ScheduleStep},
+    dynamics::{HoistControl, Motor, MudMotor, ScheduleStep},
     mud::{Mud, Rheology},
     operation::{Operation, OperationKind},
     string::ComponentLength,
@@ -48,6 +48,7 @@ fn case(kind: OperationKind, mud: Mud) -> Case {
         trip_speed_m_per_s: 0.5,
         flow_rate_m3_per_s: 0.03,
         bit_pressure_drop_Pa: 8e6,
+        motor_pressure_drop_Pa: 0.0,
         ..operation(kind, LENGTH_M)
     };
     let mut case = Case::new(model, operation);
@@ -63,6 +64,24 @@ fn heavy(rheology: Rheology) -> Mud {
         drag_coefficient: 1.0,
         rheology: Some(rheology),
     }
+}
+
+/// A motor that takes 4.19 MPa for the bit's 1000 N·m, `2π T/(η V)`.
+const MOTOR: MudMotor = MudMotor {
+    displacement_m3: 2e-3,
+    rated_flow_m3_per_s: 0.03,
+    max_pressure_Pa: 8e6,
+    slip: 0.1,
+    efficiency: 0.75,
+    stall_torque_N_m: 3e3,
+};
+
+/// Drilling with a motor above the bit.
+fn with_a_motor(mut case: Case) -> Case {
+    let bit = &mut case.settings.bit;
+    bit.motor = Motor::Displacement(MOTOR);
+    case.operation = bit.drilling_steadily(case.operation);
+    case
 }
 
 /// Rotating at constant speed in a weightless Newtonian mud, the string needs Couette's torque,
@@ -114,6 +133,7 @@ fn dynamics_and_soft_string_agree_in_a_mud_that_flows() {
             [TripOut, TripIn, RotateOffBottom, BackReam, Drill]
                 .map(|kind| case(kind, heavy(rheology)))
         })
+        .chain([with_a_motor(case(Drill, heavy(BINGHAM)))])
         .collect();
     let outcomes = each(&cases, |case| {
         let mut dry = case.clone();
@@ -149,7 +169,19 @@ fn dynamics_and_soft_string_agree_in_a_mud_that_flows() {
                 "{name}: torque {found} for {wanted}"
             );
         }
+        let motor_Pa = match case.settings.bit.motor {
+            Motor::Speed(_) => 0.0,
+            Motor::Displacement(_) => TAU * 1000.0 / (0.75 * 2e-3),
+        };
+        for (model, hydraulics) in [("soft", mud), ("dynamic", found)] {
+            assert!(
+                (hydraulics.motor_loss_Pa - motor_Pa).abs() <= 1e-3 * motor_Pa,
+                "{name}, {model}: {hydraulics:?}"
+            );
+        }
         if mud.pump_pressure_Pa.abs() > 0.0 {
+            let losses = mud.bore_loss_Pa + mud.bit_loss_Pa + motor_Pa + mud.annulus_loss_Pa;
+            assert_close(&name, mud.pump_pressure_Pa, losses, 1e-12);
             assert_close(&name, found.pump_pressure_Pa, mud.pump_pressure_Pa, 1e-3);
         }
         assert!(

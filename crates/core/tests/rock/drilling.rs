@@ -77,6 +77,7 @@ fn momentum_passes_from_the_bit_to_the_rock() {
         mass_kg: 200.0,
         lateral_mass_kg: 90.0,
         about_axis_kg_m2: 0.3,
+        across_axis_kg_m2: f64::INFINITY,
     };
     let stepper = Stepper::default();
     let mut motion = BitMotion {

@@ -8,6 +8,7 @@ mod front;
 mod motor;
 mod rate;
 mod regenerative;
+mod rock;
 mod settings;
 mod side;
 mod table;
@@ -21,6 +22,7 @@ pub use self::{
     motor::{Motor, MudMotor},
     rate::RateLaw,
     regenerative::RegenerativeLaw,
+    rock::RockLaw,
     settings::{BitLaw, BitSettings},
     table::{BitTable, TableFault, TableLaw, TablePoint, TableUse},
 };
@@ -30,12 +32,20 @@ use self::{
     motor::Drive,
     rate::Rate,
     regenerative::RegenerativeCut,
+    rock::RockCut,
     side::Side,
     table::Counter,
 };
-use super::chain::{Chain, node};
-use crate::rod::number::Real;
-use crate::{operation::Operation, rod::vector::Vector};
+use super::{
+    assembly::Anchor,
+    chain::{Chain, node},
+    crew::Crew,
+};
+use crate::{
+    operation::Operation,
+    rock::{DrillingError, bit_face::BottomHole},
+    rod::{number::Real, vector::Vector},
+};
 
 /// The bit: held to the hole's axis, and on bottom pressed against the rock that it cuts.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -52,6 +62,16 @@ pub struct Bit {
 enum Cut {
     Front(Box<FrontCut>),
     Regenerative(RegenerativeCut),
+    Rock(Box<RockCut>),
+}
+
+/// How the bit's node came into a step.
+#[derive(Debug, Clone, Copy)]
+pub struct Came {
+    /// Its velocity, m/s.
+    pub velocity: Vector<f64>,
+    /// Its spin, rad/s.
+    pub spin: f64,
 }
 
 /// The bit's node as the step left it, without the rock.
@@ -87,7 +107,7 @@ struct Answer {
 }
 
 /// What the bit did in a step.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 pub struct BitStep {
     /// Weight on bit, N.
     pub weight_on_bit_N: f64,
@@ -97,16 +117,43 @@ pub struct BitStep {
     pub depth_of_cut_m: f64,
     /// Rock that is taken away per time, m/s.
     pub rate_of_penetration_m_per_s: f64,
+    /// Force of rock and hole on the bit, N.
+    pub force_N: Vector<f64>,
+    /// Bending moment of the rock on the bit, N·m.
+    pub moment_N_m: f64,
     /// Speed of the motor against the string, rad/s.
     pub motor_speed_rad_per_s: f64,
     /// Work done on the string, J.
     pub work_J: f64,
 }
 
+impl Default for BitStep {
+    fn default() -> Self {
+        Self {
+            weight_on_bit_N: 0.0,
+            torque_N_m: 0.0,
+            depth_of_cut_m: 0.0,
+            rate_of_penetration_m_per_s: 0.0,
+            force_N: Vector::zero(),
+            moment_N_m: 0.0,
+            motor_speed_rad_per_s: 0.0,
+            work_J: 0.0,
+        }
+    }
+}
+
 impl Bit {
     /// The bit of `operation` at `depth_m`, pressed on the rock with the operation's weight as it is
-    /// while drilling steadily. `seed` is that of the excitation.
-    pub fn new(settings: &BitSettings, operation: &Operation, depth_m: f64, seed: u64) -> Self {
+    /// while drilling steadily. `seed` is that of the excitation. Where solid rock is, [`Self::stand`] says.
+    ///
+    /// # Errors
+    /// A bit or a block of rock that cannot be.
+    pub fn new(
+        settings: &BitSettings,
+        operation: &Operation,
+        depth_m: f64,
+        seed: u64,
+    ) -> Result<Self, DrillingError> {
         let drills = operation.kind.on_bottom() && operation.weight_on_bit_now_N() > 0.0;
         let motor = settings.motor;
         let flow = operation.flow_now_m3_per_s();
@@ -127,36 +174,63 @@ impl Bit {
                 pressed,
             )))
         };
-        let cut = drills.then(|| match &settings.law {
-            BitLaw::Regenerative(law) => {
-                Cut::Regenerative(RegenerativeCut::new(*law, operation, depth_m))
-            }
-            BitLaw::Rate(law) => front(
-                FrontLaw::Rate(Rate::new(operation, &drive)),
-                law.rock_stiffness_N_per_m,
-                law.excitation,
-            ),
-            BitLaw::DetournayDefourny(law) => front(
-                FrontLaw::DetournayDefourny(*law),
-                law.rock_stiffness_N_per_m,
-                law.excitation,
-            ),
-            BitLaw::Table(law) => front(
-                FrontLaw::Table(law.clone(), Counter::new()),
-                law.rock_stiffness_N_per_m,
-                law.excitation,
-            ),
-        });
+        let cut = if !drills {
+            None
+        } else {
+            Some(match &settings.law {
+                BitLaw::Regenerative(law) => {
+                    Cut::Regenerative(RegenerativeCut::new(*law, operation, depth_m))
+                }
+                BitLaw::Rate(law) => front(
+                    FrontLaw::Rate(Rate::new(operation, &drive)),
+                    law.rock_stiffness_N_per_m,
+                    law.excitation,
+                ),
+                BitLaw::DetournayDefourny(law) => front(
+                    FrontLaw::DetournayDefourny(*law),
+                    law.rock_stiffness_N_per_m,
+                    law.excitation,
+                ),
+                BitLaw::Table(law) => front(
+                    FrontLaw::Table(law.clone(), Counter::new()),
+                    law.rock_stiffness_N_per_m,
+                    law.excitation,
+                ),
+                BitLaw::Rock(law) => Cut::Rock(Box::new(RockCut::new(law)?)),
+            })
+        };
         let side_cut_m_per_N = if drills {
             settings.side_cut_m_per_N(operation)
         } else {
             0.0
         };
-        Self {
+        Ok(Self {
             side: Side::new(settings.lateral_stiffness_N_per_m, side_cut_m_per_N),
             motor,
             drive,
             cut,
+        })
+    }
+
+    /// Puts solid rock, if it is that, under the string's bit, which presses on it with a weight and turns under a torque.
+    pub fn stand(
+        &mut self,
+        chain: &Chain<impl Real>,
+        anchor: &Anchor,
+        weight_N: f64,
+        torque_N_m: f64,
+        crew: &Crew,
+    ) {
+        if let Some(Cut::Rock(cut)) = &mut self.cut {
+            cut.stand(chain, anchor, weight_N, torque_N_m, crew);
+        }
+    }
+
+    /// The pattern on the bottom of the hole, of solid rock.
+    pub fn bottom_hole(&self) -> Option<BottomHole> {
+        match &self.cut {
+            Some(Cut::Rock(cut)) => Some(cut.bottom_hole()),
+            _ => None,
         }
     }
 
@@ -191,16 +265,19 @@ impl Bit {
     }
 
     /// Corrects the bit's node, which the step has moved without it, and advances the rock. The rock
-    /// is evaluated at the step's end: with last step's position it would feed energy in. `md_m` is the
-    /// depth of the node's anchor; velocity and spin before the step are given for the work done.
+    /// is evaluated at the step's end: with last step's position it would feed energy in. `anchor` is that of the bit's
+    /// node.
     pub fn act(
         &mut self,
         chain: &mut Chain<impl Real>,
-        md_m: f64,
-        velocity_before: Vector<f64>,
-        spin_before: f64,
+        anchor: &Anchor,
+        came: Came,
+        crew: &Crew,
         dt: f64,
     ) -> BitStep {
+        if let Some(Cut::Rock(cut)) = &mut self.cut {
+            return cut.drill(chain, anchor, came, &mut self.drive, crew, dt);
+        }
         let index = chain.nodes() - 1;
         let tangent = chain.tangent(index);
         let held = self.side.hold(
@@ -208,44 +285,50 @@ impl Bit {
             chain.displacement(index),
             tangent,
             dt * node!(chain, index, inv_mass_lateral),
-            spin_before + self.drive.speed_rad_per_s(),
+            came.spin + self.drive.speed_rad_per_s(),
             dt,
         );
         let (mut velocity, mut displacement) = (held.velocity, held.displacement);
-        let mut work = held.force_N.dot((velocity_before + velocity).scaled(0.5));
+        let mut work = held.force_N.dot((came.velocity + velocity).scaled(0.5));
 
-        let mut step = BitStep::default();
-        if let Some(cut) = &mut self.cut {
-            let approach = Approach {
-                depth_m: md_m + displacement.dot(tangent),
-                velocity_m_per_s: velocity.dot(tangent),
-                axial_mobility_s_per_kg: dt * node!(chain, index, inv_mass_axial),
-                spin_before_rad_per_s: spin_before,
-                spin_rad_per_s: node!(chain, index, spin),
-                turning_mobility: dt * node!(chain, index, inv_polar),
-                dt,
-            };
-            let Answer {
-                weight_N: weight,
-                torque_N_m: torque,
-                spin_rad_per_s: spin,
-                depth_of_cut_m,
-                rate_m_per_s,
-            } = match cut {
-                Cut::Front(cut) => cut.meet(&approach, &mut self.drive),
-                Cut::Regenerative(cut) => cut.meet(&approach, &mut self.drive),
-            };
+        let mut step = BitStep {
+            force_N: held.force_N,
+            ..BitStep::default()
+        };
+        let approach = Approach {
+            depth_m: anchor.md_m + displacement.dot(tangent),
+            velocity_m_per_s: velocity.dot(tangent),
+            axial_mobility_s_per_kg: dt * node!(chain, index, inv_mass_axial),
+            spin_before_rad_per_s: came.spin,
+            spin_rad_per_s: node!(chain, index, spin),
+            turning_mobility: dt * node!(chain, index, inv_polar),
+            dt,
+        };
+        let answer = match &mut self.cut {
+            Some(Cut::Front(cut)) => Some(cut.meet(&approach, &mut self.drive)),
+            Some(Cut::Regenerative(cut)) => Some(cut.meet(&approach, &mut self.drive)),
+            Some(Cut::Rock(_)) | None => None,
+        };
+        if let Some(Answer {
+            weight_N: weight,
+            torque_N_m: torque,
+            spin_rad_per_s: spin,
+            depth_of_cut_m,
+            rate_m_per_s,
+        }) = answer
+        {
             let mobility = approach.axial_mobility_s_per_kg;
             velocity = velocity.minus(tangent, mobility * weight);
             displacement = displacement.minus(tangent, dt * mobility * weight);
             node!(chain, index, spin = spin);
-            work -= weight * tangent.dot((velocity_before + velocity).scaled(0.5))
-                + torque * 0.5 * (spin_before + spin);
+            work -= weight * tangent.dot((came.velocity + velocity).scaled(0.5))
+                + torque * 0.5 * (came.spin + spin);
             step = BitStep {
                 weight_on_bit_N: weight,
                 torque_N_m: torque,
                 depth_of_cut_m,
                 rate_of_penetration_m_per_s: rate_m_per_s,
+                force_N: step.force_N.minus(tangent, weight),
                 ..step
             };
         } else {

@@ -194,6 +194,11 @@ impl Drive {
         self.speed_rad_per_s = self.motor.speed_rad_per_s(self.flow_m3_per_s, 0.0);
     }
 
+    /// The bit resists with a torque, N·m: the motor turns at the speed that it has under it.
+    pub(super) fn resist(&mut self, torque_N_m: f64) {
+        self.speed_rad_per_s = self.motor.speed_rad_per_s(self.flow_m3_per_s, torque_N_m);
+    }
+
     /// Turns a bit that resists with up to `forward_N_m` when it turns forward and up to `back_N_m` when it turns back.
     /// `spin_rad_per_s` is the string's without any torque, `mobility` its spin per torque.
     pub(super) fn turn(

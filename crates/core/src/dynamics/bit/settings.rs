@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{DetournayDefournyLaw, Motor, RateLaw, RegenerativeLaw, SteadyCut, TableLaw};
+use super::{DetournayDefournyLaw, Motor, RateLaw, RegenerativeLaw, RockLaw, SteadyCut, TableLaw};
 use crate::operation::Operation;
 
 /// The bit on the rock.
@@ -10,10 +10,11 @@ use crate::operation::Operation;
 pub struct BitSettings {
     /// How the rock answers.
     pub law: BitLaw,
-    /// Lateral stiffness that holds the bit to the hole's axis, N/m.
+    /// Lateral stiffness that holds the bit to the hole's axis, N/m. On solid rock the hole that the bit has cut holds it, and
+    /// this does so off bottom alone.
     pub lateral_stiffness_N_per_m: f64,
     /// What the bit cuts sideways per force, over what it cuts along the hole per weight: its steerability. Zero of one
-    /// that does not cut sideways.
+    /// that does not cut sideways; solid rock is cut sideways as its law has it.
     pub steerability: f64,
     /// What turns the bit against the string.
     pub motor: Motor,
@@ -58,18 +59,17 @@ impl BitSettings {
     }
 
     /// The operation with the torque and the rate of penetration of steady drilling, where the law knows
-    /// them from weight and speed; the rate law takes the operation's.
+    /// them from weight and speed; the rate law takes the operation's. With them comes what a motor takes off the mud.
     #[must_use]
-    pub fn drilling_steadily(&self, operation: Operation) -> Operation {
+    pub fn drilling_steadily(&self, mut operation: Operation) -> Operation {
         let speed = self.drilling_speed_rad_per_s(&operation);
-        let Some(steady) = self.law.steady(operation.weight_on_bit_N, speed) else {
-            return operation;
-        };
-        Operation {
-            bit_torque_N_m: steady.torque_N_m.min(self.motor.most_torque_N_m()),
-            rate_of_penetration_m_per_s: steady.rate_of_penetration_m_per_s,
-            ..operation
+        if let Some(steady) = self.law.steady(operation.weight_on_bit_N, speed) {
+            operation.bit_torque_N_m = steady.torque_N_m.min(self.motor.most_torque_N_m());
+            operation.rate_of_penetration_m_per_s = steady.rate_of_penetration_m_per_s;
         }
+        let pressure_Pa = self.motor.pressure_Pa(operation.bit_torque_N_m);
+        operation.motor_pressure_drop_Pa = pressure_Pa.unwrap_or(0.0);
+        operation
     }
 
     /// Axial speed of the string at another weight on bit and rotary speed, m/s, positive towards the bit: on bottom by
@@ -117,6 +117,8 @@ pub enum BitLaw {
     DetournayDefourny(DetournayDefournyLaw),
     /// Rate of penetration and torque as they were measured.
     Table(TableLaw),
+    /// The face of the bit breaks solid rock.
+    Rock(Box<RockLaw>),
 }
 
 impl BitLaw {
@@ -127,10 +129,12 @@ impl BitLaw {
             Self::Regenerative(law) => law.stiffness_N_per_m(),
             Self::DetournayDefourny(law) => law.rock_stiffness_N_per_m,
             Self::Table(law) => law.rock_stiffness_N_per_m,
+            Self::Rock(law) => law.stiffness_N_per_m(),
         }
     }
 
-    /// How a bit drills steadily under a weight on bit, turning at a speed; the rate law does not know.
+    /// How a bit drills steadily under a weight on bit, turning at a speed; the rate law does not know, and of solid rock it is
+    /// an [estimate](RockLaw::estimate).
     pub fn steady(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> Option<SteadyCut> {
         let (weight, speed) = (weight_on_bit_N, rotary_speed_rad_per_s);
         match self {
@@ -138,6 +142,7 @@ impl BitLaw {
             Self::Regenerative(law) => Some(law.steady(weight, speed)),
             Self::DetournayDefourny(law) => Some(law.steady(weight, speed)),
             Self::Table(law) => Some(law.table.steady(weight, speed)),
+            Self::Rock(law) => Some(law.steady(weight, speed)),
         }
     }
 }

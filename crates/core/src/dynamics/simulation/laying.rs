@@ -7,6 +7,7 @@ use crate::{
         bit::Bit,
         body::Body,
         chain::Row,
+        crew::Crew,
         energy::Ledger,
         hoist::{Hoist, Target},
         record::Record,
@@ -104,8 +105,16 @@ impl<R: Real> Run<R> {
         let lighter_N = operation.weight_on_bit_now_N() - pressed_N;
         let bottom = bottom + lighter_N / settings.bit.law.stiffness_N_per_m();
         let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
-        let mut bit = Bit::new(&settings.bit, operation, bottom, settings.seed);
+        let crew = Crew::default();
+        let mut bit = Bit::new(&settings.bit, operation, bottom, settings.seed)?;
         bit.set_flow(first.flow_now_m3_per_s());
+        bit.stand(
+            &chain,
+            &anchors[last],
+            pressed_N,
+            first.bit_torque_now_N_m(),
+            &crew,
+        );
         let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
         let layout = chain.layout();
         let interval_s = basis.steps_per_sample as f64 * basis.plan.dt_s;

@@ -16,6 +16,9 @@ pub(super) struct SinceSample {
     pub(super) surface_torque: f64,
     pub(super) weight_on_bit: f64,
     pub(super) bit_torque: f64,
+    pub(super) bit_high: f64,
+    pub(super) bit_right: f64,
+    pub(super) bit_moment: f64,
     pub(super) depth_of_cut: f64,
     pub(super) rate_of_penetration: f64,
     pub(super) motor_speed: f64,
@@ -34,8 +37,11 @@ impl<R: Real> Run<R> {
         self.chain.close();
         let (chain, state) = (&self.chain, &mut self.state);
         let (anchors, record) = (&state.anchors, &mut state.record);
+        let sums = std::mem::take(&mut state.since_sample);
+        let n = sums.steps as f64;
+        let motor_pressure_Pa = state.bit.motor_pressure_Pa(sums.bit_torque / n);
         if let Some(mud) = &mut state.viscous {
-            mud.sample(chain);
+            mud.sample(chain, motor_pressure_Pa.unwrap_or(0.0));
             let pressures = mud.pressures();
             record.press(|node| pressures.difference_Pa(node));
         }
@@ -43,10 +49,8 @@ impl<R: Real> Run<R> {
         if !opens {
             state.ledger.book_friction(rubbed_J);
         }
-        let sums = std::mem::take(&mut state.since_sample);
         let totals = record.sample(chain, &state.high, &state.body, sums.steps);
         record.map_contact(anchors, time, run_samples);
-        let n = sums.steps as f64;
         let last = chain.nodes() - 1;
         let neutral_point_m = record::neutral_point_m(chain, anchors, totals.tension_N);
         let path = &self.model.well.path;
@@ -69,14 +73,16 @@ impl<R: Real> Run<R> {
         series.side_force_total_N.push(totals.normal_N);
         series.weight_on_bit_N.push(sums.weight_on_bit / n);
         series.bit_torque_N_m.push(sums.bit_torque / n);
+        series.bit_force_high_N.push(sums.bit_high / n);
+        series.bit_force_right_N.push(sums.bit_right / n);
+        series.bit_moment_N_m.push(sums.bit_moment / n);
         series.depth_of_cut_m.push(sums.depth_of_cut / n);
         series
             .rate_of_penetration_m_per_s
             .push(sums.rate_of_penetration / n);
         let motor = state.bit.has_motor().then_some(sums.motor_speed / n);
         series.motor_speed_rad_per_s.push(motor);
-        let pressure = state.bit.motor_pressure_Pa(sums.bit_torque / n);
-        series.motor_pressure_Pa.push(pressure);
+        series.motor_pressure_Pa.push(motor_pressure_Pa);
         series.twist_rad.push(-totals.twist_rad);
         series.stretch_m.push(
             totals.longer_m - state.squeezed_m

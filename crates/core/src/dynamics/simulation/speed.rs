@@ -3,6 +3,7 @@
 use super::{Run, Stepper, node};
 use crate::{
     dynamics::step::StepInput,
+    rock,
     rod::{counted::Flops, number::Real},
 };
 
@@ -12,6 +13,10 @@ impl<R: Real> Run<R> {
         let mut all = Stepper::all(self.abilities).into_iter();
         if let Some(stepper) = all.find(|stepper| stepper.instructions == name) {
             self.stepper = stepper;
+        }
+        let mut all = rock::Stepper::all().into_iter();
+        if let Some(stepper) = all.find(|stepper| stepper.instructions == name) {
+            self.crew.stepper = stepper;
         }
     }
 

@@ -26,6 +26,7 @@ const REAM: Operation = Operation {
     trip_speed_m_per_s: 0.2,
     flow_rate_m3_per_s: 0.0,
     bit_pressure_drop_Pa: 0.0,
+    motor_pressure_drop_Pa: 0.0,
 };
 
 /// Pipe in a hole that builds to 50 deg and turns.

@@ -73,6 +73,7 @@ impl Wet {
             trip_speed_m_per_s: 0.0,
             flow_rate_m3_per_s: 0.0,
             bit_pressure_drop_Pa: 0.0,
+            motor_pressure_drop_Pa: 0.0,
         };
         let law = ContactLaw::Linear {
             stiffness_N_per_m: 1e7,

@@ -1,6 +1,7 @@
 //! A bit on a block of rock.
 
 mod bit;
+mod bottom;
 mod driver;
 mod motion;
 mod near;
@@ -117,7 +118,7 @@ impl Drilling {
     ) -> Advance {
         let steps = self.block.share(time_s);
         let dt = self.block.dt_s();
-        let [easy, turning] = motion.inertia.mobilities();
+        let inertia = &motion.inertia;
         self.pose = self
             .pose
             .moving(motion.velocity_m_per_s, motion.angular_velocity_rad_per_s);
@@ -129,20 +130,20 @@ impl Drilling {
         };
         for _ in 0..steps {
             self.block.step(stepper, executor);
-            self.pose = self.pose.after(dt);
+            advance.turned_rad += self.go(dt) * dt;
+            let axis = self.pose.axis();
             let [came, spun] = [
                 self.pose.velocity_m_per_s,
                 self.pose.angular_velocity_rad_per_s,
             ];
-            advance.turned_rad += spun.z * dt;
-            self.pose.velocity_m_per_s += motion.force_N.component_mul(&easy) * dt;
-            self.pose.angular_velocity_rad_per_s += motion.moment_N_m.component_mul(&turning) * dt;
+            self.pose.velocity_m_per_s += inertia.moved(motion.force_N * dt);
+            self.pose.angular_velocity_rad_per_s += inertia.turned(motion.moment_N_m * dt, &axis);
             let met = self
                 .near
                 .press(&mut self.block, self.bit.face(), &self.pose, &self.contact);
             let load = met.load;
-            self.pose.velocity_m_per_s += load.force_N.component_mul(&easy) * dt;
-            self.pose.angular_velocity_rad_per_s += load.moment_N_m.component_mul(&turning) * dt;
+            self.pose.velocity_m_per_s += inertia.moved(load.force_N * dt);
+            self.pose.angular_velocity_rad_per_s += inertia.turned(load.moment_N_m * dt, &axis);
             let work_J = 0.5
                 * dt
                 * (load.force_N.dot(&(came + self.pose.velocity_m_per_s))
@@ -166,6 +167,17 @@ impl Drilling {
         advance.broken = self.block.removed().0 - self.dropped - gone;
         self.follow();
         advance
+    }
+
+    /// The bit goes on and turns; its spin, rad/s. The spin stays with the axis and what tilts the bit goes along: how a spinning
+    /// bit precesses is its string's.
+    fn go(&mut self, dt: f64) -> f64 {
+        let omega = self.pose.angular_velocity_rad_per_s;
+        let axis = self.pose.axis();
+        let spin = axis.dot(&omega);
+        self.pose = self.pose.after(dt);
+        self.pose.angular_velocity_rad_per_s = (omega - axis * spin) + self.pose.axis() * spin;
+        spin
     }
 
     /// Drops the layers that the bit has left above it.

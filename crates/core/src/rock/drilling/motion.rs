@@ -10,8 +10,10 @@ pub struct Inertia {
     pub mass_kg: f64,
     /// Mass across it, kg.
     pub lateral_mass_kg: f64,
-    /// Moment of inertia about the hole's axis, kg·m².
+    /// Moment of inertia about the bit's axis, kg·m².
     pub about_axis_kg_m2: f64,
+    /// Moment of inertia across the bit's axis, kg·m².
+    pub across_axis_kg_m2: f64,
 }
 
 impl Inertia {
@@ -20,19 +22,23 @@ impl Inertia {
         mass_kg: f64::INFINITY,
         lateral_mass_kg: f64::INFINITY,
         about_axis_kg_m2: f64::INFINITY,
+        across_axis_kg_m2: f64::INFINITY,
     };
 
-    /// What an impulse changes.
-    pub(super) fn mobilities(&self) -> [Vector3<f64>; 2] {
+    /// What an impulse, N·s, changes of the velocity, m/s.
+    pub(super) fn moved(&self, impulse_N_s: Vector3<f64>) -> Vector3<f64> {
         let across = 1.0 / self.lateral_mass_kg;
-        [
-            Vector3::new(across, across, 1.0 / self.mass_kg),
-            Vector3::new(0.0, 0.0, 1.0 / self.about_axis_kg_m2),
-        ]
+        impulse_N_s.component_mul(&Vector3::new(across, across, 1.0 / self.mass_kg))
+    }
+
+    /// What the impulse of a moment, N·m·s, changes of the angular velocity of a bit with an axis, rad/s.
+    pub(super) fn turned(&self, impulse_N_m_s: Vector3<f64>, axis: &Vector3<f64>) -> Vector3<f64> {
+        let about = axis * axis.dot(&impulse_N_m_s);
+        about / self.about_axis_kg_m2 + (impulse_N_m_s - about) / self.across_axis_kg_m2
     }
 }
 
-/// What a bit comes with, in the frame of the hole: z down along it. It tilts as it is told.
+/// What a bit comes with, in the frame of the hole: z down along it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct BitMotion {
     /// Velocity of the bit's reference point, m/s.
@@ -58,7 +64,7 @@ pub struct Advance {
     pub angular_velocity_rad_per_s: Vector3<f64>,
     /// Way of the reference point, m.
     pub displacement_m: Vector3<f64>,
-    /// Angle turned about the hole's axis, rad.
+    /// Angle turned about the bit's axis, rad.
     pub turned_rad: f64,
     /// Mean force of the rock on the bit, N.
     pub force_N: Vector3<f64>,

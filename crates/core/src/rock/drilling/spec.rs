@@ -1,5 +1,6 @@
 //! What a bit is to drill.
 
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::BitShape;
@@ -11,7 +12,7 @@ use crate::rock::{
 };
 
 /// A bit and the block that it is to drill.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DrillingSpec {
     /// The block. The bit begins in the middle of its upper face.
     pub block: BlockSpec,

@@ -54,14 +54,17 @@ pub(super) fn along(
         .map(|(s, drag)| s.length_m * drag.gradient_Pa_per_m)
         .sum();
     let bit_loss_Pa = operation.bit_loss_Pa(flow_m3_per_s);
+    let motor_loss_Pa = operation.motor_loss_Pa();
+    let below_Pa = bit_loss_Pa + motor_loss_Pa;
     let mut total = Hydraulics {
         jet_thrust_N: model.mud.jet_thrust_N(flow_m3_per_s, bit_loss_Pa),
         bit_loss_Pa,
+        motor_loss_Pa,
         annulus_loss_Pa,
         ..Hydraulics::default()
     };
     // From the bit up the pressure falls outside and rises inside.
-    let (mut outer_Pa, mut inner_Pa) = (annulus_loss_Pa, annulus_loss_Pa + bit_loss_Pa);
+    let (mut outer_Pa, mut inner_Pa) = (annulus_loss_Pa, annulus_loss_Pa + below_Pa);
     let circulating = stretches.iter().zip(&drags).map(|(s, drag)| {
         let rise = s.length_m * bore::gradient_Pa_per_m(&model.mud, s.bore_m2, flow_m3_per_s);
         let fall = s.length_m * drag.gradient_Pa_per_m;
@@ -83,6 +86,6 @@ pub(super) fn along(
         }
     });
     let circulating = circulating.collect();
-    total.pump_pressure_Pa = total.bore_loss_Pa + bit_loss_Pa + annulus_loss_Pa;
+    total.pump_pressure_Pa = total.bore_loss_Pa + below_Pa + annulus_loss_Pa;
     (circulating, Some(total))
 }

@@ -10,10 +10,14 @@ mod roots;
 mod side;
 mod table;
 
+use nalgebra::Vector3;
+
 use crate::{
     dynamics::{
-        bit::{Bit, BitSettings, BitStep},
+        assembly::Anchor,
+        bit::{Bit, BitSettings, BitStep, Came},
         chain::{Chain, node},
+        crew::Crew,
     },
     operation::{Operation, OperationKind},
     rod::vector::Vector,
@@ -33,6 +37,7 @@ const OPERATION: Operation = Operation {
     trip_speed_m_per_s: 0.3,
     flow_rate_m3_per_s: 0.0,
     bit_pressure_drop_Pa: 0.0,
+    motor_pressure_drop_Pa: 0.0,
 };
 
 /// A bit that forces push and turn.
@@ -58,7 +63,7 @@ impl Rig {
         node!(chain, 0, inv_polar = 1.0 / POLAR_KG_M2);
         Self {
             chain,
-            bit: Bit::new(&settings, &operation, DEPTH_M, 1),
+            bit: Bit::new(&settings, &operation, DEPTH_M, 1).expect("a sound bit"),
             push: Vector::zero(),
             turn: 0.0,
         }
@@ -86,7 +91,17 @@ impl Rig {
         self.chain.set_displacement(0, u);
         let turn = dt * self.turn * node!(self.chain, 0, inv_polar);
         self.set_spin(spin + turn);
-        self.bit.act(&mut self.chain, DEPTH_M, before, spin, dt)
+        let anchor = Anchor {
+            md_m: DEPTH_M,
+            position_m: Vector3::new(0.0, 0.0, DEPTH_M),
+            high_side: Vector3::x(),
+        };
+        let came = Came {
+            velocity: before,
+            spin,
+        };
+        self.bit
+            .act(&mut self.chain, &anchor, came, &Crew::default(), dt)
     }
 }
 

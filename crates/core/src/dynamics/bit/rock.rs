@@ -1,0 +1,287 @@
+//! Solid rock under the bit: bricks that the face of the bit breaks.
+
+use nalgebra::{Matrix3, Rotation3, Vector3};
+use serde::{Deserialize, Serialize};
+
+use super::{BitStep, Came, Cutters, SteadyCut, front::depth_of_cut_m, motor::Drive};
+use crate::{
+    dynamics::{
+        assembly::Anchor,
+        chain::{Chain, element, node},
+        crew::Crew,
+    },
+    rock::{
+        BitMotion, BitShape, Drilling, DrillingError, DrillingSpec, Inertia,
+        bit_face::{BottomHole, Pose},
+    },
+    rod::{number::Real, vector::Vector},
+};
+
+/// Time over which what pushes and turns the bit is averaged, s: that average acts on the bit evenly, and a motor follows that
+/// of the torque. Some dozens of steps.
+const EVEN_S: f64 = 0.02;
+
+/// Speed of a bit that hardly turns, rad/s: a revolution a minute.
+const HARDLY_RAD_PER_S: f64 = 0.1;
+
+/// Time over which the bit is pressed on its bottom before the start, s, and what damps it meanwhile, 1/s.
+const PRESSING_S: f64 = 0.03;
+const PRESSING_DAMPING_PER_S: f64 = 2000.0;
+
+/// Part of that time after which all weight is there.
+const PRESSED: f64 = 0.5;
+
+/// Steps in which it is pressed.
+const PRESSING_STEPS: usize = 300;
+
+/// Inclination of the force on an insert that scrapes, over that around: a face raked back by 45°.
+const INSERT_RAKE_RAD: f64 = std::f64::consts::FRAC_PI_4;
+
+/// Solid rock: the face of the bit breaks bricks, and feels what they answer in all six components.
+///
+/// The bit's own side spring has no part in it: on bottom the wall that the bit has cut holds it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RockLaw {
+    /// The bit and its rock.
+    pub drilling: DrillingSpec,
+}
+
+impl RockLaw {
+    /// What Detournay and Defourny's law would have for it: an **estimate**, by which the string is laid and the hoist begins,
+    /// and nothing more.
+    ///
+    /// Sharp cutters whose intrinsic specific energy is the rock's unconfined strength, as it is about (Richard, Dagrain, Poyol
+    /// and Detournay, *Engineering Geology* 147, 2012); `ζ = tan(θ + ψ)` of the back rake `θ` and the friction angle `ψ`
+    /// between rock and cutter.
+    pub fn estimate(&self) -> Cutters {
+        let (diameter_m, core_m, rake_rad) = match &self.drilling.bit {
+            BitShape::Pdc(bit) => (bit.diameter_m, bit.core_diameter_m, bit.back_rake_rad),
+            BitShape::Insert(bit) => (bit.diameter_m, 0.0, INSERT_RAKE_RAD),
+        };
+        let friction = self.drilling.contact.friction;
+        Cutters {
+            radius_m: 0.5 * diameter_m,
+            core_radius_m: 0.5 * core_m,
+            intrinsic_specific_energy_Pa: self.drilling.block.rock.ucs_Pa(),
+            cutter_inclination: (rake_rad + friction.atan()).tan(),
+            wear_flat_m: 0.0,
+            contact_strength_Pa: 0.0,
+            bit_geometry: 1.0,
+            friction,
+        }
+    }
+
+    /// How it may be expected to drill under a weight on bit, turning at a speed: [`Self::estimate`].
+    pub fn steady(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> SteadyCut {
+        let cutters = self.estimate();
+        let depth_of_cut_m = weight_on_bit_N / cutters.cutting_N_per_m();
+        SteadyCut {
+            depth_of_cut_m,
+            torque_N_m: cutters.torque_N_m(weight_on_bit_N, 0.0),
+            rate_of_penetration_m_per_s: depth_of_cut_m * rotary_speed_rad_per_s
+                / std::f64::consts::TAU,
+        }
+    }
+
+    /// Stiffness of the sound rock under a stamp as wide as the bit, `2 E a/(1 − ν²)`, N/m.
+    pub fn stiffness_N_per_m(&self) -> f64 {
+        let rock = &self.drilling.block.rock;
+        let radius_m = self.estimate().radius_m;
+        2.0 * rock.youngs_modulus_Pa * radius_m / (1.0 - rock.poisson_ratio.powi(2))
+    }
+}
+
+/// The rock under a bit, and where it stands in the world.
+///
+/// The block stands along the hole as it was where the bit began, x to its high side, and stays so: the bit leaves the axis of
+/// the survey where the rock lets it.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(super) struct RockCut {
+    drilling: Drilling,
+    /// Turns the block's frame into the world's.
+    frame: Matrix3<f64>,
+    /// Where the block's frame has its origin, m.
+    origin_m: Vector3<f64>,
+    /// What the string pushes and turns the bit with, on average, in the block's frame.
+    even_N: Vector3<f64>,
+    even_N_m: f64,
+    /// Torque of the rock against the bit, on average, N·m.
+    resisting_N_m: f64,
+    /// How fast the bit goes down and turns, on average, m/s and rad/s.
+    going: [f64; 2],
+}
+
+impl RockCut {
+    /// A bit on its rock; [`Self::stand`] says where.
+    pub(super) fn new(law: &RockLaw) -> Result<Self, DrillingError> {
+        Ok(Self {
+            drilling: Drilling::new(&law.drilling)?,
+            frame: Matrix3::identity(),
+            origin_m: Vector3::zeros(),
+            even_N: Vector3::zeros(),
+            even_N_m: 0.0,
+            resisting_N_m: 0.0,
+            going: [0.0; 2],
+        })
+    }
+
+    /// Presses the bit on its bottom and puts the block there in the hole where the string's bit is.
+    pub(super) fn stand(
+        &mut self,
+        chain: &Chain<impl Real>,
+        anchor: &Anchor,
+        weight_N: f64,
+        torque_N_m: f64,
+        crew: &Crew,
+    ) {
+        let index = chain.nodes() - 1;
+        let tangent = Vector3::from(chain.tangent(index));
+        let hole = Pose::new(Vector3::zeros(), tangent, anchor.high_side, 0.0);
+        self.frame = hole.rotation;
+        let along = self.frame.tr_mul(&Vector3::from(chain.director(index)));
+        let tilt = Rotation3::rotation_between(&Vector3::z(), &along).unwrap_or_default();
+        let pose = *self.drilling.pose();
+        self.drilling.place(Pose {
+            rotation: tilt.matrix() * pose.rotation,
+            ..pose
+        });
+        self.press(weight_N, 1.0 / node!(chain, index, inv_mass_axial), crew);
+        let at = anchor.position_m + Vector3::from(chain.displacement(index));
+        self.origin_m = at - self.frame * self.drilling.pose().position_m;
+        self.even_N = Vector3::z() * weight_N;
+        self.even_N_m = torque_N_m;
+        self.resisting_N_m = torque_N_m;
+    }
+
+    /// Lets a bit that only goes along the hole sink until the rock bears it.
+    fn press(&mut self, weight_N: f64, mass_kg: f64, crew: &Crew) {
+        if weight_N <= 0.0 {
+            return;
+        }
+        let step_s = PRESSING_S / PRESSING_STEPS as f64;
+        let left = (-PRESSING_DAMPING_PER_S * step_s).exp();
+        let mut velocity_m_per_s = 0.0;
+        for step in 1..=PRESSING_STEPS {
+            let part = (step as f64 / (PRESSED * PRESSING_STEPS as f64)).min(1.0);
+            let motion = BitMotion {
+                velocity_m_per_s: Vector3::z() * velocity_m_per_s,
+                angular_velocity_rad_per_s: Vector3::zeros(),
+                force_N: Vector3::z() * (part * weight_N),
+                moment_N_m: Vector3::zeros(),
+                inertia: Inertia {
+                    mass_kg,
+                    ..Inertia::TOLD
+                },
+            };
+            let advance = self
+                .drilling
+                .advance(step_s, &motion, &crew.stepper, &crew.lent);
+            velocity_m_per_s = left * advance.velocity_m_per_s.z;
+        }
+    }
+
+    /// Takes the bit's node, which the step has pushed without the rock, through the step.
+    ///
+    /// The string's impulse is given in two parts: its average of late evenly, the rest at the step's beginning, from where the
+    /// bit moves as the rock lets it. So the string's own motion stays that of central differences, and the rock feels
+    /// no blow at each step of the string. What the rock does to the bit is what the bit does to the rock, in momentum to
+    /// rounding, and its work is that on the way that the bit took. What the bit has turned further than its last spin says goes to the twist.
+    ///
+    /// A motor keeps its speed in the step; that follows the average of the torque, first order in time.
+    pub(super) fn drill(
+        &mut self,
+        chain: &mut Chain<impl Real>,
+        anchor: &Anchor,
+        came: Came,
+        drive: &mut Drive,
+        crew: &Crew,
+        dt: f64,
+    ) -> BitStep {
+        let index = chain.nodes() - 1;
+        let inertia = Inertia {
+            mass_kg: 1.0 / node!(chain, index, inv_mass_axial),
+            lateral_mass_kg: 1.0 / node!(chain, index, inv_mass_lateral),
+            about_axis_kg_m2: 1.0 / node!(chain, index, inv_polar),
+            across_axis_kg_m2: 1.0 / node!(chain, index, inv_rotary),
+        };
+        let into = |v: Vector<f64>| self.frame.tr_mul(&Vector3::from(v));
+        let [before, velocity, tilting] =
+            [came.velocity, chain.velocity(index), chain.turning(index)].map(into);
+        let mass = Vector3::new(
+            inertia.lateral_mass_kg,
+            inertia.lateral_mass_kg,
+            inertia.mass_kg,
+        );
+        let part = dt / (EVEN_S + dt);
+        let push_N = (velocity - before).component_mul(&mass) / dt;
+        let spin = node!(chain, index, spin);
+        let turn_N_m = (spin - came.spin) * inertia.about_axis_kg_m2 / dt;
+        self.even_N += (push_N - self.even_N) * part;
+        self.even_N_m += (turn_N_m - self.even_N_m) * part;
+
+        drive.resist(self.resisting_N_m);
+        let motor = drive.speed_rad_per_s();
+        let axis = self.drilling.pose().axis();
+        let kept = spin - dt * self.even_N_m / inertia.about_axis_kg_m2;
+        let motion = BitMotion {
+            velocity_m_per_s: velocity - self.even_N.component_div(&mass) * dt,
+            angular_velocity_rad_per_s: tilting + axis * (kept + motor),
+            force_N: self.even_N,
+            moment_N_m: axis * self.even_N_m,
+            inertia,
+        };
+        let advance = self
+            .drilling
+            .advance(dt, &motion, &crew.stepper, &crew.lent);
+        let axis = self.drilling.pose().axis();
+        let omega = advance.angular_velocity_rad_per_s;
+        let turned = omega.dot(&axis);
+        let spin_after = turned - motor;
+        let torque_N_m = (spin - spin_after) * inertia.about_axis_kg_m2 / dt;
+        self.resisting_N_m += (torque_N_m - self.resisting_N_m) * part;
+
+        let out = |v: Vector3<f64>| Vector::from(self.frame * v);
+        chain.set_velocity(index, out(advance.velocity_m_per_s));
+        let at = self.origin_m + self.frame * self.drilling.pose().position_m;
+        chain.set_displacement(index, (at - anchor.position_m).into());
+        chain.set_director(index, out(axis));
+        chain.set_turning(index, out(omega - axis * turned));
+        node!(chain, index, spin = spin_after);
+        if index > 0 {
+            let further = advance.turned_rad - dt * (motor + spin_after);
+            element!(chain, index - 1, twist += further);
+        }
+        let rate_m_per_s = advance.displacement_m.z / dt;
+        let going = [rate_m_per_s, advance.turned_rad / dt];
+        for (even, now) in self.going.iter_mut().zip(going) {
+            *even += (now - *even) * part;
+        }
+        let moment = advance.moment_N_m;
+        BitStep {
+            weight_on_bit_N: -advance.force_N.z,
+            torque_N_m,
+            depth_of_cut_m: self.depth_of_cut_m(),
+            rate_of_penetration_m_per_s: rate_m_per_s,
+            force_N: out(advance.force_N),
+            moment_N_m: (moment - axis * moment.dot(&axis)).norm(),
+            motor_speed_rad_per_s: motor,
+            // What the motor gives the bit does not come from the string.
+            work_J: advance.work_J + torque_N_m * motor * dt,
+        }
+    }
+
+    /// Depth of cut per revolution by the averages, m; none of a bit that hardly turns.
+    fn depth_of_cut_m(&self) -> f64 {
+        let [rate_m_per_s, turning_rad_per_s] = self.going;
+        if turning_rad_per_s > HARDLY_RAD_PER_S {
+            depth_of_cut_m(rate_m_per_s, turning_rad_per_s)
+        } else {
+            0.0
+        }
+    }
+
+    /// The pattern on the bottom of the hole.
+    pub(super) fn bottom_hole(&self) -> BottomHole {
+        self.drilling.bottom_hole()
+    }
+}

@@ -1,0 +1,41 @@
+//! Who works on the rock under the bit, and with what.
+
+use std::{fmt, sync::Arc};
+
+use crate::rock::{Alone, Executor, Stepper};
+
+/// An executor that a caller has lent.
+#[derive(Clone)]
+pub struct Lent(Arc<dyn Executor + Send + Sync>);
+
+impl Lent {
+    pub(super) fn new(executor: Arc<dyn Executor + Send + Sync>) -> Self {
+        Self(executor)
+    }
+}
+
+impl Default for Lent {
+    /// Nobody's: the thread that runs the simulation works alone.
+    fn default() -> Self {
+        Self(Arc::new(Alone))
+    }
+}
+
+impl fmt::Debug for Lent {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Lent")
+    }
+}
+
+impl Executor for Lent {
+    fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
+        self.0.each(count, work);
+    }
+}
+
+/// Who works on the rock, with which instructions.
+#[derive(Debug, Clone, Default)]
+pub struct Crew {
+    pub(super) stepper: Stepper,
+    pub(super) lent: Lent,
+}

@@ -1,0 +1,61 @@
+//! What a bit has left of the bottom.
+
+use std::f64::consts::TAU;
+
+use super::Drilling;
+use crate::rock::{bit_face::BottomHole, block::Block};
+
+/// Cells of the pattern per brick, across.
+const FINER: f64 = 2.0;
+
+impl Drilling {
+    /// The bottom of the hole as one looks down it: the upmost rock that stands within the bit's radius, a core left out.
+    ///
+    /// Radii are those from the bit's reference point, angles those from the x of the block towards y, depths those below the
+    /// reference point, the nose: the wall beside the bit is above it. Cells are half a brick wide at most.
+    pub fn bottom_hole(&self) -> BottomHole {
+        let grid = self.block.grid();
+        let profile = self.bit.face().profile();
+        let (core_m, radius_m) = (profile.core_radius_m(), profile.radius_m());
+        let cell_m = grid.size_m[0].min(grid.size_m[1]) / FINER;
+        let rings = ((radius_m - core_m) / cell_m).ceil() as usize;
+        let sectors = (TAU * radius_m / cell_m).ceil() as usize;
+        let mut bottom = BottomHole::new([core_m, radius_m], rings, sectors);
+        let tops_m = tops_m(&self.block);
+        let nose_m = self.pose.position_m;
+        for ring in 0..rings {
+            for sector in 0..sectors {
+                let (radius_m, angle_rad) = (bottom.radius_m(ring), bottom.angle_rad(sector));
+                let column = |axis: usize, across: f64| {
+                    let at = (nose_m[axis] + radius_m * across) / grid.size_m[axis];
+                    (at.max(0.0) as usize).min(grid.cells[axis] - 1)
+                };
+                let (i, j) = (column(0, angle_rad.cos()), column(1, angle_rad.sin()));
+                if let Some(top_m) = tops_m[i + j * grid.cells[0]] {
+                    bottom.set_m(ring, sector, top_m - nose_m.z);
+                }
+            }
+        }
+        bottom
+    }
+}
+
+/// Depth of the upmost face of each column of bricks, m, row by row; none of one that is empty.
+fn tops_m(block: &Block) -> Vec<Option<f64>> {
+    let grid = block.grid();
+    let [nx, ny, nz] = grid.cells;
+    let top = |i: usize, j: usize| {
+        let stands = |k: &usize| block.intact([i, j, *k]).is_some();
+        let brick = [i, j, (0..nz).find(stands)?];
+        let [a, b, c, d, ..] = grid.corners(brick);
+        Some(
+            [a, b, c, d]
+                .iter()
+                .map(|&n| block.position_m(n)[2])
+                .sum::<f64>()
+                / 4.0,
+        )
+    };
+    let rows = (0..ny).flat_map(|j| (0..nx).map(move |i| (i, j)));
+    rows.map(|(i, j)| top(i, j)).collect()
+}
