@@ -274,9 +274,6 @@ impl Bit {
         crew: &Crew,
         dt: f64,
     ) -> BitStep {
-        if let Some(Cut::Rock(cut)) = &mut self.cut {
-            return cut.drill(chain, anchor, came, &mut self.drive, crew, dt);
-        }
         let index = chain.nodes() - 1;
         let tangent = chain.tangent(index);
         let held = self.side.hold(
@@ -287,6 +284,14 @@ impl Bit {
             came.spin + self.drive.speed_rad_per_s(),
             dt,
         );
+        if let Some(Cut::Rock(cut)) = &mut self.cut {
+            chain.set_velocity(index, held.velocity);
+            let mut step = cut.drill(chain, anchor, came, &mut self.drive, crew, dt);
+            let mean = (came.velocity + chain.velocity(index)).scaled(0.5);
+            step.work_J += held.force_N.dot(mean) * dt;
+            step.force_N = step.force_N + held.force_N;
+            return step;
+        }
         let (mut velocity, mut displacement) = (held.velocity, held.displacement);
         let mut work = held.force_N.dot((came.velocity + velocity).scaled(0.5));
 
