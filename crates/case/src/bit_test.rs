@@ -162,7 +162,7 @@ pub(crate) fn build(
         (weights.is_empty(), "wob", "wob = [\"40 kN\", \"80 kN\"]"),
         (speeds.is_empty(), "rpm", "rpm = [60, 120]"),
     ];
-    for (_, name, example) in missing.into_iter().filter(|(missing, ..)| *missing) {
+    if let Some((_, name, example)) = missing.into_iter().find(|(missing, ..)| *missing) {
         if !asked {
             return Some(None);
         }

@@ -457,6 +457,15 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         };
         let test_s = tested.and(bit_test.as_ref()).map_or(0.0, BitTest::time_s);
         let longest_s = run_s.max(test_s);
+        let speeds = operations
+            .iter()
+            .filter(|one| drills && one.kind.on_bottom())
+            .map(|one| dynamics.bit.drilling_speed_rad_per_s(one));
+        let points = tested.and(bit_test.as_ref()).into_iter();
+        let points = points.flat_map(|test| test.rotary_speeds_rad_per_s.iter().copied());
+        let fastest = speeds.chain(points).fold(0.0, f64::max);
+        rock.value
+            .warn_of_inertia(drilling, fastest, rock.place, reader);
         rock.value
             .check_effort(drilling, longest_s, rock.place, reader)?;
     }

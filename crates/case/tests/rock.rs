@@ -8,7 +8,7 @@ use common::{changed, read};
 use wholestring::{
     dynamics::BitLaw,
     rock::{
-        BitShape, DrillingSpec,
+        BitShape, DrillingSpec, Rock,
         bit_face::{InsertBit, InsertShape, PdcBit},
     },
 };
@@ -51,12 +51,17 @@ fn a_strength_suffices() {
     let case = on_rock("", SOUND, "");
     let found = spec(&case);
     assert_eq!(found.bit, BitShape::Pdc(PdcBit::for_diameter(OD_M)));
-    let rock = rock_of(60e6);
+    let rock = Rock::for_drilling(60e6);
     assert!((found.block.rock.ucs_Pa() / 60e6 - 1.0).abs() < 1e-12);
+    assert_eq!(
+        found.block.rock.crushing_energy_J_per_m3,
+        rock.crushing_energy_J_per_m3
+    );
     let expected = DrillingSpec::new(rock, found.bit, OD_M / 18.0).expect("a sound bit");
     assert_eq!(found.block.cells, expected.block.cells);
     assert_eq!(found.wall_m, expected.wall_m);
     assert_eq!(found.contact, expected.contact);
+    assert_eq!(found.block.numerics, expected.block.numerics);
     assert_eq!(found.block.confinement_Pa, 0.0);
     let BitLaw::Rock(law) = &case.dynamics.bit.law else {
         panic!("{:?}", case.dynamics.bit.law)
@@ -96,7 +101,7 @@ fn every_number_of_the_rock_arrives() {
     let case = on_rock(
         "",
         "strength = \"50 MPa\"\nfriction_angle = 40\ndilation_angle = 5\nyoungs_modulus = \"20 GPa\"\npoisson_ratio = 0.2\n\
-         density = 2700\ntensile_strength = \"4 MPa\"\ntensile_fracture_energy = \"100 J/m2\"\n\
+         density = 2700\ntensile_strength = \"4 MPa\"\ntensile_fracture_energy = \"100 J/m2\"\ncrushing_energy = \"4 MJ/m3\"\n\
          compressive_fracture_energy = \"9 kJ/m2\"\npressure = \"10 MPa\"\nconfinement = \"12 MPa\"\nfriction = 0.2\n\
          element_size = \"10 mm\"\ndensity_factor = 50\nbeside = \"41 mm\"\nbelow = \"69 mm\"",
         "",
@@ -112,6 +117,7 @@ fn every_number_of_the_rock_arrives() {
     assert_eq!(rock.tensile_strength_Pa, 4e6);
     assert_eq!(rock.tensile_fracture_energy_J_per_m2, 100.0);
     assert_eq!(rock.compressive_fracture_energy_J_per_m2, 9e3);
+    assert_eq!(rock.crushing_energy_J_per_m3, 4e6);
     let block = &found.block;
     assert_eq!([block.pressure_Pa, block.confinement_Pa], [10e6, 12e6]);
     assert_eq!(found.contact.friction, 0.2);
@@ -125,6 +131,22 @@ fn every_number_of_the_rock_arrives() {
     assert_eq!(settings["density_factor"], 50.0);
     assert_eq!(settings["cells"][0], 32);
     assert_eq!(case.settings["bit"]["face"]["blades"], 6);
+}
+
+/// A crushed band is 2 mm wide.
+#[test]
+fn the_energy_of_a_crushed_band_follows_that_of_crushing() {
+    let case = on_rock("", &format!("{SOUND}\ncrushing_energy = \"6 MPa\""), "");
+    let rock = spec(&case).block.rock;
+    assert_eq!(rock.crushing_energy_J_per_m3, 6e6);
+    assert!((rock.compressive_fracture_energy_J_per_m2 / 12e3 - 1.0).abs() < 1e-12);
+}
+
+/// A brick is no larger than the body leaves room for behind the cutters.
+#[test]
+fn bricks_follow_the_cutters() {
+    let case = on_rock("", SOUND, "[bit.face]\nexposure = \"6 mm\"");
+    assert!((spec(&case).block.size_m[0] - 9e-3).abs() < 1e-12);
 }
 
 /// The mud's pressure is all around unless the case says otherwise.
@@ -250,8 +272,4 @@ fn a_bit_test_beside_another_law() {
     let plain = read(common::EXAMPLE).expect("the example");
     assert!(plain.drilling().is_none() && plain.bit_test.is_none());
     assert!(plain.settings.get("rock").is_none());
-}
-
-fn rock_of(strength_Pa: f64) -> wholestring::rock::Rock {
-    wholestring::rock::Rock::of_strength(strength_Pa)
 }

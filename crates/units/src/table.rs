@@ -129,10 +129,10 @@ pub(crate) const TORQUE: &[Unit] = &[
 ];
 
 pub(crate) const PRESSURE: &[Unit] = &[
-    unit("MPa", 1e6, &["N/mm2"]),
+    unit("MPa", 1e6, &["N/mm2", "MJ/m3"]),
     unit("bar", 1e5, &["bars"]),
     unit("psi", PSI, &["lbf/in2"]),
-    unit("Pa", 1.0, &["N/m2"]),
+    unit("Pa", 1.0, &["N/m2", "J/m3"]),
     unit("kPa", 1e3, &[]),
     unit("GPa", 1e9, &["kN/mm2"]),
     unit("ksi", 1e3 * PSI, &["kpsi", "klbf/in2"]),

@@ -43,7 +43,7 @@ fn rocks() {
         ),
         (
             "rock_snaps",
-            "[rock]\nstrength = \"60 MPa\"\ntensile_fracture_energy = \"0.1 J/m2\"",
+            "[rock]\nstrength = \"60 MPa\"\ncrushing_energy = \"1 kPa\"\ntensile_fracture_energy = \"0.1 J/m2\"",
         ),
         (
             "rock_bricks_as_wide_as_the_bit",
@@ -165,6 +165,10 @@ fn what_has_no_effect() {
         &format!("{SOUND}\ntensile_strength = \"80 MPa\"\ntensile_fracture_energy = \"20 kJ/m2\""),
     );
     warned("warn_rock_stronger_in_tension_than_its_cone", read(&strong));
+    let large = on_rock("", &format!("{SOUND}\nelement_size = \"15 mm\""));
+    warned("warn_bricks_large_for_the_cutters", read(&large));
+    let heavy = on_rock("", "[rock]\nstrength = \"20 MPa\"").replace("rpm = 70", "rpm = 150");
+    warned("warn_rock_too_heavy_for_the_speed", read(&heavy));
     let given = on_rock("", SOUND).replace("# rop = ", "rop = ");
     warned("warn_rate_of_penetration_on_rock", read(&given));
 }

@@ -10,6 +10,15 @@ fn a_sound_case() {
     assert_snapshot!(transcript(&Desk::new().run(&["check", "slant.toml"])));
 }
 
+/// Of solid rock, what a run of it will cost and how finely it is cut.
+#[test]
+fn a_case_on_solid_rock() {
+    let desk = Desk::new();
+    let case = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/rock-300.toml");
+    fs::copy(case, desk.path("rock.toml")).unwrap();
+    assert_snapshot!(transcript(&desk.run(&["check", "rock.toml"])));
+}
+
 #[test]
 fn mistakes_are_underlined() {
     let desk = Desk::new();
