@@ -56,8 +56,8 @@ impl DrillingSpec {
     ///
     /// The block is two bricks, or an eighth of the diameter, wider than the bit on each side, and as deep as the face from its
     /// nose to the gauge, and a quarter of the diameter, or four bricks, below. It is held at the bottom, so that the
-    /// weight does not push it away; there is more rock around. Its density is 400 times the rock's, which moves mean
-    /// forces by less than 5 % while `ρ v²`, with the scaled density and the speed of the bit's rim, is below a sixteenth of the
+    /// weight does not push it away; there is more rock around. Its density is 400 times the rock's: four times as much moves mean
+    /// forces by less than 5 % while `ρ v²`, with the scaled density and the speed of the bit's rim, stays below a quarter of the
     /// rock's strength.
     ///
     /// # Errors
