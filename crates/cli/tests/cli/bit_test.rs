@@ -16,10 +16,13 @@ use crate::desk::{Desk, masked, transcript};
 
 /// Weak rock in coarse bricks under the bit of 120 mm: a point takes half a second.
 const ROCK: &str = r#"
+[bit.face]
+cutter_diameter = "19 mm"
+
 [rock]
 strength = "10 MPa"
 element_size = "15 mm"
-compressive_fracture_energy = "150 kJ/m2"
+density_factor = 60
 
 [bit_test]
 wob = ["10 kN", "20 kN"]
