@@ -146,8 +146,8 @@ fn a_trial_counts_what_a_driven_bit_does() {
             quantity: &format!("{quantity} of a bit alone, counted against summed up by hand"),
             expected: 1.0,
             computed: computed / expected,
-            tolerance: Tolerance::Absolute(1e-9),
-            reason: "rounding, in deviations as differences of squares",
+            tolerance: Tolerance::Absolute(1e-12),
+            reason: "rounding of 660 steps",
         });
     }
     // Teale's form of the same: weight per area, and torque per depth of cut and area.
