@@ -20,7 +20,8 @@ pub struct BottomPicture {
 }
 
 impl BottomPicture {
-    /// A bottom whose depths have any origin; none where no depth is known.
+    /// A bottom whose depths have any origin; none where no depth is known. What is farther from the rim than the bottom is from
+    /// its axis to its edge has come loose, and is left out.
     ///
     /// # Panics
     /// If there is not one depth for each sector of each ring.
@@ -34,10 +35,13 @@ impl BottomPicture {
         let mut known: Vec<f64> = known.collect();
         known.sort_by(f64::total_cmp);
         let rim = *known.get((RIM * known.len() as f64) as usize)?;
+        // What has come off the rock and flies is no bottom.
+        let far_m = radius_m.last().copied().unwrap_or(0.0);
+        let place = |depth: f64| if depth.abs() > far_m { f64::NAN } else { depth };
         Some(Self {
             radius_m: Packed::single(radius_m.iter().copied()),
             angle_rad: Packed::single(angle_rad.iter().copied()),
-            depth_m: Packed::single(depth_m.iter().map(|depth| depth - rim)),
+            depth_m: Packed::single(depth_m.iter().map(|depth| place(depth - rim))),
         })
     }
 
@@ -58,7 +62,7 @@ mod tests {
 
     #[test]
     fn a_splinter_is_not_the_rim() {
-        let radii: Vec<f64> = (0..40).map(f64::from).collect();
+        let radii: Vec<f64> = (1..=40).map(|ring| 0.004 * f64::from(ring)).collect();
         let mut depths = vec![0.02; 40];
         depths[39] = -0.05;
         let bottom = BottomPicture::new(&radii, &[0.0], &depths).expect("depths are known");
@@ -68,17 +72,25 @@ mod tests {
     }
 
     #[test]
+    fn a_loose_brick_is_not_the_bottom() {
+        let radii = [0.02, 0.06, 0.1];
+        let bottom = BottomPicture::new(&radii, &[0.0], &[0.0, 1.1, 0.09]);
+        let depths = bottom.expect("depths are known").depth_m.values();
+        assert!(depths[0] == 0.0 && depths[1].is_nan() && depths[2] > 0.08);
+    }
+
+    #[test]
     fn depths_begin_at_the_rim() {
         let bottom = BottomPicture::new(
             &[0.01, 0.03],
             &[1.0, 3.0, 5.0],
-            &[-5.0, f64::NAN, -4.5, -4.0, -5.5, -4.25],
+            &[-5.005, f64::NAN, -5.0, -5.0, -5.01, -4.99],
         );
         let bottom = bottom.expect("depths are known");
         let depths = bottom.depth_m.values();
         assert!(depths[1].is_nan());
         assert_eq!(depths[4], 0.0);
-        assert_eq!(depths[3], 1.5);
+        assert!((depths[3] - 0.01).abs() < 1e-8);
         let [inner, outer] = bottom.edges_m();
         assert!(inner.abs() < 1e-9 && (outer - 0.04).abs() < 1e-9);
         assert_eq!(BottomPicture::new(&[0.1], &[0.0], &[f64::NAN]), None);
