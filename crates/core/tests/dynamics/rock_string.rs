@@ -163,14 +163,25 @@ fn what_the_rock_takes_the_top_gives() {
         tolerance: Tolerance::Relative(0.05),
         reason: "the string stretches by a tenth of a millimetre under what the weight varies",
     });
+    let energy = outcome.numerics.energy.expect("a balance");
     report(&Row {
         case: "rock",
-        quantity: "energy of a string on solid rock that is unaccounted for, part of the largest flow",
+        quantity: "energy of a string on solid rock that is unaccounted for, part of the bit's work",
         expected: 0.0,
-        computed: outcome.numerics.energy_residual,
-        tolerance: Tolerance::Absolute(0.01),
-        reason: "what the bit does within a step of the string",
+        computed: energy.residual_J / energy.bit_work_J,
+        tolerance: Tolerance::Absolute(0.05),
+        reason: "first order in the string's step: elements of 3.2, 1.6, 0.8 m have 3.5, 1.3, 1.0 %",
     });
+    // The start neither drops the string nor throws it: the hook load departs no further than later.
+    let begins = series.time_s.partition_point(|t| *t < 0.3);
+    let departure = |hook_N: &[f64]| {
+        let off = hook_N.iter().map(|n| (n / hook.mean - 1.0).abs());
+        off.fold(0.0, f64::max)
+    };
+    let first = departure(&series.hook_load_N[..begins]);
+    let later = departure(&series.hook_load_N[from..]);
+    println!("hook load departs by {first:.2}, later by {later:.2}");
+    assert!(first < 1.25 * later, "{first} {later}");
     let bottom = simulation.bottom_hole().expect("rock");
     let known = (0..bottom.rings()).flat_map(|r| (0..bottom.sectors()).map(move |s| (r, s)));
     let depths: Vec<f64> = known.filter_map(|(r, s)| bottom.z_m(r, s)).collect();
