@@ -216,12 +216,13 @@ table! {
         );
         /// A mud motor that turns with the flow and yields to the torque.
         motor: MotorTable = optional(Section::<MotorTable>::RULE);
-        /// All laws but "rock": what the bit cuts sideways per side force over what it cuts ahead per weight. Raising it
-        /// lets a side force move the bit off the hole's axis faster; solid rock finds it by itself. Only the dynamic model uses it.
+        /// Side cutting: what the bit cuts sideways per side force over what it cuts ahead per weight. Raising it
+        /// lets a side force move the bit off the hole's axis faster. Only the dynamic model uses it.
         steerability: f64 = default(number(1.0), 0.0);
         /// Lateral stiffness that holds the bit to the hole's axis, instead of contact and friction
-        /// with the wall: the bit fills its hole. Raising it holds the bit closer. Solid rock holds a bit on bottom by
-        /// itself. Only the dynamic model uses it.
+        /// with the wall: the bit fills its hole. Raising it holds the bit closer. On solid rock it stands for what the wall
+        /// is finer than bricks; with 0 the bricks alone hold the bit. Only the dynamic model
+        /// uses it.
         lateral_stiffness: f64 = default(
             Quantity::si(Dimension::Stiffness, Range::from_to(0.0, 1e12), "1e7 N/m"),
             BitSettings::default().lateral_stiffness_N_per_m,
@@ -447,12 +448,6 @@ impl BitTable {
 
     fn warn_of_idle_keys(&self, is_tested: bool, reader: &mut Reader) {
         const SHAPED: &[Law] = &[Law::Regenerative, Law::DetournayDefourny, Law::Rock];
-        const UNSOLID: &[Law] = &[
-            Law::Rate,
-            Law::Regenerative,
-            Law::DetournayDefourny,
-            Law::Table,
-        ];
         const DETOURNAY: &[Law] = &[Law::DetournayDefourny];
         const REGENERATIVE: &[Law] = &[Law::Regenerative];
         let Some(law) = self.law.at() else { return };
@@ -488,7 +483,6 @@ impl BitTable {
             ),
             (place(&self.cleaning_limit), "cleaning_limit", DETOURNAY),
             (place(&self.table), "table", &[Law::Table]),
-            (place(&self.steerability), "steerability", UNSOLID),
         ];
         for (place, name, owners) in belongs {
             let tested = is_tested && owners.contains(&Law::Rock);

@@ -151,7 +151,7 @@ fn what_has_no_effect() {
     ));
     warned("warn_rock_under_another_law", read(&idle));
     let others = on_rock(
-        "rock_stiffness = 1e8\nsteerability = 0.1\nkind = \"inserts\"",
+        "rock_stiffness = 1e8\nkind = \"inserts\"",
         &format!("[bit.face]\nblades = 5\nhalf_angle = 30\nrows = 11\n{SOUND}"),
     );
     warned("warn_keys_of_other_faces", read(&others));

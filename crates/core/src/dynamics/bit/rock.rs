@@ -43,7 +43,7 @@ const INSERT_RAKE_RAD: f64 = std::f64::consts::FRAC_PI_4;
 
 /// Solid rock: the face of the bit breaks bricks, and feels what they answer in all six components.
 ///
-/// The bit's own side spring has no part in it: on bottom the wall that the bit has cut holds it.
+/// Sideways the bit's own spring holds it besides: a wall of bricks leaves its gauge room to bang about.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RockLaw {
     /// The bit and its rock.
