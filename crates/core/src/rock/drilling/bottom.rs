@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use nalgebra::Vector3;
+
 use super::Drilling;
 use crate::rock::{bit_face::BottomHole, block::Block};
 
@@ -40,21 +42,21 @@ impl Drilling {
     }
 }
 
-/// Depth of the upmost face of each column of bricks, m, row by row; none of one that is empty.
+/// Depth of the upmost face of each column of bricks, m, row by row; none of one that is empty. What has come loose, farther from
+/// where it stood than it is high, is no bottom.
 fn tops_m(block: &Block) -> Vec<Option<f64>> {
     let grid = block.grid();
     let [nx, ny, nz] = grid.cells;
     let top = |i: usize, j: usize| {
-        let stands = |k: &usize| block.intact([i, j, *k]).is_some();
-        let brick = [i, j, (0..nz).find(stands)?];
-        let [a, b, c, d, ..] = grid.corners(brick);
-        Some(
-            [a, b, c, d]
-                .iter()
-                .map(|&n| block.position_m(n)[2])
-                .sum::<f64>()
-                / 4.0,
-        )
+        (0..nz).find_map(|k| {
+            block.intact([i, j, k])?;
+            let [a, b, c, d, ..] = grid.corners([i, j, k]);
+            let upper = [a, b, c, d];
+            let moved = upper.map(|n| Vector3::from(block.displacement_m(n)));
+            let depth_m: f64 = upper.iter().map(|&n| block.position_m(n)[2]).sum();
+            let loose = moved.iter().sum::<Vector3<f64>>().norm() > 4.0 * grid.size_m[2];
+            (!loose).then_some(depth_m / 4.0)
+        })
     };
     let rows = (0..ny).flat_map(|j| (0..nx).map(move |i| (i, j)));
     rows.map(|(i, j)| top(i, j)).collect()
