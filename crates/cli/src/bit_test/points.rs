@@ -51,6 +51,7 @@ pub(super) fn points(test: &BitTest, settings: &Value) -> Result<Vec<Point>, Fai
                 mass_kg: test.mass_kg,
                 settle_revolutions: test.settle_revolutions,
                 revolutions: test.revolutions,
+                averaging_s: test.averaging_s,
                 step_s: test.step_s,
             },
             settings,

@@ -75,3 +75,23 @@ pub struct Advance {
     /// Bricks that the bit has broken.
     pub broken: usize,
 }
+
+impl Advance {
+    /// Goes on with what became of the bit next: forces and moments are those of both times on average.
+    pub fn join(&mut self, next: &Self) {
+        let time_s = self.time_s + next.time_s;
+        let mean = |before: Vector3<f64>, after: Vector3<f64>| {
+            (before * self.time_s + after * next.time_s) / time_s
+        };
+        *self = Self {
+            time_s,
+            force_N: mean(self.force_N, next.force_N),
+            moment_N_m: mean(self.moment_N_m, next.moment_N_m),
+            displacement_m: self.displacement_m + next.displacement_m,
+            turned_rad: self.turned_rad + next.turned_rad,
+            work_J: self.work_J + next.work_J,
+            broken: self.broken + next.broken,
+            ..*next
+        };
+    }
+}

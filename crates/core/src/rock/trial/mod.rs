@@ -52,8 +52,7 @@ impl Trial {
         })
     }
 
-    /// Goes on by at most so many steps, as far as there are any left; a step is the time over which forces are
-    /// averaged. The pieces do not matter: the same steps come to the same bits.
+    /// Goes on by at most so many steps, as far as there are any left. The pieces do not matter: the same steps come to the same bits.
     ///
     /// # Errors
     /// Forces that are not finite.
@@ -63,9 +62,9 @@ impl Trial {
         stepper: &Stepper,
         executor: &impl Executor,
     ) -> Result<(), TrialError> {
-        let (driver, dt) = (self.spec.driver(), self.spec.averaging_time_s());
+        let (driver, dt) = (self.spec.driver(), self.spec.step_time_s());
         let [settle, all] = self.spec.steps();
-        let per_turn = self.spec.steps_per_turn();
+        let (per_turn, per_mean) = (self.spec.steps_per_turn(), self.spec.steps_per_mean());
         for _ in self.steps..all.min(self.steps.saturating_add(steps)) {
             let went = driver.drive(&mut self.drilling, dt, stepper, executor);
             self.steps += 1;
@@ -79,9 +78,13 @@ impl Trial {
                 continue;
             };
             let count = &mut self.count;
-            count.whole.add(&self.drilling, &went);
-            count.turn.add(&self.drilling, &went);
+            count.mean.join(&went);
             count.bricks_broken += went.broken as u64;
+            if counted.is_multiple_of(per_mean) {
+                let mean = std::mem::take(&mut count.mean);
+                count.whole.add(&self.drilling, &mean);
+                count.turn.add(&self.drilling, &mean);
+            }
             if counted.is_multiple_of(per_turn) {
                 count.turns.push(std::mem::take(&mut count.turn));
             }
@@ -105,7 +108,7 @@ impl Trial {
 
     /// Simulated time, s.
     pub fn time_s(&self) -> f64 {
-        self.steps as f64 * self.spec.averaging_time_s()
+        self.steps as f64 * self.spec.step_time_s()
     }
 
     /// What was counted so far; none while the bit is settling.

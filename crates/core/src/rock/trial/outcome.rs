@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use serde::{Deserialize, Serialize};
 
 use super::TrialSpec;
-use crate::rock::drilling::Progress;
+use crate::rock::drilling::{Advance, Progress};
 
 /// Means of a bit alone on the rock under one weight at one speed.
 ///
@@ -54,8 +54,10 @@ pub struct TrialOutcome {
 /// What is counted while a bit is tried.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(super) struct Count {
-    /// All of it.
+    /// All of it but the average under way.
     pub(super) whole: Progress,
+    /// The average under way.
+    pub(super) mean: Advance,
     /// Each whole revolution.
     pub(super) turns: Vec<Progress>,
     /// The revolution under way.

@@ -20,8 +20,11 @@ pub struct TrialSpec {
     pub settle_revolutions: f64,
     /// Revolutions that are counted.
     pub revolutions: f64,
-    /// The time over which forces are averaged before their standard deviations are taken, s: about a step of a string. A
-    /// revolution takes a whole number of equal times, which are no longer than this.
+    /// The time over which forces are averaged before their standard deviations are taken, s. A revolution takes a whole number
+    /// of equal times, which are no longer than this.
+    pub averaging_s: f64,
+    /// The time in which bit and rock are driven at a time, s: about a step of a string. Such an average takes a whole number of
+    /// equal steps, which are no longer than this.
     pub step_s: f64,
 }
 
@@ -67,6 +70,7 @@ impl TrialSpec {
         positive("weight on bit (N)", self.weight_N)?;
         positive("rotary speed (rad/s)", self.rotary_rad_per_s)?;
         positive("moving mass (kg)", self.mass_kg)?;
+        positive("averaging time (s)", self.averaging_s)?;
         positive("step (s)", self.step_s)?;
         positive("revolutions", self.revolutions)?;
         if !(self.settle_revolutions >= 0.0 && self.settle_revolutions.is_finite()) {
@@ -76,7 +80,7 @@ impl TrialSpec {
                 expected: "none or more",
             });
         }
-        let steps = TAU / self.rotary_rad_per_s / self.step_s
+        let steps = TAU / self.rotary_rad_per_s / self.step_s.min(self.averaging_s)
             * (1.0 + self.settle_revolutions + self.revolutions);
         if steps > Self::MOST_STEPS {
             return Err(TrialError::Number {
@@ -97,27 +101,47 @@ impl TrialSpec {
         }
     }
 
+    /// Averages of a revolution.
+    fn means_per_turn(&self) -> u64 {
+        parts(TAU / self.rotary_rad_per_s, self.averaging_s)
+    }
+
+    /// Steps of an average.
+    pub(super) fn steps_per_mean(&self) -> u64 {
+        parts(self.averaging_time_s(), self.step_s)
+    }
+
     /// Steps of a revolution.
     pub(super) fn steps_per_turn(&self) -> u64 {
-        let steps = TAU / self.rotary_rad_per_s / self.step_s;
-        // A step that rounding has made a little too long is none the worse.
-        (steps * (1.0 - 1e-12)).ceil().max(1.0) as u64
+        self.means_per_turn() * self.steps_per_mean()
+    }
+
+    /// Time of an average, s.
+    pub fn averaging_time_s(&self) -> f64 {
+        TAU / self.rotary_rad_per_s / self.means_per_turn() as f64
     }
 
     /// Time of a step, s.
-    pub fn averaging_time_s(&self) -> f64 {
-        TAU / self.rotary_rad_per_s / self.steps_per_turn() as f64
+    pub fn step_time_s(&self) -> f64 {
+        self.averaging_time_s() / self.steps_per_mean() as f64
     }
 
-    /// Steps before counting begins, and steps of all.
+    /// Steps before counting begins, and steps of all: of whole averages.
     pub(super) fn steps(&self) -> [u64; 2] {
-        let of = |revolutions: f64| (revolutions * self.steps_per_turn() as f64).round() as u64;
+        let of = |revolutions: f64| (revolutions * self.means_per_turn() as f64).round() as u64;
         let settle = of(self.settle_revolutions);
-        [settle, settle + of(self.revolutions).max(1)]
+        let all = settle + of(self.revolutions).max(1);
+        [settle, all].map(|means| means * self.steps_per_mean())
     }
 
     /// Time of the whole trial, s.
     pub fn duration_s(&self) -> f64 {
-        self.steps()[1] as f64 * self.averaging_time_s()
+        self.steps()[1] as f64 * self.step_time_s()
     }
+}
+
+/// Into how many equal parts a time is cut that are no longer than another. A part that rounding has made a little too long is
+/// none the worse.
+fn parts(time_s: f64, longest_s: f64) -> u64 {
+    (time_s / longest_s * (1.0 - 1e-12)).ceil().max(1.0) as u64
 }
