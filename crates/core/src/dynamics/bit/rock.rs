@@ -1,9 +1,11 @@
 //! Solid rock under the bit: bricks that the face of the bit breaks.
 
+use std::f64::consts::TAU;
+
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::{BitStep, Came, Cutters, SteadyCut, front::depth_of_cut_m, motor::Drive};
+use super::{BitStep, Came, Cutters, SteadyCut, motor::Drive};
 use crate::{
     dynamics::{
         assembly::Anchor,
@@ -22,9 +24,6 @@ const EVEN_S: f64 = 0.02;
 
 /// Part of the nodes of the bottom that a bit touches at the most: twice what bits of 60 and 216 mm on bricks of 3 to 12 mm did.
 const TOUCHED: f64 = 0.125;
-
-/// Speed of a bit that hardly turns, rad/s: a revolution a minute.
-const HARDLY_RAD_PER_S: f64 = 0.1;
 
 /// Angle by which the bit turns on its bottom before the start, rad: every place has met two blades.
 const RUN_IN_RAD: f64 = std::f64::consts::PI;
@@ -83,7 +82,7 @@ impl RockLaw {
             depth_of_cut_m,
             torque_N_m: cutters.torque_N_m(weight_on_bit_N, 0.0),
             rate_of_penetration_m_per_s: depth_of_cut_m * rotary_speed_rad_per_s
-                / std::f64::consts::TAU,
+                / TAU,
         }
     }
 
@@ -137,8 +136,8 @@ pub(super) struct RockCut {
     even_N_m: f64,
     /// Torque of the rock against the bit, on average, N·m.
     resisting_N_m: f64,
-    /// How fast the bit goes down and turns, on average, m/s and rad/s.
-    going: [f64; 2],
+    /// Way of the bit in about its last revolution, which fades as it turns, m.
+    depth_of_cut_m: f64,
 }
 
 impl RockCut {
@@ -151,7 +150,7 @@ impl RockCut {
             even_N: Vector3::zeros(),
             even_N_m: 0.0,
             resisting_N_m: 0.0,
-            going: [0.0; 2],
+            depth_of_cut_m: 0.0,
         })
     }
 
@@ -187,6 +186,9 @@ impl RockCut {
         self.even_N = Vector3::z() * first.weight_N;
         self.even_N_m = first.torque_N_m;
         self.resisting_N_m = first.torque_N_m;
+        if turning_rad_per_s > 0.0 {
+            self.depth_of_cut_m = first.rate_m_per_s * TAU / turning_rad_per_s;
+        }
     }
 
     /// Drills half a revolution at a constant rate and speed.
@@ -301,31 +303,19 @@ impl RockCut {
             element!(chain, index - 1, twist += further);
         }
         let rate_m_per_s = advance.displacement_m.z / dt;
-        let going = [rate_m_per_s, advance.turned_rad / dt];
-        for (even, now) in self.going.iter_mut().zip(going) {
-            *even += (now - *even) * part;
-        }
+        let turned_part = (advance.turned_rad.abs() / TAU).min(1.0);
+        self.depth_of_cut_m += advance.displacement_m.z - turned_part * self.depth_of_cut_m;
         let moment = advance.moment_N_m;
         BitStep {
             weight_on_bit_N: -advance.force_N.z,
             torque_N_m,
-            depth_of_cut_m: self.depth_of_cut_m(),
+            depth_of_cut_m: self.depth_of_cut_m,
             rate_of_penetration_m_per_s: rate_m_per_s,
             force_N: out(advance.force_N),
             moment_N_m: (moment - axis * moment.dot(&axis)).norm(),
             motor_speed_rad_per_s: motor,
             // What the motor gives the bit does not come from the string.
             work_J: advance.work_J + torque_N_m * motor * dt,
-        }
-    }
-
-    /// Depth of cut per revolution by the averages, m; none of a bit that hardly turns.
-    fn depth_of_cut_m(&self) -> f64 {
-        let [rate_m_per_s, turning_rad_per_s] = self.going;
-        if turning_rad_per_s > HARDLY_RAD_PER_S {
-            depth_of_cut_m(rate_m_per_s, turning_rad_per_s)
-        } else {
-            0.0
         }
     }
 
