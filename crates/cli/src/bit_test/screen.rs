@@ -88,6 +88,11 @@ fn common(summary: &BitTestSummary) -> String {
     if let Some(ratio) = response.specific_energy_over_strength {
         text += &format!("Specific energy over the rock's strength, all points: {ratio:.2}\n");
     }
+    if let Some(stiffness) = response.bottom_stiffness_N_per_m {
+        text += &format!(
+            "Weight over a blade's depth of cut, all points: rock_stiffness = \"{stiffness:.2e} N/m\" with the table\n"
+        );
+    }
     text
 }
 

@@ -238,7 +238,7 @@ impl<'a> Trials<'a> {
             settings: self.case.settings.clone(),
             rock_strength_Pa,
             bit_radius_m,
-            response: DrillingResponse::of(&outcomes, bit_radius_m, rock_strength_Pa),
+            response: DrillingResponse::of(&outcomes, &drilling.bit, rock_strength_Pa),
             points,
         }
     }

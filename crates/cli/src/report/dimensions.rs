@@ -105,6 +105,8 @@ pub(crate) fn of_key(key: &str) -> Option<(&'static str, &str)> {
         ("_N_s_per_m", "damping"),
         ("_rad_per_s", "rotary speed"),
         ("_kg_per_m3", "density"),
+        ("_J_per_m3", "pressure"),
+        ("_J_per_m2", "fracture energy"),
         ("_m3_per_s", "flow rate"),
         ("_m3", "volume"),
         ("_kg_per_m", "mass per length"),

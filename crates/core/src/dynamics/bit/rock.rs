@@ -81,8 +81,7 @@ impl RockLaw {
         SteadyCut {
             depth_of_cut_m,
             torque_N_m: cutters.torque_N_m(weight_on_bit_N, 0.0),
-            rate_of_penetration_m_per_s: depth_of_cut_m * rotary_speed_rad_per_s
-                / TAU,
+            rate_of_penetration_m_per_s: depth_of_cut_m * rotary_speed_rad_per_s / TAU,
         }
     }
 

@@ -22,6 +22,14 @@ impl BitShape {
         }
     }
 
+    /// Blades that carry the cutters; none of a bit with inserts.
+    pub fn blades(&self) -> Option<usize> {
+        match self {
+            Self::Pdc(bit) => Some(bit.blades),
+            Self::Insert(_) => None,
+        }
+    }
+
     /// The face.
     ///
     /// # Errors

@@ -51,6 +51,9 @@ pub enum DrillingError {
 /// Factor on the rock's density by default.
 const DENSITY_FACTOR: f64 = 400.0;
 
+/// Slabs that a block is cut into: as many threads have something to do.
+const SLABS: usize = 4;
+
 impl DrillingSpec {
     /// A bit on cubes of this size.
     ///
@@ -71,6 +74,7 @@ impl DrillingSpec {
         let below = bricks(0.25 * diameter_m).max(4);
         let mut block = BlockSpec::new(rock, [across, across, wall + 1 + below], size_m);
         block.edges[5] = Edge::Held;
+        block.layers_per_slab = block.cells[2].div_ceil(SLABS);
         block.numerics.density_factor = DENSITY_FACTOR;
         Ok(Self {
             block,

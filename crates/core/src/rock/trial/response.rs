@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::TrialOutcome;
+use crate::rock::drilling::BitShape;
 
 /// The numbers by which a bit on a rock is judged, from trials under several weights at several speeds.
 ///
@@ -17,6 +18,9 @@ pub struct DrillingResponse {
     pub torque_over_weight_and_radius: Option<f64>,
     /// Torque of that line where there is no weight, N·m.
     pub torque_at_no_weight_N_m: Option<f64>,
+    /// Weight over a blade's depth of cut `d/n`, by the least squares of the weight, N/m: against what the blade before has left, the
+    /// bottom is as stiff. None of a bit without blades, or where none got on.
+    pub bottom_stiffness_N_per_m: Option<f64>,
     /// Work per volume broken, of all trials together, Pa; none where nothing was broken.
     pub specific_energy_Pa: Option<f64>,
     /// The same over the rock's unconfined strength.
@@ -24,8 +28,9 @@ pub struct DrillingResponse {
 }
 
 impl DrillingResponse {
-    /// From the outcomes of trials; the bit's radius in m, the rock's unconfined strength in Pa.
-    pub fn of(outcomes: &[TrialOutcome], radius_m: f64, strength_Pa: f64) -> Self {
+    /// From the outcomes of trials of a bit; the rock's unconfined strength in Pa.
+    pub fn of(outcomes: &[TrialOutcome], bit: &BitShape, strength_Pa: f64) -> Self {
+        let radius_m = 0.5 * bit.diameter_m();
         let count = outcomes.len() as f64;
         let mean = |of: &dyn Fn(&TrialOutcome) -> f64| outcomes.iter().map(of).sum::<f64>() / count;
         let [weight, torque] = [mean(&|one| one.weight_borne_N), mean(&|one| one.torque_N_m)];
@@ -39,11 +44,20 @@ impl DrillingResponse {
             .iter()
             .filter_map(|one| Some(one.specific_energy_Pa? * one.bricks_broken as f64))
             .sum();
+        let blade_cut = |one: &TrialOutcome| {
+            let cut_m = one.depth_of_cut_m / bit.blades().map_or(f64::NAN, |n| n as f64);
+            [one.weight_borne_N * cut_m, cut_m * cut_m]
+        };
+        let cuts = outcomes.iter().filter(|one| one.depth_of_cut_m > 0.0);
+        let [pressed, squares] = cuts
+            .map(blade_cut)
+            .fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
         let specific_energy_Pa = (broken > 0.0).then(|| work / broken);
         Self {
             torque_over_weight_m: slope,
             torque_over_weight_and_radius: slope.map(|slope| slope / radius_m),
             torque_at_no_weight_N_m: slope.map(|slope| torque - slope * weight),
+            bottom_stiffness_N_per_m: (squares > 0.0).then(|| pressed / squares),
             specific_energy_Pa,
             specific_energy_over_strength: specific_energy_Pa.map(|energy| energy / strength_Pa),
         }
@@ -53,6 +67,7 @@ impl DrillingResponse {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::rock::bit_face::{InsertBit, PdcBit};
 
     fn outcome(weight_borne_N: f64, torque_N_m: f64, energy: Option<(f64, u64)>) -> TrialOutcome {
         TrialOutcome {
@@ -86,7 +101,8 @@ mod tests {
             outcome(2e4, line(2e4) - 7.0, None),
             outcome(3e4, line(3e4), Some((20e6, 100))),
         ];
-        let of = DrillingResponse::of(&outcomes, 0.1, 50e6);
+        let bit = PdcBit::for_diameter(0.2);
+        let of = DrillingResponse::of(&outcomes, &BitShape::Pdc(bit), 50e6);
         let near = |value: Option<f64>, expected: f64| {
             let value = value.expect("a value");
             assert!(
@@ -97,15 +113,21 @@ mod tests {
         near(of.torque_over_weight_m, 0.08);
         near(of.torque_over_weight_and_radius, 0.8);
         near(of.torque_at_no_weight_N_m, 40.0);
+        // All of them cut 1 mm: the mean of the weights over a blade's.
+        near(
+            of.bottom_stiffness_N_per_m,
+            2e4 / (1e-3 / bit.blades as f64),
+        );
         near(of.specific_energy_Pa, 29e6);
         near(of.specific_energy_over_strength, 0.58);
     }
 
     #[test]
     fn one_weight_has_no_slope_and_nothing_broken_no_energy() {
+        let bit = BitShape::Insert(InsertBit::for_diameter(0.2));
         let of = DrillingResponse::of(
             &[outcome(1e4, 9.0, None), outcome(1e4, 8.0, None)],
-            0.1,
+            &bit,
             50e6,
         );
         assert_eq!(
@@ -114,10 +136,11 @@ mod tests {
                 torque_over_weight_m: None,
                 torque_over_weight_and_radius: None,
                 torque_at_no_weight_N_m: None,
+                bottom_stiffness_N_per_m: None,
                 specific_energy_Pa: None,
                 specific_energy_over_strength: None,
             }
         );
-        assert_eq!(DrillingResponse::of(&[], 0.1, 50e6), of);
+        assert_eq!(DrillingResponse::of(&[], &bit, 50e6), of);
     }
 }
