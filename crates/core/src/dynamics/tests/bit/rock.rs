@@ -62,6 +62,8 @@ impl Slant {
         chain.set_director(0, (tangent + 0.01 * high_side).normalize().into());
         let settings = BitSettings {
             law: BitLaw::Rock(Box::new(RockLaw { drilling })),
+            // The rock alone holds it.
+            lateral_stiffness_N_per_m: 0.0,
             motor,
             ..BitSettings::default()
         };
