@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{BitStep, Came, Cutters, SteadyCut, motor::Drive};
 use crate::{
+    GRAVITY_M_PER_S2,
     dynamics::{
         assembly::Anchor,
         chain::{Chain, element, node},
@@ -25,8 +26,8 @@ const EVEN_S: f64 = 0.02;
 /// Part of the nodes of the bottom that a bit touches at the most: twice what bits of 60 and 216 mm on bricks of 3 to 12 mm did.
 const TOUCHED: f64 = 0.125;
 
-/// Angle by which the bit turns on its bottom before the start, rad: every place has met two blades.
-const RUN_IN_RAD: f64 = std::f64::consts::PI;
+/// Angle by which the bit turns on its bottom before the start, rad: each blade has met what it has left itself.
+const RUN_IN_RAD: f64 = TAU;
 
 /// How long a bit that does not turn presses before the start, s, when all weight is there, as a part of that, and what calms
 /// it, 1/s.
@@ -174,10 +175,10 @@ impl RockCut {
             rotation: tilt.matrix() * pose.rotation,
             ..pose
         });
-        if turning_rad_per_s > 0.0 && first.rate_m_per_s > 0.0 {
-            self.run_in(first.rate_m_per_s, turning_rad_per_s, crew);
+        let mass_kg = 1.0 / node!(chain, index, inv_mass_axial);
+        if first.weight_N > 0.0 && turning_rad_per_s > 0.0 {
+            self.run_in(first, mass_kg, turning_rad_per_s, crew);
         } else if first.weight_N > 0.0 {
-            let mass_kg = 1.0 / node!(chain, index, inv_mass_axial);
             self.press(first.weight_N, mass_kg, crew);
         }
         let at = anchor.position_m + Vector3::from(chain.displacement(index));
@@ -190,12 +191,17 @@ impl RockCut {
         }
     }
 
-    /// Drills half a revolution at a constant rate and speed.
-    fn run_in(&mut self, rate_m_per_s: f64, rotary_rad_per_s: f64, crew: &Crew) {
-        let driver = Driver::Rate {
-            rate_m_per_s,
+    /// Drills a revolution under the weight at a constant speed: what weighs as much as the weight, or the bit's node if that is
+    /// more, goes down with the bit.
+    fn run_in(&mut self, first: Standing, mass_kg: f64, rotary_rad_per_s: f64, crew: &Crew) {
+        let driver = Driver::Weight {
+            weight_N: first.weight_N,
+            mass_kg: mass_kg.max(first.weight_N / GRAVITY_M_PER_S2),
             rotary_rad_per_s,
         };
+        let mut pose = *self.drilling.pose();
+        pose.velocity_m_per_s = Vector3::z() * first.rate_m_per_s;
+        self.drilling.place(pose);
         let time_s = RUN_IN_RAD / rotary_rad_per_s;
         let steps = (time_s / RUN_IN_STEP_S).ceil();
         for _ in 0..steps as usize {
