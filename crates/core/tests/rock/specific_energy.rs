@@ -439,14 +439,15 @@ fn pressure_and_steps() {
         [Tolerance::Absolute(0.05); 2],
         "no more than the spread",
     );
-    for drive in [Drive::Weight(10e3, 200.0), Drive::Weight(5e3, 200.0)] {
+    for weight_N in [10e3, 5e3] {
         for step_s in [0.64e-3, 0.32e-3] {
             let case = Case {
-                drive,
+                drive: Drive::Weight(weight_N, 200.0),
                 step_s,
                 ..whole
             };
-            case.drill();
+            let name = format!("under {weight_N} N, steps of {step_s} s");
+            as_published(&name, &case, &case.drill());
         }
     }
     for rotary in [1.0, 2.0, 4.0, 8.0] {
@@ -454,7 +455,11 @@ fn pressure_and_steps() {
             rotary_rad_per_s: rotary * TAU,
             ..whole
         };
-        case.drill();
+        as_published(
+            &format!("at {} rev/min", 60.0 * rotary),
+            &case,
+            &case.drill(),
+        );
     }
     let mut last = 0.0;
     for pressure_Pa in [0.0, 3e6, 10e6, 30e6] {
