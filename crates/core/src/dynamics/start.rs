@@ -397,14 +397,12 @@ impl Laying<'_> {
                 block.friction_rise.0.fill(0.0);
             }
         }
-        if !self.body.is_empty() {
-            // A bend would swing the bit out of its hole.
-            node!(
-                self.chain,
-                self.mesh.nodes.len() - 1,
-                inv_mass_lateral = 0.0
-            );
-        }
+        // No wall holds the bit: its own hole does, whatever weighs on it or bends there.
+        node!(
+            self.chain,
+            self.mesh.nodes.len() - 1,
+            inv_mass_lateral = 0.0
+        );
         let steps = (SETTLING_S / input.dt).ceil() as usize;
         for step in 0..steps {
             let grown = (step + 1) as f64 / (GROWING * steps as f64);

@@ -22,7 +22,7 @@ pub use self::{
     motor::{Motor, MudMotor},
     rate::RateLaw,
     regenerative::RegenerativeLaw,
-    rock::{RockLaw, Standing},
+    rock::{RockLaw, RunIn, Standing},
     settings::{BitLaw, BitSettings},
     table::{BitTable, TableFault, TableLaw, TablePoint, TableUse},
 };
@@ -43,7 +43,7 @@ use super::{
 };
 use crate::{
     operation::Operation,
-    rock::{Drilling, DrillingError},
+    rock::Drilling,
     rod::{number::Real, vector::Vector},
 };
 
@@ -144,16 +144,8 @@ impl Default for BitStep {
 
 impl Bit {
     /// The bit of `operation` at `depth_m`, pressed on the rock with the operation's weight as it is
-    /// while drilling steadily. `seed` is that of the excitation. Where solid rock is, [`Self::stand`] says.
-    ///
-    /// # Errors
-    /// A bit or a block of rock that cannot be.
-    pub fn new(
-        settings: &BitSettings,
-        operation: &Operation,
-        depth_m: f64,
-        seed: u64,
-    ) -> Result<Self, DrillingError> {
+    /// while drilling steadily. `seed` is that of the excitation. Solid rock comes under it with [`Self::stand`].
+    pub fn new(settings: &BitSettings, operation: &Operation, depth_m: f64, seed: u64) -> Self {
         let drills = operation.kind.on_bottom() && operation.weight_on_bit_now_N() > 0.0;
         let motor = settings.motor;
         let flow = operation.flow_now_m3_per_s();
@@ -167,62 +159,50 @@ impl Bit {
                 weight_N,
                 turning_rad_per_s: turning,
             };
-            Cut::Front(Box::new(FrontCut::new(
-                law,
-                stiffness_N_per_m,
-                shaker,
-                pressed,
-            )))
+            let cut = FrontCut::new(law, stiffness_N_per_m, shaker, pressed);
+            Some(Cut::Front(Box::new(cut)))
         };
-        let cut = if !drills {
-            None
-        } else {
-            Some(match &settings.law {
-                BitLaw::Regenerative(law) => {
-                    Cut::Regenerative(RegenerativeCut::new(*law, operation, depth_m))
-                }
-                BitLaw::Rate(law) => front(
-                    FrontLaw::Rate(Rate::new(operation, &drive)),
-                    law.rock_stiffness_N_per_m,
-                    law.excitation,
-                ),
-                BitLaw::DetournayDefourny(law) => front(
-                    FrontLaw::DetournayDefourny(*law),
-                    law.rock_stiffness_N_per_m,
-                    law.excitation,
-                ),
-                BitLaw::Table(law) => front(
-                    FrontLaw::Table(law.clone(), Counter::new()),
-                    law.rock_stiffness_N_per_m,
-                    law.excitation,
-                ),
-                BitLaw::Rock(law) => Cut::Rock(Box::new(RockCut::new(law)?)),
-            })
+        let cut = match &settings.law {
+            _ if !drills => None,
+            BitLaw::Regenerative(law) => {
+                let cut = RegenerativeCut::new(*law, operation, depth_m);
+                Some(Cut::Regenerative(cut))
+            }
+            BitLaw::Rock(_) => None,
+            BitLaw::Rate(law) => front(
+                FrontLaw::Rate(Rate::new(operation, &drive)),
+                law.rock_stiffness_N_per_m,
+                law.excitation,
+            ),
+            BitLaw::DetournayDefourny(law) => front(
+                FrontLaw::DetournayDefourny(*law),
+                law.rock_stiffness_N_per_m,
+                law.excitation,
+            ),
+            BitLaw::Table(law) => front(
+                FrontLaw::Table(law.clone(), Counter::new()),
+                law.rock_stiffness_N_per_m,
+                law.excitation,
+            ),
         };
         let side_cut_m_per_N = if drills {
             settings.side_cut_m_per_N(operation)
         } else {
             0.0
         };
-        Ok(Self {
+        Self {
             side: Side::new(settings.lateral_stiffness_N_per_m, side_cut_m_per_N),
             motor,
             drive,
             cut,
-        })
+        }
     }
 
-    /// Puts solid rock, if it is that, under the string's bit.
-    pub fn stand(
-        &mut self,
-        chain: &Chain<impl Real>,
-        anchor: &Anchor,
-        first: Standing,
-        crew: &Crew,
-    ) {
-        if let Some(Cut::Rock(cut)) = &mut self.cut {
-            cut.stand(chain, anchor, first, self.drive.speed_rad_per_s(), crew);
-        }
+    /// Stands the string's bit on the rock that it was run in on.
+    pub fn stand(&mut self, run_in: RunIn, chain: &Chain<impl Real>, anchor: &Anchor) {
+        let mut cut = run_in.into_cut();
+        cut.stand(chain, anchor);
+        self.cut = Some(Cut::Rock(Box::new(cut)));
     }
 
     /// The solid rock under the bit, if it is that.

@@ -4,9 +4,9 @@ use super::{Run, sampling::SinceSample, squeezed_m, state::State};
 use crate::{
     dynamics::{
         assembly,
-        bit::{Bit, Standing},
+        bit::{Bit, RunIn, Standing},
         body::Body,
-        chain::Row,
+        chain::{Row, node},
         crew::Crew,
         energy::Ledger,
         hoist::{Hoist, Target},
@@ -45,7 +45,7 @@ impl<R: Real> Run<R> {
         let basis = Basis::<R>::new(model, operation, settings)?;
         let (mesh, dt) = (&basis.mesh, basis.plan.dt_s);
         let (control, velocity) = setup::hoisting(operation, settings);
-        let first = settings.schedule.at_time_zero(operation);
+        let mut first = settings.schedule.at_time_zero(operation);
         let bit_md_m = setup::first_bit_md_m(operation, settings);
         let chain = assembly::chain(model, mesh, &basis.plan);
         let mut viscous = Viscous::new(model, mesh, &first, velocity, bit_md_m);
@@ -55,6 +55,27 @@ impl<R: Real> Run<R> {
             dissipation: settings.contact_law.dissipation_s_per_m(),
             stribeck_speed: settings.stribeck_speed_m_per_s,
         };
+        let pressed_N = if settings.starts_cold() {
+            0.0
+        } else {
+            first.weight_on_bit_now_N()
+        };
+        let crew = Crew::default();
+        let last = mesh.nodes.len() - 1;
+        let drills = operation.kind.on_bottom() && operation.weight_on_bit_now_N() > 0.0;
+        let standing = Standing {
+            weight_N: pressed_N,
+            rate_m_per_s: if pressed_N > 0.0 { velocity } else { 0.0 },
+            mass_kg: node!(chain, last, mass_axial),
+        };
+        let run_in = if drills {
+            RunIn::new(&settings.bit, &first, standing, &crew)?
+        } else {
+            None
+        };
+        if let Some(run_in) = &run_in {
+            first.bit_torque_N_m = run_in.torque_N_m();
+        }
         let (moving, at_rest) = start::motion(&first, velocity, settings);
         // Whatever the run is made with, the string is laid in double precision.
         let laying = Stepper::new(basis.abilities);
@@ -77,7 +98,6 @@ impl<R: Real> Run<R> {
             mud.attach(&mut chain, &anchors, dt);
             mud.update(&mut chain, &anchors, &basis.surroundings, dt);
         }
-        let last = anchors.len() - 1;
         let top = anchors[0].md_m + chain.displacement(0).dot(chain.tangent(0));
         let bottom = anchors[last].md_m + chain.displacement(last).dot(chain.tangent(last));
         let hoist = Hoist::new(
@@ -97,25 +117,14 @@ impl<R: Real> Run<R> {
         };
         let top_drive = TopDrive::new(&settings.top_drive, string, &mut chain);
         // The front on which the bit stands with its first weight.
-        let pressed_N = if settings.starts_cold() {
-            0.0
-        } else {
-            first.weight_on_bit_now_N()
-        };
         let lighter_N = operation.weight_on_bit_now_N() - pressed_N;
         let bottom = bottom + lighter_N / settings.bit.law.stiffness_N_per_m();
         let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
-        let crew = Crew::default();
-        let mut bit = Bit::new(&settings.bit, operation, bottom, settings.seed)?;
+        let mut bit = Bit::new(&settings.bit, operation, bottom, settings.seed);
         bit.set_flow(first.flow_now_m3_per_s());
-        let advancing = if pressed_N > 0.0 { velocity } else { 0.0 };
-        let standing = Standing {
-            weight_N: pressed_N,
-            torque_N_m: first.bit_torque_now_N_m(),
-            rate_m_per_s: advancing,
-            string_rad_per_s: first.rotation_rad_per_s(),
-        };
-        bit.stand(&chain, &anchors[last], standing, &crew);
+        if let Some(run_in) = run_in {
+            bit.stand(run_in, &chain, &anchors[last]);
+        }
         let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
         let layout = chain.layout();
         let interval_s = basis.steps_per_sample as f64 * basis.plan.dt_s;

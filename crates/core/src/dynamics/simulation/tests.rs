@@ -2,6 +2,7 @@
 
 mod body;
 mod contact_map;
+mod laying;
 
 use super::*;
 use crate::{

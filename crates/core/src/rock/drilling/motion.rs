@@ -6,10 +6,12 @@ use serde::{Deserialize, Serialize};
 /// What the bit opposes to a push. An infinite inertia goes as it is told.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Inertia {
-    /// Mass along the hole, kg.
+    /// Mass along `along`, kg.
     pub mass_kg: f64,
     /// Mass across it, kg.
     pub lateral_mass_kg: f64,
+    /// A unit vector of the hole's frame: z, or where a string that leans in its hole says otherwise.
+    pub along: Vector3<f64>,
     /// Moment of inertia about the bit's axis, kg·m².
     pub about_axis_kg_m2: f64,
     /// Moment of inertia across the bit's axis, kg·m².
@@ -21,14 +23,21 @@ impl Inertia {
     pub const TOLD: Self = Self {
         mass_kg: f64::INFINITY,
         lateral_mass_kg: f64::INFINITY,
+        along: Vector3::new(0.0, 0.0, 1.0),
         about_axis_kg_m2: f64::INFINITY,
         across_axis_kg_m2: f64::INFINITY,
     };
 
     /// What an impulse, N·s, changes of the velocity, m/s.
-    pub(super) fn moved(&self, impulse_N_s: Vector3<f64>) -> Vector3<f64> {
-        let across = 1.0 / self.lateral_mass_kg;
-        impulse_N_s.component_mul(&Vector3::new(across, across, 1.0 / self.mass_kg))
+    pub(crate) fn moved(&self, impulse_N_s: Vector3<f64>) -> Vector3<f64> {
+        let along = self.along * self.along.dot(&impulse_N_s);
+        along / self.mass_kg + (impulse_N_s - along) / self.lateral_mass_kg
+    }
+
+    /// The impulse, N·s, that changes the velocity so, m/s.
+    pub(crate) fn impulse_N_s(&self, change_m_per_s: Vector3<f64>) -> Vector3<f64> {
+        let along = self.along * self.along.dot(&change_m_per_s);
+        along * self.mass_kg + (change_m_per_s - along) * self.lateral_mass_kg
     }
 
     /// What the impulse of a moment, N·m·s, changes of the angular velocity of a bit with an axis, rad/s.

@@ -64,7 +64,7 @@ impl Rig {
         node!(chain, 0, inv_polar = 1.0 / POLAR_KG_M2);
         Self {
             chain,
-            bit: Bit::new(&settings, &operation, DEPTH_M, 1).expect("a sound bit"),
+            bit: Bit::new(&settings, &operation, DEPTH_M, 1),
             push: Vector::zero(),
             turn: 0.0,
         }

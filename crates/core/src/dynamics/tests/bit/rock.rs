@@ -6,12 +6,16 @@ use super::{MASS_KG, OPERATION, POLAR_KG_M2};
 use crate::{
     dynamics::{
         assembly::Anchor,
-        bit::{Bit, BitLaw, BitSettings, BitStep, Came, Motor, MudMotor, RockLaw, Standing},
+        bit::{Bit, BitLaw, BitSettings, BitStep, Came, Motor, MudMotor, RockLaw, RunIn, Standing},
         chain::{Chain, node},
         crew::Crew,
         energy::kinetic_J,
     },
-    rock::{BitShape, DrillingSpec, Edge, Rock, bit_face::PdcBit},
+    operation::Operation,
+    rock::{
+        BitShape, DrillingSpec, Edge, Rock,
+        bit_face::{PdcBit, Pose},
+    },
     rod::vector::Vector,
 };
 
@@ -59,7 +63,8 @@ impl Slant {
         node!(chain, 0, inv_rotary = 1.0 / ROTARY_KG_M2);
         chain.set_tangent(0, tangent.into());
         chain.set_displacement(0, Vector::zero());
-        chain.set_director(0, (tangent + 0.01 * high_side).normalize().into());
+        let along = (tangent + 0.01 * high_side).normalize();
+        chain.set_director(0, along.into());
         let settings = BitSettings {
             law: BitLaw::Rock(Box::new(RockLaw { drilling })),
             // The rock alone holds it.
@@ -73,20 +78,24 @@ impl Slant {
             high_side,
         };
         let crew = Crew::default();
-        let mut bit = Bit::new(&settings, &OPERATION, 100.0, 1).expect("a sound bit");
+        let mut bit = Bit::new(&settings, &OPERATION, 100.0, 1);
         bit.set_flow(30e-3);
         let standing = Standing {
             weight_N: 0.0,
-            torque_N_m: 0.0,
             rate_m_per_s: 0.0,
-            string_rad_per_s: 0.0,
+            mass_kg: MASS_KG,
         };
-        bit.stand(&chain, &anchor, standing, &crew);
+        let thrown = Operation {
+            bit_torque_N_m: 0.0,
+            ..OPERATION
+        };
+        let run_in = RunIn::new(&settings, &thrown, standing, &crew).expect("a sound bit");
+        bit.stand(run_in.expect("rock"), &chain, &anchor);
         Self {
             chain,
             bit,
             anchor,
-            frame: Matrix3::from_columns(&[high_side, tangent.cross(&high_side), tangent]),
+            frame: Pose::new(Vector3::zeros(), along, high_side, 0.0).rotation,
             crew,
         }
     }
@@ -106,7 +115,7 @@ impl Slant {
     /// Momentum of the bit and of the rock, N·s.
     fn momentum(&self) -> [Vector3<f64>; 2] {
         let velocity: Vector3<f64> = self.chain.velocity(0).into();
-        let mass = Matrix3::from_diagonal(&Vector3::new(2.0, 2.0, 1.0)) * MASS_KG;
+        let along = Vector3::from(self.chain.tangent(0));
         let block = self.bit.drilling().expect("rock").block();
         let grid = block.grid();
         let nodes = grid.each_node().map(|node| grid.node(node));
@@ -114,7 +123,7 @@ impl Slant {
             .map(|n| Vector3::from(block.velocity_m_per_s(n)) * block.mass_kg(n))
             .sum();
         [
-            self.frame * mass * self.frame.transpose() * velocity,
+            (velocity * 2.0 - along * along.dot(&velocity)) * MASS_KG,
             self.frame * rock,
         ]
     }
@@ -179,7 +188,7 @@ fn momentum_and_energy_pass_exactly() {
         for step in 0..20 {
             slant.step(1000.0 * f64::from(step % 7));
         }
-        let given = slant.frame * Vector3::z() * (DT_S * 1000.0 * 57.0);
+        let given = Vector3::from(slant.chain.tangent(0)) * (DT_S * 1000.0 * 57.0);
         let gained = slant.momentum().iter().sum::<Vector3<f64>>() - before;
         assert!((gained - given).norm() < 1e-10 * all, "{gained} {given}");
         assert!(passed > 0.1 && bent > 10.0, "{passed} {bent}");

@@ -1,0 +1,11 @@
+//! Solid rock under the bit: bricks that the face of the bit breaks.
+
+mod cut;
+mod law;
+mod run_in;
+
+pub(super) use self::cut::RockCut;
+pub use self::{
+    law::RockLaw,
+    run_in::{RunIn, Standing},
+};
