@@ -80,6 +80,7 @@ pub(crate) fn pretty(symbol: &str) -> String {
     [
         ("deg", "°"),
         ("ft-lbf", "ft·lbf"),
+        ("in-lbf/in2", "in·lbf/in²"),
         (".", "·"),
         ("m3", "m³"),
         ("m2", "m²"),
@@ -174,6 +175,7 @@ mod tests {
             ("dogleg severity", ["°/30 m", "°/30 m", "°/100 ft"]),
             ("density", ["kg/m³", "sg", "ppg"]),
             ("force", ["kN", "t", "klbf"]),
+            ("fracture energy", ["kJ/m²", "kJ/m²", "in·lbf/in²"]),
             ("shear stress", ["Pa", "Pa", "lbf/100 ft²"]),
         ] {
             let symbols = all[name].each_ref().map(|unit| unit.symbol.as_str());

@@ -29,7 +29,7 @@ function inputText(cell) {
 /** The number of a result without its unit, in so many digits, with its deviation. */
 function numberText(cell, largest, significant) {
   if (cell === null || typeof cell !== "object") return cellText(cell);
-  // What is nothing beside the others of its row is shown as nothing.
+  // What is nothing beside the others of its kind is shown as nothing.
   const near = (value) => (Math.abs(value) < 1e-6 * largest ? 0 : value);
   const value = near(shown(cell.value, cell.dimension));
   const text = cell.dimension === "ratio" && Number.isInteger(value) ? bare(value) : digits(value, significant);
@@ -46,16 +46,18 @@ const unit = (dimension) =>
   dimension && symbol(dimension) !== "" ? el("span", { class: "unit" }, ` ${symbol(dimension)}`) : null;
 const isText = (cell) => typeof cell === "string";
 
+/** The largest number of some cells, without its sign and unit. */
+const largestOf = (cells) =>
+  Math.max(0, ...cells.map((cell) => (cell?.dimension ? Math.abs(shown(cell.value, cell.dimension)) : 0)));
+
 /** A table whose rows are quantities: its first column names them with their unit. */
 function byRow(sheet) {
-  const largest = (cells) =>
-    Math.max(...cells.map((cell) => (cell?.dimension ? Math.abs(shown(cell.value, cell.dimension)) : 0)));
   return sheet.rows.map(([name, ...cells]) =>
     el(
       "tr",
       {},
       el("th", { scope: "row" }, name, unit(common(cells))),
-      cells.map((cell) => el("td", { class: "number" }, numberText(cell, largest(cells), 5))),
+      cells.map((cell) => el("td", { class: "number" }, numberText(cell, largestOf(cells), 5))),
     ),
   );
 }
@@ -67,7 +69,8 @@ function caseText(column) {
     return std === undefined && Math.abs(number - Math.round(number)) <= 1e-9 * Math.abs(number);
   };
   const cells = column.filter((cell) => cell?.dimension);
-  return cells.every(whole) ? inputText : (cell) => numberText(cell, 0, 4);
+  const largest = largestOf(cells);
+  return cells.every(whole) ? inputText : (cell) => numberText(cell, largest, 4);
 }
 
 /** A table whose columns are quantities: their heads name the unit. `writer` gives what writes a column. */
