@@ -68,6 +68,13 @@ pub enum Cell {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         std: Option<f64>,
     },
+    /// Numbers of one dimension.
+    Quantities {
+        /// The values, SI.
+        values: Vec<f64>,
+        /// Name of their dimension.
+        dimension: String,
+    },
     /// A bare number.
     Number(f64),
     /// Words.

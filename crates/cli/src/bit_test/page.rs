@@ -64,7 +64,7 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<BitTest, R
     };
     Ok(BitTest {
         program: report::PROGRAM.into(),
-        title: summary.case.clone(),
+        title: format!("{}: bit test", summary.case),
         units: units.into(),
         dimensions: dimensions::all(),
         asked: asked(&summary),

@@ -96,7 +96,7 @@ fn stick_slip(solved: &OperationSummary) -> Option<Answer> {
     Some(Answer {
         label: "Stick-slip severity".into(),
         value: Cell::quantity(severity, "ratio"),
-        ..limited(Some(1.0), "the bit just stops")
+        ..limited(Some(1.0), "at 1 the bit just stops")
     })
 }
 

@@ -44,10 +44,16 @@ pub(crate) fn asked(summary: &Summary) -> Vec<Fact> {
     }
     if any(OperationKind::on_bottom) {
         tell("Weight on bit", quantity(&operation["wob_N"], "force"));
-        let rate = &operation["rop_m_per_s"];
-        tell("Rate of penetration", quantity(rate, "rate of penetration"));
-        let torque = &settings["bit"]["torque_N_m"];
-        tell("Bit torque", quantity(torque, "torque"));
+        let bit = &settings["bit"];
+        if bit["law"] == "rock" {
+            // Rate and torque are what the rock makes of it; those of the settings are an estimate to begin with.
+            let strength = &settings["rock"]["strength_Pa"];
+            tell("Rock strength", quantity(strength, "pressure"));
+        } else {
+            let rate = &operation["rop_m_per_s"];
+            tell("Rate of penetration", quantity(rate, "rate of penetration"));
+            tell("Bit torque", quantity(&bit["torque_N_m"], "torque"));
+        }
     }
     if any(|kind| !kind.on_bottom() && kind != OperationKind::RotateOffBottom) {
         let speed = &operation["trip_speed_m_per_s"];

@@ -19,6 +19,14 @@ const OTHERS: &[(&str, [(&str, f64); 3])] = &[
         ],
     ),
     (
+        "work per volume",
+        [
+            ("MJ/m³", 1e6),
+            ("MJ/m³", 1e6),
+            ("psi", 6_894.757_293_168_361),
+        ],
+    ),
+    (
         "lateral speed",
         [("m/s", 1.0), ("m/s", 1.0), ("ft/s", 0.3048)],
     ),
@@ -72,6 +80,7 @@ pub(crate) fn pretty(symbol: &str) -> String {
     [
         ("deg", "°"),
         ("ft-lbf", "ft·lbf"),
+        ("in-lbf/in2", "in·lbf/in²"),
         (".", "·"),
         ("m3", "m³"),
         ("m2", "m²"),
@@ -99,13 +108,23 @@ pub(crate) fn of_key(key: &str) -> Option<(&'static str, &str)> {
         "wear_flat",
         "bend_offset",
         "eccentricity",
+        "element_size",
+        "blade_width",
+        "chamfer",
+        "cutter_length",
+        "exposure",
+        "gauge_length",
+        "nose",
+        "protrusion",
+        "pitch",
+        "relief",
     ];
     let ends: &[(&str, &str)] = &[
         ("_m_per_s_per_N", "hoist gain"),
         ("_N_s_per_m", "damping"),
         ("_rad_per_s", "rotary speed"),
         ("_kg_per_m3", "density"),
-        ("_J_per_m3", "pressure"),
+        ("_J_per_m3", "work per volume"),
         ("_J_per_m2", "fracture energy"),
         ("_m3_per_s", "flow rate"),
         ("_m3", "volume"),
@@ -156,6 +175,7 @@ mod tests {
             ("dogleg severity", ["°/30 m", "°/30 m", "°/100 ft"]),
             ("density", ["kg/m³", "sg", "ppg"]),
             ("force", ["kN", "t", "klbf"]),
+            ("fracture energy", ["kJ/m²", "kJ/m²", "in·lbf/in²"]),
             ("shear stress", ["Pa", "Pa", "lbf/100 ft²"]),
         ] {
             let symbols = all[name].each_ref().map(|unit| unit.symbol.as_str());
@@ -172,6 +192,7 @@ mod tests {
             ("bit_depth_m", "length"),
             ("od_m", "diameter"),
             ("diameter_m", "diameter"),
+            ("gauge_relief_m", "diameter"),
             ("mass_per_length_kg_per_m", "mass per length"),
             ("youngs_modulus_Pa", "modulus"),
             ("yield_strength_Pa", "pressure"),

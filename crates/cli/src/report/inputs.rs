@@ -150,6 +150,16 @@ fn cell(key: &str, value: &Json) -> Cell {
             }
         }
         Json::Array(items) => {
+            let values: Vec<f64> = items.iter().filter_map(Json::as_f64).collect();
+            if let Some((dimension, _)) = dimensions::of_key(key)
+                && !items.is_empty()
+                && values.len() == items.len()
+            {
+                return Cell::Quantities {
+                    values,
+                    dimension: dimension.into(),
+                };
+            }
             let text = |item: &Json| match item {
                 Json::String(text) => text.replace('_', " "),
                 other => other.to_string(),
@@ -218,12 +228,20 @@ mod tests {
                 "hole": [{ "kind": "open", "diameter_m": 0.2, "friction": { "kinetic": 0.3 } }],
             },
             "dynamics": { "damping": { "mass_per_s": 0.5 }, "seed": 1 },
+            "bit_test": { "wob_N": [1e4, 2e4], "cells": [3, 4] },
         });
         let sheets = sheets(&settings);
         let titles: Vec<&str> = sheets.iter().map(|sheet| sheet.title.as_str()).collect();
         assert_eq!(
             titles,
-            ["Case", "Dynamics", "Well", "Well: hole", "Well: stations"]
+            [
+                "Case",
+                "Bit test",
+                "Dynamics",
+                "Well",
+                "Well: hole",
+                "Well: stations"
+            ]
         );
         let find = |title: &str| sheets.iter().find(|sheet| sheet.title == title).unwrap();
         assert_eq!(
@@ -234,6 +252,17 @@ mod tests {
                     Cell::quantity(0.5, "frequency")
                 ],
                 vec![Cell::Text("Seed".into()), Cell::Number(1.0)],
+            ]
+        );
+        let weights = Cell::Quantities {
+            values: vec![1e4, 2e4],
+            dimension: "force".into(),
+        };
+        assert_eq!(
+            find("Bit test").rows,
+            [
+                vec![Cell::Text("Cells".into()), Cell::Text("3, 4".into())],
+                vec![Cell::Text("Weight on bit".into()), weights],
             ]
         );
         let stations = find("Well: stations");

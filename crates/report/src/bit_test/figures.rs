@@ -206,18 +206,27 @@ impl Drawing<'_> {
                 sample: Sample::Line(Ink::Note, Stroke::Dashed),
             });
         }
+        keys.push(Key {
+            name: "standard deviation".into(),
+            sample: Sample::Spread(Ink::Note),
+        });
         self.figure(&WEIGHT, vec![self.panel(&WEIGHT, &RATE), torque], keys)
     }
 
     fn specific_energy(&self) -> Figure {
         let mut panel = self.panel(&DEPTH_OF_CUT, &ENERGY);
+        let mut keys = self.keys();
         if self.test.strength_Pa.is_finite() {
             panel.marks.push(Mark::OwnRule {
                 at: self.shown.value(self.test.strength_Pa, ENERGY.dimension),
-                label: "strength of the rock".into(),
+                label: String::new(),
+            });
+            keys.push(Key {
+                name: "strength of the rock".into(),
+                sample: Sample::Line(Ink::Note, Stroke::Dashed),
             });
         }
-        self.figure(&DEPTH_OF_CUT, vec![panel], self.keys())
+        self.figure(&DEPTH_OF_CUT, vec![panel], keys)
     }
 
     /// The bottoms that the points left.
@@ -232,8 +241,10 @@ impl Drawing<'_> {
             .iter()
             .filter_map(|of| Some((name(of), of.bottom.as_ref()?)))
             .collect();
-        (!bottoms.is_empty())
-            .then(|| bottoms_figure(self.test.title.clone(), self.told(), &bottoms, self.shown))
+        // A bit alone knows no high side.
+        let sides = ["Across", "Across"];
+        let (title, told) = (self.test.title.clone(), self.told());
+        (!bottoms.is_empty()).then(|| bottoms_figure(title, told, &bottoms, sides, self.shown))
     }
 }
 

@@ -11,7 +11,7 @@ use crate::{BottomPicture, Cell, DisplayUnit, Fact, Place, Plot, Sheet};
 pub struct BitTest {
     /// Name and version of the program.
     pub program: String,
-    /// Name of the case.
+    /// Name of the test.
     pub title: String,
     /// Units that the page opens with: `si`, `metric` or `field`.
     pub units: String,
@@ -124,7 +124,7 @@ impl BitTest {
         };
         Sheet {
             place: Place::Cases,
-            title: "All points: mean ± standard deviation".into(),
+            title: "All points: mean ± standard deviation within a point".into(),
             heads: heads.map(String::from).to_vec(),
             rows: self.sorted().iter().map(row).collect(),
         }

@@ -116,13 +116,16 @@ fn torque_grows_with_weight_by_the_slope_that_was_put_in() {
     assert!((slope_m / RADIUS_M - 0.6).abs() < 1e-9, "{slope_m} m");
     assert!((offset_N_m - 50.0).abs() < 1e-6, "{offset_N_m} N·m");
     let keys = plot(&test, "drill-off", "si").figure.keys;
-    let fit = keys.last().expect("a legend");
+    let [.., fit, spread] = &keys[..] else {
+        panic!("a legend");
+    };
+    assert!(matches!(spread.sample, Sample::Spread(_)));
     assert_eq!(fit.name, "torque by weight: 0.60 of the bit's radius");
     assert!(matches!(fit.sample, Sample::Line(..)));
     // One weight has no slope.
     test.points.retain(|of| of.weight_N == 10e3);
     assert_eq!(test.torque_fit(), None);
-    assert_eq!(plot(&test, "drill-off", "si").figure.keys.len(), 2);
+    assert_eq!(plot(&test, "drill-off", "si").figure.keys.len(), 3);
     test.points.clear();
     assert!(bit_test_plots(&test, "si").is_empty());
 }
@@ -155,6 +158,9 @@ fn pictures_are_drawn() {
     }
     let bottoms = plot(&test, "bottom-hole", "si").figure;
     assert_eq!(bottoms.panels.len(), 6);
+    let first = &bottoms.panels[0];
+    assert_eq!(first.axis.label, "Across, mm");
+    assert_eq!(first.keys[0].name, "10 kN at 60 rpm");
     let Mark::Map(map) = &bottoms.panels[0].marks[0] else {
         panic!("a bottom is a map");
     };

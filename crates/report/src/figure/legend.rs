@@ -2,7 +2,7 @@
 
 use super::{
     Key, Sample,
-    marks::{BAND, pen, shape},
+    marks::{BAND, bar, pen, shape},
 };
 use crate::draw::{Anchor, Drawing, Ink, text_width};
 
@@ -56,8 +56,15 @@ impl<'a> Legend<'a> {
                 Sample::Band(ink) => on.fill(block(3.0), ink, BAND),
                 Sample::Area(ink) => on.fill(block(3.0), ink, 1.0),
                 Sample::Point(ink, of) => shape(on, of, (x + SAMPLE / 2.0, y), ink),
+                Sample::Spread(ink) => bar(on, across[0], across[1], ink),
+                Sample::Words => {}
             }
-            on.text(&key.name, (x + NAME, y), SIZE, Ink::Text, Anchor::Start);
+            let before = match key.sample {
+                Sample::Words => 0.0,
+                _ => NAME,
+            };
+            let at = (x + before, y);
+            on.text(&key.name, at, SIZE, Ink::Text, Anchor::Start);
         }
     }
 }

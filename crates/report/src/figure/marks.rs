@@ -136,7 +136,7 @@ fn band(on: &mut Drawing, points: &[(f64, f64, f64)], (ink, opacity): (Ink, f64)
 }
 
 /// A line between two ends that are marked.
-fn bar(on: &mut Drawing, from: (f64, f64), to: (f64, f64), ink: Ink) {
+pub(super) fn bar(on: &mut Drawing, from: (f64, f64), to: (f64, f64), ink: Ink) {
     /// Half of a mark at an end, points.
     const END: f64 = 1.6;
     let length = (to.0 - from.0).hypot(to.1 - from.1);

@@ -223,6 +223,10 @@ pub enum Sample {
     Area(Ink),
     /// Single points.
     Point(Ink, Shape),
+    /// How far points spread.
+    Spread(Ink),
+    /// Words alone.
+    Words,
 }
 
 /// How a curve is drawn.

@@ -2,10 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use super::{Plot, Run, shown::Shown};
+use super::{Plot, Run, shown::Shown, timed};
 use crate::{
     BottomPicture,
-    figure::{Axis, Direction, Figure, Hue, Layout, Map, Mark, Panel, Range},
+    figure::{Axis, Direction, Figure, Hue, Key, Layout, Map, Mark, Panel, Range, Sample},
 };
 
 /// Places along an edge of a picture at which colours are looked up.
@@ -14,11 +14,13 @@ const FINE: usize = 480;
 /// What lies up and across the picture: the right side is where a reader who looks down the hole has it.
 const SIDES: [&str; 2] = ["To the high side", "To the right"];
 
-/// The bottoms from above, each with its name, all in the same colours and at the same scale.
+/// The bottoms from above, each with its name, all in the same colours and at the same scale. `sides` say what lies up and
+/// across.
 pub(crate) fn bottoms_figure(
     title: String,
     subtitle: String,
     bottoms: &[(String, &BottomPicture)],
+    sides: [&str; 2],
     shown: Shown<'_>,
 ) -> Figure {
     let length = |si: f64| shown.value(si, "diameter");
@@ -36,9 +38,12 @@ pub(crate) fn bottoms_figure(
             let cells = &cells;
             (0..FINE).map(move |high| length(cells.depth_m(place_m(high, 0.5), right_m)))
         };
-        let up = if name.is_empty() { SIDES[0] } else { name };
+        let names = (!name.is_empty()).then(|| Key {
+            name: name.clone(),
+            sample: Sample::Words,
+        });
         Panel {
-            axis: Axis::new(shown.label(up, "diameter"), range),
+            axis: Axis::new(shown.label(sides[0], "diameter"), range),
             marks: vec![Mark::Map(Map {
                 from: -length(reach_m),
                 ends: (0..FINE).map(|right| length(place_m(right, 1.0))).collect(),
@@ -53,7 +58,7 @@ pub(crate) fn bottoms_figure(
                 label: shown.label("Depth below the rim", "diameter"),
                 sides: None,
             })],
-            keys: Vec::new(),
+            keys: names.into_iter().collect(),
         }
     };
     let columns = if bottoms.len() > 1 { 2 } else { 1 };
@@ -67,7 +72,7 @@ pub(crate) fn bottoms_figure(
             width_mm: if columns > 1 { 180.0 } else { 130.0 },
             panel_mm: if columns > 1 { 58.0 } else { 95.0 },
         },
-        shared: Axis::new(shown.label(SIDES[1], "diameter"), range),
+        shared: Axis::new(shown.label(sides[1], "diameter"), range),
         panels: bottoms.iter().map(panel).collect(),
         hole: Vec::new(),
     }
@@ -81,12 +86,9 @@ pub(super) fn plots(
     subtitle: &str,
     suffix: &str,
 ) -> Vec<Plot> {
-    let bottoms: Vec<(String, &BottomPicture)> = runs
-        .iter()
-        .filter_map(|run| {
-            let mut timed = run.report.runs.iter();
-            let timed = timed.find(|timed| timed.operation == operation)?;
-            let name = if runs.len() > 1 { run.name } else { "" };
+    let bottoms: Vec<(String, &BottomPicture)> = timed(runs, operation)
+        .filter_map(|(place, timed)| {
+            let name = if runs.len() > 1 { runs[place].name } else { "" };
             Some((name.to_owned(), timed.bottom.as_ref()?))
         })
         .collect();
@@ -95,7 +97,13 @@ pub(super) fn plots(
     }
     vec![Plot {
         name: format!("bottom-hole{suffix}"),
-        figure: bottoms_figure(super::title(runs), subtitle.to_owned(), &bottoms, shown),
+        figure: bottoms_figure(
+            super::title(runs),
+            subtitle.to_owned(),
+            &bottoms,
+            SIDES,
+            shown,
+        ),
     }]
 }
 

@@ -1,6 +1,6 @@
 //! What the bit takes away for what it is given: rate of penetration and torque against weight.
 
-use super::{Plot, Run, histories::run_keys, shown::Shown};
+use super::{Plot, Run, histories::run_keys, shown::Shown, timed};
 use crate::{
     DrillOff,
     figure::{Axis, Direction, Figure, Ink, Layout, Mark, Panel, Range, Shape},
@@ -17,14 +17,8 @@ pub(super) fn plots(
     subtitle: &str,
     suffix: &str,
 ) -> Vec<Plot> {
-    let drilled: Vec<(usize, &DrillOff)> = runs
-        .iter()
-        .enumerate()
-        .filter_map(|(place, run)| {
-            let mut timed = run.report.runs.iter();
-            let timed = timed.find(|timed| timed.operation == operation)?;
-            Some((place, timed.drill_off.as_ref()?))
-        })
+    let drilled: Vec<(usize, &DrillOff)> = timed(runs, operation)
+        .filter_map(|(place, timed)| Some((place, timed.drill_off.as_ref()?)))
         .collect();
     if drilled.is_empty() {
         return Vec::new();

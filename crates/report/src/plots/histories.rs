@@ -4,6 +4,7 @@ use super::{
     Plot, Run,
     catalogue::{BIT_PLOTS, TIME_PLOTS, TimePlot},
     shown::Shown,
+    timed,
 };
 use crate::{
     TimeRun,
@@ -20,14 +21,9 @@ pub(super) fn plots(
     subtitle: &str,
     suffix: &str,
 ) -> Vec<Plot> {
-    let timed: Vec<(usize, &TimeRun)> = runs
-        .iter()
-        .enumerate()
-        .filter_map(|(place, run)| {
-            let mut timed = run.report.runs.iter();
-            Some((place, timed.find(|timed| timed.operation == operation)?))
-        })
-        .collect();
+    let timed: Vec<(usize, &TimeRun)> = timed(runs, operation).collect();
+    let ends = timed.iter().filter_map(|(_, run)| end_s(run));
+    let end_s = ends.fold(0.0, f64::max);
     let drills = timed.iter().any(|(_, run)| run.drill_off.is_some());
     let bit = if drills { BIT_PLOTS } else { &[] };
     [("time", TIME_PLOTS), ("bit", bit)]
@@ -37,15 +33,21 @@ pub(super) fn plots(
                 .iter()
                 .filter_map(|plot| Some((plot, panel(plot, runs, &timed, operation, shown)?)))
                 .collect();
-            group(name, &panels, runs, subtitle, suffix)
+            group(name, &panels, end_s, runs, subtitle, suffix)
         })
         .collect()
+}
+
+/// When the last sample of a run was taken, s.
+fn end_s(run: &TimeRun) -> Option<f64> {
+    run.history.get("time_s")?.values().last().copied()
 }
 
 /// All panels in one figure of this name, and each in one of its own.
 fn group(
     name: &str,
     panels: &[(&TimePlot, Panel)],
+    end_s: f64,
     runs: &[Run<'_>],
     subtitle: &str,
     suffix: &str,
@@ -63,7 +65,7 @@ fn group(
             width_mm: 180.0,
             panel_mm,
         },
-        shared: Axis::new("Time, s", Range::Tight),
+        shared: Axis::new("Time, s", Range::Fixed(0.0, end_s)),
         panels: panels.iter().map(|(_, panel)| panel.clone()).collect(),
         hole: Vec::new(),
     };
@@ -127,7 +129,9 @@ fn panel(
             let (ink, stroke) = look(runs.len(), *run, place, name);
             let shape = shapes[place.min(1)];
             let sample_ink = if runs.len() == 1 { ink } else { Ink::Note };
-            let sample = if plot.points {
+            let lasting = plot.points.then(|| lasting(&points));
+            let comes_and_goes = lasting.as_ref().is_some_and(|[curve, _]| curve.is_empty());
+            let sample = if comes_and_goes {
                 Sample::Point(sample_ink, shape)
             } else {
                 Sample::Line(sample_ink, stroke)
@@ -138,8 +142,7 @@ fn panel(
                     sample,
                 });
             }
-            if plot.points {
-                let [runs, single] = lasting(&points);
+            if let Some([runs, single]) = lasting {
                 curves.push(Mark::Curve {
                     ink,
                     stroke,
@@ -176,7 +179,7 @@ fn panel(
             .and_then(|soft| soft.profile.get(column)?.values().first().copied());
         if let Some(value) = at_top.filter(|value| value.is_finite()) {
             let value = shown.value(value, plot.dimension);
-            let end = timed[0].1.history.get("time_s")?.values().last().copied()?;
+            let end = end_s(timed[0].1)?;
             curves.push(Mark::Curve {
                 ink: Ink::Line(1),
                 stroke: Stroke::Dashed,

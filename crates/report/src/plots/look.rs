@@ -40,7 +40,7 @@ impl<'a> Looks<'a> {
     }
 
     /// Whether nothing but the model tells curves apart.
-    fn alone(&self) -> bool {
+    pub(super) fn alone(&self) -> bool {
         self.runs.len() == 1 && self.operations.len() == 1
     }
 

@@ -18,7 +18,7 @@ pub(crate) use self::{
     look::spoken,
     shown::{SETS, Shown},
 };
-use crate::{Fact, Report, figure::Figure};
+use crate::{Fact, Report, TimeRun, figure::Figure};
 
 /// A run whose pictures are drawn.
 #[derive(Debug, Clone, Copy)]
@@ -131,6 +131,15 @@ pub fn common_operations<'a>(runs: &[Run<'a>]) -> Vec<&'a str> {
     common
 }
 
+/// What runs did in time in an operation, each with the place of the run among them.
+fn timed<'a>(runs: &[Run<'a>], operation: &str) -> impl Iterator<Item = (usize, &'a TimeRun)> {
+    let runs = runs.iter().enumerate();
+    runs.filter_map(move |(place, run)| {
+        let mut timed = run.report.runs.iter();
+        Some((place, timed.find(|timed| timed.operation == operation)?))
+    })
+}
+
 /// The name of the case, where all runs are of the same.
 fn title(runs: &[Run<'_>]) -> String {
     let title = &runs[0].report.title;
@@ -159,12 +168,13 @@ fn asked_of(runs: &[Run<'_>], shown: Shown<'_>, operation: Option<&str>) -> Stri
 
 /// The facts that a picture needs beside it.
 pub(crate) fn subtitle(asked: &[Fact], shown: Shown<'_>) -> String {
-    const TOLD: [&str; 7] = [
+    const TOLD: [&str; 8] = [
         "Operation",
         "Operations",
         "Bit depth",
         "Rotary speed",
         "Weight on bit",
+        "Rock strength",
         "Friction factor",
         "Mud density",
     ];

@@ -66,6 +66,10 @@ impl<'a> Shown<'a> {
             Cell::Quantity {
                 value, dimension, ..
             } => self.quantity(*value, dimension),
+            Cell::Quantities { values, dimension } => {
+                let values = values.iter().map(|value| self.quantity(*value, dimension));
+                values.collect::<Vec<_>>().join(", ")
+            }
             Cell::Number(value) => plain(*value),
             Cell::Text(text) => text.clone(),
             Cell::Nothing => return None,

@@ -72,7 +72,21 @@ fn keys(tracks: &[(&Track, Panel)], looks: &Looks<'_>) -> Vec<Key> {
     let mut keys = if tracks.iter().all(|(track, _)| track.from == Source::Well) {
         Vec::new()
     } else {
-        looks.keys()
+        let is_of = |mark: &Mark, ink: Ink, stroke: Stroke| match mark {
+            Mark::Curve { stroke: own, .. } if ink == Ink::Note => *own == stroke,
+            Mark::Curve { ink: own, .. } if !looks.alone() => *own == ink,
+            Mark::Curve {
+                ink: own_ink,
+                stroke: own_stroke,
+                ..
+            } => (*own_ink, *own_stroke) == (ink, stroke),
+            _ => false,
+        };
+        let drawn = |key: &Key| match key.sample {
+            Sample::Line(ink, stroke) => marks().any(|mark| is_of(mark, ink, stroke)),
+            _ => true,
+        };
+        looks.keys().into_iter().filter(drawn).collect()
     };
     if marks().any(|mark| matches!(mark, Mark::Band { .. })) {
         keys.push(looks.band_key());

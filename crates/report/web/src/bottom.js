@@ -34,6 +34,7 @@ export function bottomView(get, sided) {
   const map = plan(get, sided);
   const key = el("div", { class: "colour-key" });
   let exaggeration = 1;
+  let seen = null;
   const factor = el("output", {});
   const slider = el("input", {
     type: "range",
@@ -47,7 +48,7 @@ export function bottomView(get, sided) {
     },
   });
   const views = [
-    ["From aside", FROM],
+    ["At an angle", FROM],
     ["From above", [0, 1, 0.001]],
     ["From the side", [0, 0.12, 1]],
   ].map(([name, from]) => el("button", { type: "button", onclick: () => look(from) }, name));
@@ -71,7 +72,7 @@ export function bottomView(get, sided) {
     space.remove();
     space.add(relief(bottom, deepest, exaggeration));
     space.add(wall(bottom, exaggeration));
-    signs(outer, sided).forEach(space.add);
+    signs(outer, sided ? topOf(bottom) * exaggeration : null).forEach(space.add);
     factor.textContent = ` ${digits(exaggeration, 2)}`;
     space.render();
   }
@@ -85,6 +86,7 @@ export function bottomView(get, sided) {
     const round = Array.from({ length: 24 }, (_, k) => (k * Math.PI) / 12);
     const hole = round.flatMap((angle) => [high, deep].map((down) => place(outer, angle, down)));
     const beside = [-1, 1].map((side) => [0.7 * side * outer, 0, 1.25 * outer]);
+    if (sided) beside.push([0, 0.2 * outer - high, -outer]);
     // What is near takes more room: the middle of the picture lies on the reader's side of the axis.
     space.lookAt([...hole, ...beside], from, new Vector3(0, -(high + deep) / 2, 0.22 * outer));
   }
@@ -92,6 +94,7 @@ export function bottomView(get, sided) {
   /** Another bottom, seen as far off as it is large. */
   function change() {
     const bottom = get();
+    seen = bottom;
     if (!bottom) return;
     // Grooves are a few millimetres deep in a hole of decimetres.
     const steep = (0.3 * edgesOf(bottom)[1]) / (deepestOf(bottom) || 1);
@@ -103,10 +106,10 @@ export function bottomView(get, sided) {
 
   function redraw() {
     map.draw();
-    if (space) {
-      space.size();
-    }
-    change();
+    if (space) space.size();
+    // The same bottom stays as the reader has turned it.
+    if (get() === seen) build();
+    else change();
   }
 
   on("units", () => {
@@ -171,12 +174,18 @@ function relief(bottom, deepest, exaggeration) {
   return new Mesh(shape, new MeshLambertMaterial({ vertexColors: true, side: DoubleSide }));
 }
 
+/** Depths of the outermost cells. */
+const rimOf = (bottom) => bottom.depth_m.subarray((bottom.radius_m.length - 1) * bottom.angle_rad.length);
+
+/** Depth of the highest splinter on the wall, or of the rim. */
+const topOf = (bottom) => Math.min(0, ...rimOf(bottom).filter(Number.isFinite));
+
 /** The wall of the hole about the relief, up to the rim and its splinters; the reader looks through the near side. */
 function wall(bottom, exaggeration) {
   const [, outer] = edgesOf(bottom);
   const sectors = bottom.angle_rad.length;
-  const rim = bottom.depth_m.subarray((bottom.radius_m.length - 1) * sectors);
-  const top = Math.min(0, ...rim.filter(Number.isFinite)) * exaggeration - 0.02 * outer;
+  const rim = rimOf(bottom);
+  const top = topOf(bottom) * exaggeration - 0.02 * outer;
   const [places, faces] = [[], []];
   rim.forEach((depth, k) => {
     const angle = bottom.angle_rad[k];
@@ -192,8 +201,8 @@ function wall(bottom, exaggeration) {
   return new Mesh(shape, new MeshLambertMaterial({ color: colour("rock"), side: FrontSide }));
 }
 
-/** A round length beside the hole, and where its high side is. */
-function signs(outer, sided) {
+/** A round length beside the hole; over a wall that has its top there, where its high side is. */
+function signs(outer, top) {
   const { values, step } = ticks(0, shown(1.4 * outer, "diameter"), 3);
   const length = si(values.at(-1), "diameter");
   const away = 1.12 * outer;
@@ -208,6 +217,6 @@ function signs(outer, sided) {
   return [
     new LineSegments(shape, new LineBasicMaterial({ color: colour("text") })),
     label(words, [0, 0, away + 1.1 * size], size),
-    ...(sided ? [label("high side", [0, 0, -away], size, "muted")] : []),
+    ...(top === null ? [] : [label("high side", [0, 1.2 * size - top, -outer], size)]),
   ];
 }

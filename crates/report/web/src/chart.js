@@ -1,11 +1,18 @@
 // What every chart of curves or points has alike.
 
 import { colour } from "./palette.js";
+import { isPrinting } from "./theme.js";
 import { digits, grouped, shown } from "./units.js";
 
 const number = (value) => grouped(String(Number(value.toFixed(6))));
 
-/** The axis below a chart and the one beside it, with a label below where it is given. */
+/** Width on paper, where two charts stand side by side. */
+const PAPER = 364;
+
+/** As wide as what holds the chart, or as paper. */
+export const widthOf = (body) => (isPrinting() ? PAPER : Math.max(body.clientWidth, 200));
+
+/** The axis below a chart, with its label, and the one beside it. */
 export function axes(label) {
   const axis = {
     stroke: colour("muted"),
@@ -14,9 +21,8 @@ export function axes(label) {
     font: "11px system-ui, sans-serif",
     values: (_, splits) => splits.map(number),
   };
-  const below = label ? { size: 30, label, labelSize: 18, labelFont: axis.font } : { size: 30 };
   return [
-    { ...axis, ...below },
+    { ...axis, size: 30, label, labelSize: 18, labelFont: axis.font },
     { ...axis, size: 62 },
   ];
 }

@@ -16,7 +16,7 @@ const BOTTOM = 34;
 const HEIGHT = 430;
 
 /** Width on paper. */
-const PAPER = 730;
+const PAPER = 700;
 
 /** The value below which so large a part of the magnitudes lies. */
 function percentile(values, part) {

@@ -1,11 +1,12 @@
 // What the bit takes away for what it is given: rate of penetration and torque against weight.
 
 import uPlot from "uplot";
-import { air, axes, LEGEND, legendText } from "./chart.js";
+import { air, axes, LEGEND, legendText, widthOf } from "./chart.js";
 import { el } from "./dom.js";
 import { line } from "./palette.js";
 import { chosenRun } from "./solutions.js";
 import { on } from "./state.js";
+import { isPrinting } from "./theme.js";
 import { shownAll, symbol } from "./units.js";
 
 const HEIGHT = 260;
@@ -44,7 +45,7 @@ export function drillOff(report) {
     const point = line(0);
     return new uPlot(
       {
-        width: Math.max(body.clientWidth, 200),
+        width: widthOf(body),
         height: HEIGHT,
         cursor: { drag: { x: true, y: true, uni: 8 }, points: { size: 6 } },
         legend: LEGEND,
@@ -72,10 +73,9 @@ export function drillOff(report) {
   on("units operation", draw);
   let width = 0;
   new ResizeObserver(() => {
-    if (holder.clientWidth === width) return;
+    if (isPrinting() || holder.clientWidth === width) return;
     width = holder.clientWidth;
-    for (const plot of plots)
-      plot.setSize({ width: Math.max(plot.root.parentElement.clientWidth, 200), height: HEIGHT });
+    for (const plot of plots) plot.setSize({ width: widthOf(plot.root.parentElement), height: HEIGHT });
   }).observe(holder);
   const words = el("p", { class: "note" }, "Each point is a sample of the window of the statistics.");
   return { element: el("div", { class: "drill-off" }, holder, words), redraw: draw };

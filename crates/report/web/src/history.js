@@ -2,16 +2,22 @@
 
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
-import { air, axes, LEGEND, legendText } from "./chart.js";
+import { air, axes, LEGEND, legendText, widthOf } from "./chart.js";
 import { below } from "./curve.js";
 import { el } from "./dom.js";
 import { colour, line } from "./palette.js";
 import { NODE_CHANNELS } from "./channels.js";
 import { chosen, chosenRun } from "./solutions.js";
 import { choose, on, state } from "./state.js";
+import { isPrinting } from "./theme.js";
 import { quantity, shown, shownAll, symbol } from "./units.js";
 
 const SYNC = uPlot.sync("time");
+
+const HEIGHT = 216;
+
+/** Height on paper, where four stand on a page. */
+const ON_PAPER = 196;
 
 /** Histories of these plots; with what the chosen node did where `follows` says so. */
 export function history(report, timePlots, follows) {
@@ -132,8 +138,8 @@ export function history(report, timePlots, follows) {
     const view = state.times ?? [0, Math.max(run.history.time_s.at(-1), 1e-3)];
     const made = new uPlot(
       {
-        width: Math.max(body.clientWidth, 200),
-        height: 200,
+        width: widthOf(body),
+        height: isPrinting() ? ON_PAPER : HEIGHT,
         cursor: {
           sync: { key: SYNC.key, scales: ["x", null] },
           drag: { x: true, y: false, uni: 8 },
@@ -144,7 +150,7 @@ export function history(report, timePlots, follows) {
           x: { time: false, min: view[0], max: view[1] },
           y: { dir: plot.points ? -1 : 1, range: (_, low, high) => air(low, high, plot.dimension) },
         },
-        axes: axes(),
+        axes: axes("Time, s"),
         series: [{ label: "time, s", value: (_, value) => (value === null ? "–" : value.toFixed(2)) }, ...series],
         hooks: {
           setScale: [(plot, key) => key === "x" && follow(plot)],
@@ -271,9 +277,9 @@ export function history(report, timePlots, follows) {
   on("moment", () => plots.forEach((plot) => plot.redraw(false, false)));
   let width = 0;
   new ResizeObserver(() => {
-    if (holder.clientWidth === width) return;
+    if (isPrinting() || holder.clientWidth === width) return;
     width = holder.clientWidth;
-    for (const plot of plots) plot.setSize({ width: Math.max(plot.root.parentElement.clientWidth, 200), height: 200 });
+    for (const plot of plots) plot.setSize({ width: widthOf(plot.root.parentElement), height: HEIGHT });
   }).observe(holder);
   const hint = el(
     "p",

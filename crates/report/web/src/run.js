@@ -80,7 +80,10 @@ export function runPage(report) {
   const add = (needs, ...section_) => some.push([section(...section_), needs]);
   if (parts.history) add((run) => run, "history", "In time", parts.history.element);
   if (parts.bit) add((run) => run?.drill_off, "bit", "Bit", parts.bit.element, parts.drillOff.element);
-  if (parts.bottom) add((run) => run?.bottom, "bottom", "Bottom of the hole", parts.bottom.element);
+  if (parts.bottom) {
+    const note = el("p", { class: "note" }, "As the operation left it.");
+    add((run) => run?.bottom, "bottom", "Bottom of the hole", parts.bottom.element, note);
+  }
   if (parts.contact) add((run) => run, "contact", "Contact over depth and time", parts.contact.element);
   page.append(...some.map(([section]) => section));
   if (parts.scene) page.append(section("scene", "In space", parts.scene.element));

@@ -11,21 +11,28 @@ export function cellText(cell, significant) {
   if (cell === null || cell === "") return "–";
   if (typeof cell === "string") return cell;
   if (typeof cell === "number") return bare(cell);
+  if (cell.values) return listText(cell);
   return quantity(cell.value, cell.dimension, significant ?? 6, significant ? digits : plain);
+}
+
+/** Several numbers, and their unit once. */
+function listText({ values, dimension }) {
+  const texts = values.map((value) => plain(shown(value, dimension)));
+  return `${texts.join(", ")}\u00a0${symbol(dimension)}`.trim();
 }
 
 /** The number of an input without its unit, in the digits that it has. */
 function inputText(cell) {
-  return cell === null || typeof cell !== "object" ? cellText(cell) : plain(shown(cell.value, cell.dimension));
+  return cell?.value === undefined ? cellText(cell) : plain(shown(cell.value, cell.dimension));
 }
 
-/** The number of a result without its unit, with its deviation. */
-function numberText(cell, largest = 0) {
+/** The number of a result without its unit, in so many digits, with its deviation. */
+function numberText(cell, largest, significant) {
   if (cell === null || typeof cell !== "object") return cellText(cell);
-  // What is nothing beside the others of its row is shown as nothing.
+  // What is nothing beside the others of its kind is shown as nothing.
   const near = (value) => (Math.abs(value) < 1e-6 * largest ? 0 : value);
   const value = near(shown(cell.value, cell.dimension));
-  const text = cell.dimension === "ratio" && Number.isInteger(value) ? bare(value) : digits(value, 5);
+  const text = cell.dimension === "ratio" && Number.isInteger(value) ? bare(value) : digits(value, significant);
   return cell.std === undefined ? text : `${text} ± ${digits(near(shown(cell.std, cell.dimension)), 2)}`;
 }
 
@@ -39,27 +46,42 @@ const unit = (dimension) =>
   dimension && symbol(dimension) !== "" ? el("span", { class: "unit" }, ` ${symbol(dimension)}`) : null;
 const isText = (cell) => typeof cell === "string";
 
+/** The largest number of some cells, without its sign and unit. */
+const largestOf = (cells) =>
+  Math.max(0, ...cells.map((cell) => (cell?.dimension ? Math.abs(shown(cell.value, cell.dimension)) : 0)));
+
 /** A table whose rows are quantities: its first column names them with their unit. */
 function byRow(sheet) {
-  const largest = (cells) =>
-    Math.max(...cells.map((cell) => (cell?.dimension ? Math.abs(shown(cell.value, cell.dimension)) : 0)));
   return sheet.rows.map(([name, ...cells]) =>
     el(
       "tr",
       {},
       el("th", { scope: "row" }, name, unit(common(cells))),
-      cells.map((cell) => el("td", { class: "number" }, numberText(cell, largest(cells)))),
+      cells.map((cell) => el("td", { class: "number" }, numberText(cell, largestOf(cells), 5))),
     ),
   );
 }
 
-/** A table whose columns are quantities: their heads name the unit. */
-function byColumn(sheet, write) {
+/** Writes the numbers of a column of results: whole ones, such as what was set, without decimals. */
+function caseText(column) {
+  const whole = ({ value, dimension, std }) => {
+    const number = shown(value, dimension);
+    return std === undefined && Math.abs(number - Math.round(number)) <= 1e-9 * Math.abs(number);
+  };
+  const cells = column.filter((cell) => cell?.dimension);
+  const largest = largestOf(cells);
+  return cells.every(whole) ? inputText : (cell) => numberText(cell, largest, 4);
+}
+
+/** A table whose columns are quantities: their heads name the unit. `writer` gives what writes a column. */
+function byColumn(sheet, writer) {
+  const writers = (sheet.rows[0] ?? []).map((_, i) => writer(sheet.rows.map((row) => row[i])));
+
   return sheet.rows.map((cells) =>
     el(
       "tr",
       {},
-      cells.map((cell) => el("td", { class: isText(cell) ? null : "number" }, write(cell))),
+      cells.map((cell, i) => el("td", { class: isText(cell) ? null : "number" }, writers[i](cell))),
     ),
   );
 }
@@ -78,8 +100,8 @@ export function sheet(sheet) {
   const results = sheet.place !== "inputs" && !cases;
   const rows = () => {
     if (results) return byRow(sheet);
-    if (cases) return byColumn(sheet, numberText);
-    return sheet.heads.length ? byColumn(sheet, inputText) : keys(sheet);
+    if (cases) return byColumn(sheet, caseText);
+    return sheet.heads.length ? byColumn(sheet, () => inputText) : keys(sheet);
   };
   const draw = () => {
     body.replaceChildren(...rows());
@@ -107,7 +129,7 @@ export function sheet(sheet) {
   const long = sheet.rows.length > 24;
   return el(
     "details",
-    { class: `sheet prints${sheet.heads.length > 4 ? " wide" : ""}`, open: !long },
+    { class: `sheet prints${sheet.heads.length > 4 ? " wide" : ""}${long ? " long" : ""}`, open: !long },
     el("summary", {}, sheet.title, long ? ` (${sheet.rows.length} rows)` : ""),
     table,
   );

@@ -14,14 +14,25 @@ export function ticks(from, to, count) {
   return { values, step };
 }
 
+/** How a number over a track so many pixels wide is aligned: what stands at an edge goes inwards. */
+export const alignment = (at, width) => (at < 8 ? "start" : at > width - 8 ? "end" : "middle");
+
+/** Parts of a text to the left of its place. */
+const LEFT_OF = { start: 0, middle: 0.5, end: 1 };
+
 /** As many round numbers as stand side by side over so many pixels, in letters of a track. */
 export function roomyTicks(from, to, width) {
   const LETTER = 6.2;
+  const APART = 5;
   for (let count = Math.floor(width / 24); count > 1; count--) {
     const scale = ticks(from, to, count);
-    const letters = Math.max(...scale.values.map((value) => tickText(value, scale.step).length));
-    // What stands at an edge is pushed inwards, towards its neighbour.
-    if (1.25 * LETTER * letters + 5 <= (scale.step / (to - from)) * width) return scale;
+    const spans = scale.values.map((value) => {
+      const at = ((value - from) / (to - from)) * width;
+      const wide = LETTER * tickText(value, scale.step).length;
+      const left = at - LEFT_OF[alignment(at, width)] * wide;
+      return [left, left + wide];
+    });
+    if (spans.every(([left], i) => i === 0 || spans[i - 1][1] + APART <= left)) return scale;
   }
   return ticks(from, to, 1);
 }

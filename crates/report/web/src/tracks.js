@@ -7,7 +7,7 @@ import { schematic, lies } from "./schematic.js";
 import { chosen, curveName, look, operations } from "./solutions.js";
 import { choose, on, state } from "./state.js";
 import { isPrinting } from "./theme.js";
-import { domain, roomyTicks, ticks, tickText } from "./ticks.js";
+import { alignment, domain, roomyTicks, ticks, tickText } from "./ticks.js";
 import { tracksOf } from "./track.js";
 import { digits, shown, si, symbol } from "./units.js";
 
@@ -15,7 +15,11 @@ import { digits, shown, si, symbol } from "./units.js";
 const FAR_M = 400;
 
 /** Width on paper, so that letters are of a size to be read there. */
-const PAPER = 730;
+const PAPER = 700;
+
+/** Width of a track at least, and there. */
+const NARROWEST = 126;
+const ON_PAPER = 120;
 
 const AXIS = 54;
 const WELL = 88;
@@ -71,7 +75,7 @@ export function tracks(report) {
 
   function draw() {
     const width = isPrinting() ? PAPER : holder.clientWidth || 1360;
-    const narrowest = 126;
+    const narrowest = isPrinting() ? ON_PAPER : NARROWEST;
     const fit = Math.max(Math.floor((width - AXIS - WELL - GAP) / (narrowest + GAP)), 1);
     const lines = Math.ceil(all.length / Math.min(fit, all.length));
     const each = Math.ceil(all.length / lines);
@@ -169,7 +173,7 @@ export function tracks(report) {
     const scale = roomyTicks(shown(range[0], track.dimension), shown(range[1], track.dimension), box.width);
     for (const value of scale.values) {
       const at = x(si(value, track.dimension));
-      const place = at < box.left + 8 ? "start" : at > box.left + box.width - 8 ? "end" : "middle";
+      const place = alignment(at - box.left, box.width);
       picture.append(
         svg("line", { x1: at, x2: at, y1: box.top, y2: box.top + box.height, class: value === 0 ? "zero" : "grid" }),
         svg("text", { x: at, y: box.top - 7, class: `tick ${place}` }, tickText(value, scale.step)),

@@ -1,31 +1,24 @@
 //! `[bit.face]`.
 
-use serde_json::{Value as Json, json};
-use wholestring::rock::{
-    BitShape,
-    bit_face::{InsertBit, InsertShape, PdcBit},
-};
+mod misuse;
+mod record;
+mod shape;
+
+use wholestring::rock::BitShape;
 use wholestring_units::Dimension;
 
+pub(crate) use self::record::settings;
 use super::{Kind, place};
 use crate::{
-    diagnostic::Diagnostic,
     quantity::Quantity,
-    range::{Count, Number, Range, number_text},
+    range::{Count, Number, Range},
     reader::Reader,
     rule::Choice,
     source::Place,
-    table::{Field, default, optional, table},
+    table::{default, optional, table},
 };
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
-
-/// Cones of inserts where the case does not say: between side and axis, and the tip's radius over the insert's diameter.
-const HALF_ANGLE_RAD: f64 = 35.0 * DEGREE;
-const TIP: f64 = 0.25;
-
-/// Finer cutters than this part of the bit's diameter are no bit's.
-const FINEST: f64 = 0.02;
 
 /// Tips of inserts, without their numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -130,23 +123,6 @@ table! {
     }
 }
 
-/// A number that the case has, in place of a default.
-fn set(number: &mut f64, field: &Field<f64>) -> Option<()> {
-    if let Some(at) = field.optional()? {
-        *number = at.value;
-    }
-    Some(())
-}
-
-/// A count that the case has; whether it has one.
-fn set_count(count: &mut usize, field: &Field<u64>) -> Option<bool> {
-    let given = field.optional()?;
-    if let Some(at) = given {
-        *count = usize::try_from(at.value).ok()?;
-    }
-    Some(given.is_some())
-}
-
 impl FaceTable {
     /// The numbers of the bit, those that the case does not have by default.
     pub(super) fn shape(
@@ -163,93 +139,6 @@ impl FaceTable {
         } else {
             self.blades(diameter_m, core_diameter_m).map(BitShape::Pdc)
         }
-    }
-
-    /// Finer ones than any bit has are looked for as long as they are found.
-    fn check_width(&self, diameter_m: f64, reader: &mut Reader) -> Option<()> {
-        let least_m = FINEST * diameter_m;
-        let fine = [
-            (&self.cutter_diameter, "cutters"),
-            (&self.insert_diameter, "inserts"),
-        ]
-        .into_iter()
-        .find_map(|(field, what)| Some((field.given().filter(|at| at.value < least_m)?, what)));
-        let Some((given, what)) = fine else {
-            return Some(());
-        };
-        let least = number_text((least_m * 1e4).ceil() * 1e-1);
-        reader.report(
-            Diagnostic::error(format!("the {what} are too fine for this bit")).at(
-                given.place,
-                format!("expected at least {least} mm, a fiftieth of its diameter"),
-            ),
-        );
-        None
-    }
-
-    fn blades(&self, diameter_m: f64, core_diameter_m: f64) -> Option<PdcBit> {
-        let mut bit = if core_diameter_m > 0.0 {
-            PdcBit::core(diameter_m, core_diameter_m)
-        } else {
-            PdcBit::for_diameter(diameter_m)
-        };
-        set_count(&mut bit.blades, &self.blades)?;
-        set_count(&mut bit.cutters_per_track, &self.cutters_per_track)?;
-        set(&mut bit.cutter_diameter_m, &self.cutter_diameter)?;
-        bit.cutter_length_m = 0.8 * bit.cutter_diameter_m;
-        bit.exposure_m = 0.5 * bit.cutter_diameter_m;
-        for (number, field) in [
-            (&mut bit.cutter_length_m, &self.cutter_length),
-            (&mut bit.exposure_m, &self.exposure),
-            (&mut bit.chamfer_m, &self.chamfer),
-            (&mut bit.back_rake_rad, &self.back_rake),
-            (&mut bit.side_rake_rad, &self.side_rake),
-            (&mut bit.spiral_rad, &self.spiral),
-            (&mut bit.blade_width_m, &self.blade_width),
-            (&mut bit.centre_spacing, &self.centre_spacing),
-            (&mut bit.cone_angle_rad, &self.cone_angle),
-            (&mut bit.nose_m, &self.nose),
-            (&mut bit.nose_radius_m, &self.nose_radius),
-            (&mut bit.shoulder_radius_m, &self.shoulder_radius),
-            (&mut bit.gauge_length_m, &self.gauge_length),
-            (&mut bit.gauge_relief_m, &self.gauge_relief),
-        ] {
-            set(number, field)?;
-        }
-        bit.cutters_per_blade = 1;
-        let counted = set_count(&mut bit.cutters_per_blade, &self.cutters_per_blade)?;
-        Some(if counted { bit } else { bit.filled() })
-    }
-
-    fn inserts(&self, diameter_m: f64) -> Option<InsertBit> {
-        let mut bit = InsertBit::for_diameter(diameter_m);
-        set(&mut bit.insert_diameter_m, &self.insert_diameter)?;
-        bit.protrusion_m = 0.5 * bit.insert_diameter_m;
-        bit.pitch_m = 1.5 * bit.insert_diameter_m;
-        for (number, field) in [
-            (&mut bit.protrusion_m, &self.protrusion),
-            (&mut bit.pitch_m, &self.pitch),
-            (&mut bit.cone_angle_rad, &self.cone_angle),
-            (&mut bit.nose_m, &self.nose),
-            (&mut bit.nose_radius_m, &self.nose_radius),
-            (&mut bit.shoulder_radius_m, &self.shoulder_radius),
-            (&mut bit.gauge_length_m, &self.gauge_length),
-            (&mut bit.gauge_relief_m, &self.gauge_relief),
-        ] {
-            set(number, field)?;
-        }
-        if *self.insert_shape.get()? == Tip::Cone {
-            let (mut half_angle_rad, mut tip_radius_m) =
-                (HALF_ANGLE_RAD, TIP * bit.insert_diameter_m);
-            set(&mut half_angle_rad, &self.half_angle)?;
-            set(&mut tip_radius_m, &self.tip_radius)?;
-            bit.shape = InsertShape::Cone {
-                half_angle_rad,
-                tip_radius_m,
-            };
-        }
-        let counted = set_count(&mut bit.rows, &self.rows)?;
-        Some(if counted { bit } else { bit.filled() })
     }
 
     /// The keys that stand in the file.
@@ -281,94 +170,5 @@ impl FaceTable {
             ("gauge_length", place(&self.gauge_length)),
             ("gauge_relief", place(&self.gauge_relief)),
         ]
-    }
-
-    fn warn_of_idle_keys(&self, kind: Kind, reader: &mut Reader) {
-        const OF_INSERTS: [&str; 7] = [
-            "insert_diameter",
-            "insert_shape",
-            "half_angle",
-            "tip_radius",
-            "protrusion",
-            "rows",
-            "pitch",
-        ];
-        const OF_ALL: [&str; 6] = [
-            "cone_angle",
-            "nose",
-            "nose_radius",
-            "shoulder_radius",
-            "gauge_length",
-            "gauge_relief",
-        ];
-        let cones = self.insert_shape.get() == Some(&Tip::Cone);
-        for (name, given) in self.places() {
-            let Some(given) = given else { continue };
-            let why = match name {
-                "cone_angle" if kind == Kind::Core => "a core bit has no cone",
-                name if OF_ALL.contains(&name) => continue,
-                name if OF_INSERTS.contains(&name) && kind != Kind::Inserts => {
-                    "used with kind = \"inserts\""
-                }
-                "half_angle" | "tip_radius" if !cones => "used with insert_shape = \"cone\"",
-                name if OF_INSERTS.contains(&name) || kind != Kind::Inserts => continue,
-                _ => "used with kind = \"pdc\" or \"core\"",
-            };
-            let message = format!("`{name}` has no effect here");
-            reader.report(Diagnostic::warning(message).at(given, why));
-        }
-    }
-}
-
-/// The numbers of the bit, for the record of a run.
-pub(crate) fn settings(shape: &BitShape) -> Json {
-    match shape {
-        BitShape::Pdc(bit) => json!({
-            "diameter_m": bit.diameter_m,
-            "core_diameter_m": bit.core_diameter_m,
-            "blades": bit.blades,
-            "cutters_per_blade": bit.cutters_per_blade,
-            "cutters_per_track": bit.cutters_per_track,
-            "cutter_diameter_m": bit.cutter_diameter_m,
-            "cutter_length_m": bit.cutter_length_m,
-            "chamfer_m": bit.chamfer_m,
-            "back_rake_rad": bit.back_rake_rad,
-            "side_rake_rad": bit.side_rake_rad,
-            "spiral_rad": bit.spiral_rad,
-            "exposure_m": bit.exposure_m,
-            "blade_width_m": bit.blade_width_m,
-            "centre_spacing": bit.centre_spacing,
-            "cone_angle_rad": bit.cone_angle_rad,
-            "nose_m": bit.nose_m,
-            "nose_radius_m": bit.nose_radius_m,
-            "shoulder_radius_m": bit.shoulder_radius_m,
-            "gauge_length_m": bit.gauge_length_m,
-            "gauge_relief_m": bit.gauge_relief_m,
-        }),
-        BitShape::Insert(bit) => {
-            let (word, cone) = match bit.shape {
-                InsertShape::Hemisphere => ("hemisphere", None),
-                InsertShape::Cone {
-                    half_angle_rad,
-                    tip_radius_m,
-                } => ("cone", Some((half_angle_rad, tip_radius_m))),
-            };
-            json!({
-                "diameter_m": bit.diameter_m,
-                "insert_diameter_m": bit.insert_diameter_m,
-                "insert_shape": word,
-                "half_angle_rad": cone.map(|(half_angle, _)| half_angle),
-                "tip_radius_m": cone.map(|(_, tip)| tip),
-                "protrusion_m": bit.protrusion_m,
-                "rows": bit.rows,
-                "pitch_m": bit.pitch_m,
-                "cone_angle_rad": bit.cone_angle_rad,
-                "nose_m": bit.nose_m,
-                "nose_radius_m": bit.nose_radius_m,
-                "shoulder_radius_m": bit.shoulder_radius_m,
-                "gauge_length_m": bit.gauge_length_m,
-                "gauge_relief_m": bit.gauge_relief_m,
-            })
-        }
     }
 }

@@ -1,0 +1,90 @@
+//! How heavy the bricks may be, and how long they may move.
+
+use wholestring::rock::{BitShape, DrillingSpec};
+
+use super::{RockTable, place};
+use crate::{diagnostic::Diagnostic, range::number_text, reader::Reader, source::Place};
+
+/// Part of the strength that scaled density times the square of the rim's speed may be: the mean forces then move by
+/// less than 5 %.
+const MOST_INERTIA: f64 = 0.0625;
+
+/// More brick-steps than this are weeks of computing.
+const MOST_BRICK_STEPS: f64 = 3e13;
+impl RockTable {
+    /// Warns of bricks so heavy that the bit feels them at a speed.
+    pub(crate) fn warn_of_inertia(
+        &self,
+        spec: &DrillingSpec,
+        fastest_rad_per_s: f64,
+        whole: Place,
+        reader: &mut Reader,
+    ) {
+        let rock = &spec.block.rock;
+        let rim_m_per_s = 0.5 * fastest_rad_per_s * diameter_m(&spec.bit);
+        let least_Pa = rock.density_kg_per_m3 * rim_m_per_s.powi(2);
+        let most = (MOST_INERTIA * rock.ucs_Pa() / least_Pa).max(1.0);
+        if spec.block.numerics.density_factor <= most * (1.0 + 1e-9) {
+            return;
+        }
+        let speed = number_text((fastest_rad_per_s * 30.0 / std::f64::consts::PI).round());
+        reader.report(
+            Diagnostic::warning(format!(
+                "at {speed} rev/min the bit feels the inertia of the rock, whose density is scaled"
+            ))
+            .at(
+                place(&self.density_factor).unwrap_or(whole),
+                format!(
+                    "expected a density_factor of {} or less",
+                    number_text(most.floor())
+                ),
+            )
+            .help("more moves the mean forces by 5 % and beyond"),
+        );
+    }
+
+    /// What makes the bricks heavy, if it stands in the case.
+    pub(crate) fn weighty_place(&self) -> Option<Place> {
+        place(&self.density_factor)
+            .or(place(&self.element_size))
+            .or(place(&self.density))
+    }
+
+    /// Refuses what would take weeks: the rock moving for so long.
+    pub(crate) fn check_effort(
+        &self,
+        spec: &DrillingSpec,
+        time_s: f64,
+        whole: Place,
+        reader: &mut Reader,
+    ) -> Option<()> {
+        let step_s = spec.block.step_s().ok()?;
+        if spec.block.bricks() as f64 * time_s / step_s <= MOST_BRICK_STEPS {
+            return Some(());
+        }
+        let message = format!(
+            "{} bricks over {} s would take weeks",
+            spec.block.bricks(),
+            number_text(time_s.round())
+        );
+        reader.report(
+            Diagnostic::error(message)
+                .at(
+                    place(&self.element_size).unwrap_or(whole),
+                    format!(
+                        "steps of {} s",
+                        number_text(format!("{step_s:.1e}").parse().unwrap_or(step_s))
+                    ),
+                )
+                .help("raise element_size or density_factor, or shorten the time"),
+        );
+        None
+    }
+}
+
+fn diameter_m(bit: &BitShape) -> f64 {
+    match bit {
+        BitShape::Pdc(bit) => bit.diameter_m,
+        BitShape::Insert(bit) => bit.diameter_m,
+    }
+}

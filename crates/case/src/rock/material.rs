@@ -1,0 +1,146 @@
+//! The rock itself: how strong, how stiff, how tough.
+
+use wholestring::rock::{Rock, RockError};
+
+use super::{DEGREE, RockTable, place};
+use crate::{diagnostic::Diagnostic, range::number_text, reader::Reader, source::Place};
+
+impl RockTable {
+    /// The rock; `place` is that of the table.
+    pub(super) fn rock(&self, place: Place, reader: &mut Reader) -> Option<Rock> {
+        let friction_angle_rad = *self.friction_angle.get()?;
+        let (sin, cos) = friction_angle_rad.sin_cos();
+        // Unconfined compressive strength over cohesion.
+        let ratio = 2.0 * cos / (1.0 - sin);
+        let strength_Pa = match (self.strength.optional()?, self.cohesion.optional()?) {
+            (Some(strength), None) => strength.value,
+            (None, Some(cohesion)) => cohesion.value * ratio,
+            (Some(strength), Some(cohesion)) => {
+                reader.report(
+                    Diagnostic::error("the strength of the rock is given twice")
+                        .at(strength.place, "by what it bears unconfined")
+                        .at(cohesion.place, "by its cohesion")
+                        .help("keep one of `strength` and `cohesion`; with the friction angle the one follows from the other"),
+                );
+                return None;
+            }
+            (None, None) => {
+                reader.report(
+                    Diagnostic::error("[rock] lacks `strength`")
+                        .at(place, "`strength` is missing")
+                        .help("such as strength = \"60 MPa\", unconfined and in compression"),
+                );
+                return None;
+            }
+        };
+        let mut rock = Rock::for_drilling(strength_Pa);
+        rock.cohesion_Pa = strength_Pa / ratio;
+        rock.friction_angle_rad = friction_angle_rad;
+        rock.dilation_angle_rad = rock.dilation_angle_rad.min(friction_angle_rad);
+        rock.poisson_ratio = *self.poisson_ratio.get()?;
+        rock.density_kg_per_m3 = *self.density.get()?;
+        if let Some(crushing) = self.crushing_energy.optional()? {
+            rock.compressive_fracture_energy_J_per_m2 *=
+                crushing.value / rock.crushing_energy_J_per_m3;
+            rock.crushing_energy_J_per_m3 = crushing.value;
+        }
+        for (number, field) in [
+            (&mut rock.dilation_angle_rad, &self.dilation_angle),
+            (&mut rock.youngs_modulus_Pa, &self.youngs_modulus),
+            (&mut rock.tensile_strength_Pa, &self.tensile_strength),
+            (
+                &mut rock.tensile_fracture_energy_J_per_m2,
+                &self.tensile_fracture_energy,
+            ),
+            (
+                &mut rock.compressive_fracture_energy_J_per_m2,
+                &self.compressive_fracture_energy,
+            ),
+        ] {
+            if let Some(at) = field.optional()? {
+                *number = at.value;
+            }
+        }
+        if let Some(dilation) = self.dilation_angle.given()
+            && dilation.value > friction_angle_rad
+        {
+            let most = number_text((friction_angle_rad / DEGREE * 1e3).round() * 1e-3);
+            let mut diagnostic =
+                Diagnostic::error("the rock's dilation angle is larger than its friction angle")
+                    .at(dilation.place, format!("expected at most {most} deg"));
+            if let Some(friction) = self.friction_angle.given() {
+                diagnostic = diagnostic.at(friction.place, "the friction angle");
+            }
+            reader.report(diagnostic);
+            return None;
+        }
+        if let Err(error) = rock.check() {
+            reader.report(self.unsound(&error, place));
+            return None;
+        }
+        let bears_Pa = rock.largest_tension_Pa();
+        if let Some(given) = self.tensile_strength.given()
+            && bears_Pa < given.value
+        {
+            let most = number_text((bears_Pa * 1e-5).round() * 1e-1);
+            reader.report(
+                Diagnostic::warning("the rock shears before it bears this tension").at(
+                    given.place,
+                    format!("its cone allows {most} MPa in sum of the principal stresses"),
+                ),
+            );
+        }
+        Some(rock)
+    }
+
+    /// The mistake, at those of its numbers that stand in the case.
+    pub(super) fn unsound(&self, error: &RockError, whole: Place) -> Diagnostic {
+        match error {
+            RockError::OutOfRange {
+                quantity,
+                value,
+                expected,
+            } => {
+                let known = [
+                    ("the density", place(&self.density)),
+                    ("Young's modulus", place(&self.youngs_modulus)),
+                    ("Poisson's ratio", place(&self.poisson_ratio)),
+                    ("the cohesion", place(&self.cohesion)),
+                    ("the friction angle", place(&self.friction_angle)),
+                    ("the dilation angle", place(&self.dilation_angle)),
+                    ("the tensile strength", place(&self.tensile_strength)),
+                    (
+                        "the fracture energy in tension",
+                        place(&self.tensile_fracture_energy),
+                    ),
+                    (
+                        "the fracture energy in compression",
+                        place(&self.compressive_fracture_energy),
+                    ),
+                    ("the crushing energy", place(&self.crushing_energy)),
+                ];
+                let found = known.iter().find(|(name, _)| name == quantity);
+                let message = format!("no rock has this: {quantity}");
+                Diagnostic::error(message).at(
+                    found.and_then(|(_, place)| *place).unwrap_or(whole),
+                    format!("expected {expected}, found {}", number_text(*value)),
+                )
+            }
+            RockError::TooLarge { largest_m, .. } => {
+                let most = number_text((largest_m * 1e4).floor() * 1e-1);
+                Diagnostic::error("the bricks are too large for this rock: they would snap, not soften")
+                    .at(
+                        place(&self.element_size)
+                            .or(place(&self.crushing_energy))
+                            .or(place(&self.tensile_fracture_energy))
+                            .or(place(&self.compressive_fracture_energy))
+                            .unwrap_or(whole),
+                        format!("expected bricks below {most} mm"),
+                    )
+                    .help("raise crushing_energy or youngs_modulus, or lower element_size and raise the fracture energies: a brick holds more elastic energy than its failure takes")
+            }
+            RockError::Cells(..) => Diagnostic::error(error.to_string())
+                .at(place(&self.element_size).unwrap_or(whole), "raise it"),
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! `[rock]`: the solid rock, and what drills it.
+
+mod bricks;
+mod limits;
+mod material;
+
+use serde_json::{Value as Json, json};
+use wholestring::rock::DrillingSpec;
+use wholestring_units::Dimension;
+
+use crate::{
+    bit::{BitTable, face_settings},
+    diagnostic::Diagnostic,
+    quantity::Quantity,
+    range::{Number, Range},
+    reader::Reader,
+    rule::At,
+    source::Place,
+    table::{Field, default, optional, table},
+};
+
+/// Factor on the density where the case does not say.
+const DENSITY_FACTOR: f64 = 400.0;
+
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+fn pressure(range: Range, example: &'static str) -> Quantity {
+    Quantity::si(Dimension::Pressure, range, example)
+}
+
+fn angle(range: Range, example: &'static str) -> Quantity {
+    Quantity::si(Dimension::Angle, range, example).bare("deg", DEGREE)
+}
+
+fn toughness(example: &'static str) -> Quantity {
+    Quantity::si(Dimension::FractureEnergy, Range::positive_to(1e8), example)
+}
+
+fn length(example: &'static str) -> Quantity {
+    Quantity::si(Dimension::Diameter, Range::positive_to(5.0), example)
+}
+
+table! {
+    /// The solid rock under the bit: of the law "rock" and of a bit test. Its strength alone is needed, or its
+    /// cohesion; the rest is typical of sandstone and limestone.
+    RockTable in "[rock]" {
+        /// Unconfined compressive strength. Raising it slows the bit down.
+        strength: f64 = optional(pressure(Range::from_to(1e5, 1e9), "60 MPa"));
+        /// In place of the strength: cohesion of Mohr and Coulomb.
+        cohesion: f64 = optional(pressure(Range::from_to(1e4, 1e9), "15 MPa"));
+        /// Friction angle of Mohr and Coulomb; a bare number is in deg. Raising it makes the rock the stronger the more it is
+        /// confined.
+        friction_angle: f64 = default(
+            angle(Range::from_to(DEGREE, 70.0 * DEGREE), "35 deg"),
+            35.0 * DEGREE,
+        );
+        /// Dilation angle, at most the friction angle; a bare number is in deg. Raising it lets sheared rock swell and
+        /// wedge itself. Default: 10 deg, or the friction angle where that is less.
+        dilation_angle: f64 = optional(angle(Range::from_to(0.0, 70.0 * DEGREE), "10 deg"));
+        /// Young's modulus. Raising it makes the rock stiffer and more brittle, shortens its steps, and takes more work per
+        /// drilled volume: 1.3 times at twice the default, for which `crushing_energy` is calibrated. Default: 300 times the
+        /// strength.
+        youngs_modulus: f64 = optional(pressure(Range::from_to(1e7, 1e12), "18 GPa"));
+        /// Poisson's ratio.
+        poisson_ratio: f64 = default(Number { unit: "", range: Range::from_to(0.0, 0.45) }, 0.25);
+        /// Density. Raising it lengthens the rock's steps.
+        density: f64 = default(
+            Quantity::si(Dimension::Density, Range::from_to(500.0, 10_000.0), "2500 kg/m3"),
+            2500.0,
+        );
+        /// Strength in uniaxial tension. Raising it leaves less to chip and more to crush. Default: a tenth of the
+        /// strength.
+        tensile_strength: f64 = optional(pressure(Range::from_to(1e3, 1e9), "6 MPa"));
+        /// Energy that failure takes per volume at the least, in tension and in compression. Raising it raises the bit's work per
+        /// drilled volume about as much. Default: 0.085 of the strength, with which that work is about the strength.
+        crushing_energy: f64 = optional(pressure(Range::positive_to(1e9), "5 MJ/m3"));
+        /// Energy that a tensile crack takes per area. Bricks of more than some millimetres are crushed all through and
+        /// do not feel it. Default: 80 J/m2.
+        tensile_fracture_energy: f64 = optional(toughness("80 J/m2"));
+        /// Energy that a crushed band takes per area. Bricks of more than 2 mm do not feel the default: 2 mm times
+        /// `crushing_energy`.
+        compressive_fracture_energy: f64 = optional(toughness("8 kJ/m2"));
+        /// Pressure of the mud at the bottom over that in the rock's pores. Raising it strengthens the rock.
+        pressure: f64 = default(pressure(Range::from_to(0.0, 5e8), "10 MPa"), 0.0);
+        /// Initial pressure in the rock across the hole, over that in its pores. Default: that of the mud.
+        confinement: f64 = optional(pressure(Range::from_to(0.0, 5e8), "15 MPa"));
+        /// Friction between bit and rock. Raising it drags more rock along.
+        friction: f64 = default(Number { unit: "", range: Range::from_to(0.0, 2.0) }, 0.3);
+        /// Edge of the bricks. Halving it costs eight times the bricks and twice the steps. Default: an eighteenth of the
+        /// bit's diameter, or one and a half times what the cutters stand out of its body where that is less.
+        element_size: f64 = optional(Quantity::si(
+            Dimension::Diameter,
+            Range::from_to(5e-4, 0.2),
+            "12 mm",
+        ));
+        /// Factor on the density of the bricks, for longer steps: twenty times the step at 400. Raising it makes a run
+        /// faster, until the rock's inertia is felt in the forces; a warning says from where on.
+        density_factor: f64 = default(
+            Number { unit: "", range: Range::from_to(1.0, 1e6) },
+            DENSITY_FACTOR,
+        );
+        /// Rock beside the bit, on each side. Default: an eighth of its diameter, two bricks at least.
+        beside: f64 = optional(length("27 mm"));
+        /// Rock below the bit. Default: a quarter of its diameter, four bricks at least.
+        below: f64 = optional(length("54 mm"));
+    }
+}
+
+fn place<T>(field: &Field<T>) -> Option<Place> {
+    field.given().map(|at| at.place)
+}
+
+/// Where tables stand.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Places {
+    /// The rock's.
+    pub(crate) rock: Place,
+    /// The bit's diameter.
+    pub(crate) od: Place,
+}
+
+/// What the bit drills, if anything asks for solid rock: `asks` is where.
+pub(crate) fn drilling(
+    table: &Field<RockTable>,
+    bit: &BitTable,
+    asks: Option<(Place, &str)>,
+    lowest: Option<(f64, Place)>,
+    reader: &mut Reader,
+) -> Option<Option<DrillingSpec>> {
+    let rock = match (table.given(), asks) {
+        (None, None) => return Some(None),
+        (Some(given), None) => {
+            reader.report(
+                Diagnostic::warning("[rock] has no effect here")
+                    .at(given.place, "used with law = \"rock\", and by a bit test")
+                    .help("set the law under [bit], or add [bit_test]"),
+            );
+            return Some(None);
+        }
+        (None, Some((place, who))) => {
+            if !matches!(table, Field::Bad) {
+                reader.report(
+                    Diagnostic::error(format!("{who} needs a rock"))
+                        .at(place, "[rock] is missing")
+                        .help("such as [rock] with strength = \"60 MPa\""),
+                );
+            }
+            return None;
+        }
+        (Some(given), Some(_)) => given,
+    };
+    build(rock, bit, lowest, reader).map(Some)
+}
+
+fn build(
+    table: &At<RockTable>,
+    bit: &BitTable,
+    lowest: Option<(f64, Place)>,
+    reader: &mut Reader,
+) -> Option<DrillingSpec> {
+    let rock = table.value.rock(table.place, reader);
+    let (diameter_m, od) = lowest?;
+    let shape = bit.shape(0.5 * diameter_m, reader)?;
+    let places = Places {
+        rock: table.place,
+        od,
+    };
+    table
+        .value
+        .drilling(rock?, shape, diameter_m, (bit, places), reader)
+}
+
+/// The rock in bricks and the bit's face, for the record of a run.
+pub(crate) fn settings(spec: &DrillingSpec) -> [Json; 2] {
+    let (rock, block) = (&spec.block.rock, &spec.block);
+    let json = json!({
+        "strength_Pa": rock.ucs_Pa(),
+        "cohesion_Pa": rock.cohesion_Pa,
+        "friction_angle_rad": rock.friction_angle_rad,
+        "dilation_angle_rad": rock.dilation_angle_rad,
+        "youngs_modulus_Pa": rock.youngs_modulus_Pa,
+        "poisson_ratio": rock.poisson_ratio,
+        "density_kg_per_m3": rock.density_kg_per_m3,
+        "tensile_strength_Pa": rock.tensile_strength_Pa,
+        "tensile_fracture_energy_J_per_m2": rock.tensile_fracture_energy_J_per_m2,
+        "crushing_energy_J_per_m3": rock.crushing_energy_J_per_m3,
+        "compressive_fracture_energy_J_per_m2": rock.compressive_fracture_energy_J_per_m2,
+        "pressure_Pa": block.pressure_Pa,
+        "confinement_Pa": block.confinement_Pa,
+        "friction": spec.contact.friction,
+        "element_size_m": block.size_m[0],
+        "density_factor": block.numerics.density_factor,
+        "cells": block.cells,
+    });
+    [json, face_settings(&spec.bit)]
+}

@@ -1,0 +1,189 @@
+//! `run` as it ends badly: refused, without a place to write to, diverged, interrupted.
+
+use std::fs;
+
+use crate::{
+    desk::{Desk, transcript},
+    run::SOFT,
+};
+use insta::assert_snapshot;
+use wholestring_results::{Data, Status, Table};
+
+#[test]
+fn bad_input_leaves_no_folder() {
+    let desk = Desk::new();
+    let output = desk.run(&["run", "slant.toml", "--set", "bit_depth=60 bar"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(!desk.path("out").exists());
+}
+
+#[test]
+fn a_file_in_the_place_of_the_folder() {
+    let desk = Desk::new();
+    assert_snapshot!(transcript(&desk.run(&[
+        "run",
+        "slant.toml",
+        "-o",
+        "slant.toml"
+    ])));
+}
+
+#[test]
+fn a_folder_in_the_place_of_a_file() {
+    let desk = Desk::new();
+    fs::create_dir_all(desk.path("results/nodes.parquet")).unwrap();
+    let output = desk.run(&[&["run", "slant.toml", "-o", "results"], &SOFT[..]].concat());
+    assert_eq!(output.status.code(), Some(3));
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(message.starts_with("error: cannot write"), "{message}");
+    assert!(message.contains("nodes.parquet"), "{message}");
+}
+
+/// A lift of ten thousand tonnes throws the string out of the hole.
+#[test]
+fn diverged() {
+    let desk = Desk::new();
+    let output = desk.run(&[
+        "run",
+        "slant.toml",
+        "-o",
+        "results",
+        "--set",
+        "hoist.control=hook-load",
+        "--set",
+        "hoist.hook_load=1e8 N",
+    ]);
+    assert_eq!(output.status.code(), Some(3));
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(
+        message.starts_with("error: trip_out: the run diverged"),
+        "{message}"
+    );
+    assert!(
+        message.ends_with("what was computed until then is in results\n"),
+        "{message}"
+    );
+    let table = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        table.contains("dynamic*") && table.contains("\n* as far as it was computed\n"),
+        "{table}"
+    );
+
+    let summary = desk.summary("results");
+    let [soft, dynamic] = &summary.operations[..] else {
+        panic!("the run goes on to the next operation");
+    };
+    assert_eq!(soft.status, Status::Complete);
+    assert!(matches!(&dynamic.status, Status::Failed(reason) if message.contains(reason)));
+    let time = Table::read_parquet(&desk.path("results/time.parquet")).unwrap();
+    assert!(time.rows() > 0);
+    // No number in a file is none: JSON would say `null` where the contract has a number.
+    let numerics = dynamic.numerics.as_ref().expect("a dynamic model");
+    assert_eq!(
+        (numerics.energy_residual, numerics.energy),
+        (1.0, None),
+        "a run that diverged balances nothing"
+    );
+    assert!(numerics.max_penetration_m.is_finite());
+    let nodes = Table::read_parquet(&desk.path("results/nodes.parquet")).unwrap();
+    let last = |table: &Table, name: &str| match table.column(name).map(|column| &column.data) {
+        Some(Data::Number(values)) => values.last().copied().flatten(),
+        _ => None,
+    };
+    for name in ["time_s", "hook_load_N", "surface_torque_N_m", "stretch_m"] {
+        assert!(last(&time, name).is_some(), "{name}");
+    }
+    // The last row is the bit's, by the dynamic model.
+    for name in ["md_m", "tension_N", "torque_N_m", "contact_force_N"] {
+        assert!(last(&nodes, name).is_some(), "{name}");
+    }
+}
+
+/// Ctrl-C keeps what was computed, and says so. Other systems than Unix have no way to send it to
+/// another process from a test.
+#[cfg(unix)]
+#[test]
+fn interrupted() {
+    use std::{
+        process::{Command, Stdio},
+        thread::sleep,
+        time::{Duration, Instant},
+    };
+
+    let desk = Desk::new();
+    let mut child = desk
+        .command(&[
+            "run",
+            "slant.toml",
+            "-o",
+            "results",
+            "--set",
+            "dynamics.duration=3600 s",
+        ])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // The soft string is on the disk when the dynamics begin.
+    let begin = Instant::now();
+    while !desk.path("results/summary.json").exists() {
+        assert!(
+            begin.elapsed() < Duration::from_secs(60),
+            "the run does not begin"
+        );
+        sleep(Duration::from_millis(20));
+    }
+    sleep(Duration::from_millis(500));
+    let sent = Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(sent.unwrap().success());
+    let status = child.wait().unwrap();
+    assert_eq!(status.code(), Some(130));
+    let mut message = String::new();
+    std::io::Read::read_to_string(&mut child.stderr.take().unwrap(), &mut message).unwrap();
+    assert_eq!(
+        message,
+        "interrupted: what was computed is in results\n\
+         to go on, run the case with --resume results\n"
+    );
+
+    let summary = desk.summary("results");
+    let statuses: Vec<_> = summary
+        .operations
+        .iter()
+        .map(|solved| &solved.status)
+        .collect();
+    assert_eq!(statuses, [&Status::Complete, &Status::Interrupted]);
+    let time = Table::read_parquet(&desk.path("results/time.parquet")).unwrap();
+    assert!(time.rows() > 0);
+}
+
+/// A run that is stopped before its window begins has a profile of what it sampled until then.
+#[test]
+fn a_profile_without_window() {
+    let desk = Desk::new();
+    let output = desk.run(&[
+        "run",
+        "slant.toml",
+        "-o",
+        "results",
+        "--set",
+        "model=dynamic",
+        "--set",
+        "dynamics.settle=100 s",
+        "--set",
+        "hoist.control=hook-load",
+        "--set",
+        "hoist.hook_load=1e8 N",
+        "--set",
+        "dynamics.sample_interval=1 ms",
+    ]);
+    assert_eq!(output.status.code(), Some(3));
+    let nodes = Table::read_parquet(&desk.path("results/nodes.parquet")).unwrap();
+    let Data::Number(tensions) = &nodes.column("tension_N").unwrap().data else {
+        panic!("tensions are numbers");
+    };
+    // Ten thousand tonnes at the top.
+    assert!(tensions[0].unwrap() > 1e6, "{:?}", tensions[0]);
+}

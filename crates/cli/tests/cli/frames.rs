@@ -1,0 +1,111 @@
+//! Frames and spectra of a run.
+
+use crate::{
+    desk::Desk,
+    run::{SOFT, files},
+};
+use wholestring_results::{Data, Table};
+
+fn numbers(table: &Table, name: &str) -> Vec<f64> {
+    match &table
+        .column(name)
+        .unwrap_or_else(|| panic!("no `{name}`"))
+        .data
+    {
+        Data::Number(values) => values.iter().copied().flatten().collect(),
+        Data::Text(_) => panic!("`{name}` holds words"),
+    }
+}
+
+/// Frames ten times a second of the two seconds of each operation, and a spectrum of the window: the frames
+/// agree with the table of time, the spectrum with the statistics. A later run without them leaves none.
+#[test]
+fn frames_and_spectra() {
+    let desk = Desk::new();
+    let records = [
+        "--set",
+        "records.frames=10 Hz",
+        "--set",
+        "records.channels=[\"rotation\", \"force\"]",
+        "--set",
+        "records.spectra=hook_load",
+        "--set",
+        "records.node_spectra=[\"rotary_speed\", \"tension\"]",
+        "--set",
+        "records.node_spectra_at=[\"0 m\", \"150 m\"]",
+        "--set",
+        "records.spectrum_segment=1 s",
+        "--set",
+        "model=dynamic",
+    ];
+    let output = desk.run(&[&["run", "slant.toml", "-o", "out"], &records[..]].concat());
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{message}");
+
+    let frames = Table::read_parquet(&desk.path("out/frames.parquet")).unwrap();
+    let nodes = Table::read_parquet(&desk.path("out/nodes.parquet"))
+        .unwrap()
+        .rows()
+        / 2;
+    let time = Table::read_parquet(&desk.path("out/time.parquet")).unwrap();
+    // A sample is a whole number of steps, 0.6 ms each, and a frame ten samples.
+    let taken = time.rows() / 2 / 10;
+    assert!((19..=20).contains(&taken), "{taken}");
+    assert_eq!(frames.rows(), 2 * taken * nodes);
+    let names: Vec<&str> = frames.columns().iter().map(|c| c.name.as_str()).collect();
+    let expected = [
+        "operation",
+        "time_s",
+        "node",
+        "md_m",
+        "rotary_speed_rad_per_s",
+        "twist_rad",
+        "tension_N",
+        "torque_N_m",
+    ];
+    assert_eq!(names, expected);
+    let (times, twists) = (numbers(&time, "time_s"), numbers(&time, "twist_rad"));
+    let (frame_times, frame_twists) = (numbers(&frames, "time_s"), numbers(&frames, "twist_rad"));
+    // The last operation, whose rows come last, turns the string.
+    let last = frames.rows() - nodes;
+    let row = times.iter().rposition(|t| *t == frame_times[last]).unwrap();
+    assert!(twists[row] != 0.0);
+    assert!(
+        (frame_twists[last] / twists[row] - 1.0).abs() < 1e-6,
+        "single precision"
+    );
+
+    // One segment over the whole window: Hann's window weighs its middle, the variance comes out roughly.
+    let spectra = Table::read_parquet(&desk.path("out/spectra.parquet")).unwrap();
+    let frequencies = numbers(&spectra, "frequency_Hz");
+    assert!((frequencies[1] - 1.0).abs() < 0.03, "{}", frequencies[1]);
+    // Of either operation a scalar and two signals of two nodes.
+    let rows = spectra.rows() / 10;
+    let density = numbers(&spectra, "density");
+    let variance: f64 = density[..rows].iter().sum::<f64>() * frequencies[1];
+    let md_m = numbers(&spectra, "md_m");
+    assert_eq!(md_m.len(), 8 * rows, "a scalar has no depth");
+    for (spectrum, depth_m) in [0.0, 0.0, 150.0, 150.0].into_iter().enumerate() {
+        let found = md_m[spectrum * rows];
+        assert!((found - depth_m).abs() < 2.5, "{found} for {depth_m} m");
+    }
+    let summary = desk.summary("out");
+    let std = summary.operations[0].statistics.as_ref().unwrap()["hook_load_N"].std;
+    assert!(
+        (0.2..5.0).contains(&(variance.sqrt() / std)),
+        "{variance} for {std}²"
+    );
+
+    let output = desk.run(&[&["run", "slant.toml", "-o", "out"], &SOFT[..]].concat());
+    assert!(output.status.success());
+    let expected = [
+        "contact.parquet",
+        "nodes.parquet",
+        "profile.svg",
+        "report.html",
+        "summary.json",
+        "time.parquet",
+        "wear.parquet",
+    ];
+    assert_eq!(files(&desk, "out"), expected.map(String::from).into());
+}
