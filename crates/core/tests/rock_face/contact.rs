@@ -1,14 +1,13 @@
 //! The face against nodes of rock.
 
 use nalgebra::{Rotation3, Vector3};
-use wholestring::rock::bit_face::{BitFace, BitLoad, ContactLaw, Pose, SurfaceNodes};
+use wholestring::rock::bit_face::{BitFace, BitLoad, Contact, ContactLaw, Pose, RockNode};
 
 use super::{faces, opposed, pdc};
 
 /// Nodes, component by component.
 #[derive(Debug, Clone, Default)]
 struct Nodes {
-    surface: Vec<u32>,
     position: [Vec<f64>; 3],
     velocity: [Vec<f64>; 3],
     force: [Vec<f64>; 3],
@@ -22,7 +21,6 @@ fn at(of: &[Vec<f64>; 3], i: usize) -> Vector3<f64> {
 
 impl Nodes {
     fn push(&mut self, position: Vector3<f64>, velocity: Vector3<f64>, force: Vector3<f64>) {
-        self.surface.push(self.mass.len() as u32);
         for axis in 0..3 {
             self.position[axis].push(position[axis]);
             self.velocity[axis].push(velocity[axis]);
@@ -34,22 +32,22 @@ impl Nodes {
     }
 
     fn touch(&mut self, face: &BitFace, pose: &Pose, law: &ContactLaw, dt: f64) -> BitLoad {
-        let slices = |of: &'_ [Vec<f64>; 3]| [0, 1, 2].map(|axis| of[axis].clone());
-        let (position, velocity) = (slices(&self.position), slices(&self.velocity));
-        let [x, y, z] = &mut self.force;
-        face.touch(
-            pose,
-            law,
-            dt,
-            &mut SurfaceNodes {
-                surface: &self.surface,
-                position_m: [&position[0], &position[1], &position[2]],
-                velocity_m_per_s: [&velocity[0], &velocity[1], &velocity[2]],
-                mass_kg: &self.mass,
-                area_m2: &self.area,
-                force_N: [x, y, z],
-            },
-        )
+        let mut contact = Contact::new(face, pose, law, dt);
+        for i in 0..self.mass.len() {
+            let node = RockNode {
+                position_m: at(&self.position, i),
+                velocity_m_per_s: at(&self.velocity, i),
+                force_N: at(&self.force, i),
+                mass_kg: self.mass[i],
+            };
+            if !contact.reaches(node.position_m) {
+                continue;
+            }
+            if let Some(force) = contact.touch(&node, || self.area[i]) {
+                (0..3).for_each(|axis| self.force[axis][i] += force[axis]);
+            }
+        }
+        contact.load()
     }
 
     /// One step of the leapfrog.

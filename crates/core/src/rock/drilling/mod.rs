@@ -4,7 +4,6 @@ mod bit;
 mod bottom;
 mod driver;
 mod motion;
-mod near;
 mod progress;
 mod seat;
 mod spec;
@@ -12,7 +11,6 @@ mod spec;
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
-use self::near::Near;
 pub use self::{
     bit::{Bit, BitShape},
     driver::Driver,
@@ -61,8 +59,6 @@ pub struct Drilling {
     energies: DrillingEnergies,
     /// Bricks of the first hole and of the wall that were dropped, not broken.
     dropped: usize,
-    #[serde(skip)]
-    near: Near,
 }
 
 impl Drilling {
@@ -96,7 +92,6 @@ impl Drilling {
             },
             energies: DrillingEnergies::default(),
             dropped: 0,
-            near: Near::default(),
         };
         if spec.seated {
             drilling.seat();
@@ -139,8 +134,8 @@ impl Drilling {
             self.pose.velocity_m_per_s += inertia.moved(motion.force_N * dt);
             self.pose.angular_velocity_rad_per_s += inertia.turned(motion.moment_N_m * dt, &axis);
             let met = self
-                .near
-                .press(&mut self.block, self.bit.face(), &self.pose, &self.contact);
+                .block
+                .press(self.bit.face(), &self.pose, &self.contact);
             let load = met.load;
             self.pose.velocity_m_per_s += inertia.moved(load.force_N * dt);
             self.pose.angular_velocity_rad_per_s += inertia.turned(load.moment_N_m * dt, &axis);
