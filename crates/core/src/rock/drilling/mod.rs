@@ -66,18 +66,11 @@ impl Drilling {
     /// kept, or on the flat top. The bricks of that hole count as dropped, not as broken.
     ///
     /// # Errors
-    /// No rock, no face, or a block that is not three layers deeper than the wall that is kept.
+    /// Those of [`DrillingSpec::check`].
     pub fn new(spec: &DrillingSpec) -> Result<Self, DrillingError> {
+        let bit = spec.sound_bit()?;
         let block = Block::new(&spec.block)?;
-        let bit = Bit::try_from(spec.bit)?;
-        let ([nx, ny, nz], [x, y, z]) = (spec.block.cells, spec.block.size_m);
-        let depth_m = nz as f64 * z;
-        if !(spec.wall_m >= 0.0 && depth_m - spec.wall_m > 2.5 * z) {
-            return Err(DrillingError::Shallow {
-                depth_m,
-                wall_m: spec.wall_m,
-            });
-        }
+        let ([nx, ny, _], [x, y, _]) = (spec.block.cells, spec.block.size_m);
         let middle = Vector3::new(0.5 * nx as f64 * x, 0.5 * ny as f64 * y, 0.0);
         let mut drilling = Self {
             block,
@@ -133,9 +126,7 @@ impl Drilling {
             ];
             self.pose.velocity_m_per_s += inertia.moved(motion.force_N * dt);
             self.pose.angular_velocity_rad_per_s += inertia.turned(motion.moment_N_m * dt, &axis);
-            let met = self
-                .block
-                .press(self.bit.face(), &self.pose, &self.contact);
+            let met = self.block.press(self.bit.face(), &self.pose, &self.contact);
             let load = met.load;
             self.pose.velocity_m_per_s += inertia.moved(load.force_N * dt);
             self.pose.angular_velocity_rad_per_s += inertia.turned(load.moment_N_m * dt, &axis);
