@@ -163,6 +163,30 @@ fn momentum_and_energy_pass_exactly() {
     }
 }
 
+/// What a face holds is in its reach; what is not in its reach need not be asked for.
+#[test]
+fn what_is_held_is_in_reach() {
+    let (pose, law) = (turning(), law());
+    for (name, face) in faces() {
+        let contact = Contact::new(&face, &pose, &law, DT);
+        let nodes = placed(cloud(&face, 2000), &pose);
+        let (mut held, mut random) = (0, random(3));
+        for i in 0..nodes.mass.len() {
+            // Of the cloud, and of all around it.
+            let near = at(&nodes.position, i);
+            for position in [near, near + Vector3::from_fn(|_, _| 0.1 * random())] {
+                if face.holds(pose.to_bit(position)).is_some() {
+                    held += 1;
+                    assert!(contact.reaches(position), "{name}: {position}");
+                }
+            }
+        }
+        assert!(held > 500, "{name}: {held}");
+        let far = pose.position_m - pose.axis() * face.profile().radius_m() * 9.0;
+        assert!(!contact.reaches(far), "{name}");
+    }
+}
+
 /// What happens does not depend on where one looks from.
 #[test]
 fn a_turned_world_is_the_same() {
