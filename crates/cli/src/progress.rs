@@ -1,6 +1,9 @@
 //! The progress of dynamic runs on the terminal.
 
-use std::{cell::Cell, time::Instant};
+use std::{
+    cell::Cell,
+    time::{Duration, Instant},
+};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -32,6 +35,15 @@ impl Watch {
     pub(crate) fn trial(&self, name: &str, end_s: f64) -> Option<OwnBar> {
         match self {
             Self::Screen { quiet } => Some(OwnBar::new(name, 0.0, end_s, *quiet)),
+            Self::Sweep(_) => None,
+        }
+    }
+
+    /// Shows what is done before an operation's time begins, which takes seconds and counts nothing, until what it gives is
+    /// dropped. A sweep goes on showing its bar.
+    pub(crate) fn preparing(&self, name: &str, what: &'static str) -> Option<Preparing> {
+        match self {
+            Self::Screen { quiet } => Some(Preparing::new(name, what, *quiet)),
             Self::Sweep(_) => None,
         }
     }
@@ -79,17 +91,50 @@ impl Progress {
     }
 }
 
-/// A bar on standard error, hidden where that is no terminal or nothing is to be shown.
-pub(crate) fn bar(length: u64, quiet: bool) -> ProgressBar {
-    let target = if quiet {
+/// Where progress is shown: on standard error, unless that is no terminal or nothing is to be shown.
+fn screen(quiet: bool) -> ProgressDrawTarget {
+    if quiet {
         ProgressDrawTarget::hidden()
     } else {
         ProgressDrawTarget::stderr()
-    };
-    let bar = ProgressBar::with_draw_target(Some(length), target);
+    }
+}
+
+/// A bar on the screen.
+pub(crate) fn bar(length: u64, quiet: bool) -> ProgressBar {
+    let bar = ProgressBar::with_draw_target(Some(length), screen(quiet));
     let style = ProgressStyle::with_template("{prefix} {bar:32} {msg}");
     bar.set_style(style.expect("the template is sound").progress_chars("━╸─"));
     bar
+}
+
+/// What an operation is called on the screen.
+fn title(operation: &str) -> String {
+    operation.replace('_', " ")
+}
+
+/// Time on the clock between two movements of what shows that something is done.
+const TICK: Duration = Duration::from_millis(100);
+
+/// What is done before an operation's time begins, and for how long already.
+pub(crate) struct Preparing(ProgressBar);
+
+impl Preparing {
+    fn new(operation: &str, what: &'static str, quiet: bool) -> Self {
+        let bar = ProgressBar::with_draw_target(None, screen(quiet));
+        let style = ProgressStyle::with_template("{prefix} {spinner} {msg}, {elapsed}");
+        bar.set_style(style.expect("the template is sound"));
+        bar.set_prefix(title(operation));
+        bar.set_message(what);
+        bar.enable_steady_tick(TICK);
+        Self(bar)
+    }
+}
+
+impl Drop for Preparing {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
+    }
 }
 
 /// A bar with the simulated time and the speed against real time.
@@ -103,7 +148,7 @@ pub(crate) struct OwnBar {
 impl OwnBar {
     fn new(operation: &str, from_s: f64, end_s: f64, quiet: bool) -> Self {
         let bar = bar(milliseconds(end_s), quiet);
-        bar.set_prefix(operation.replace('_', " "));
+        bar.set_prefix(title(operation));
         Self {
             bar,
             start: Instant::now(),

@@ -4,7 +4,8 @@ use std::time::{Duration, Instant};
 
 use wholestring::{
     dynamics::{
-        DynamicsSettings, HoistControl, LiftError, MOST_LIFT_RUNS, Simulation, TunedLift, tune_lift,
+        BitLaw, DynamicsSettings, HoistControl, LiftError, MOST_LIFT_RUNS, Simulation, TunedLift,
+        tune_lift,
     },
     operation::Operation,
     outcome::ModelKind,
@@ -195,10 +196,14 @@ fn solve_dynamic(
     let run_again = lift.is_some() && tuned.is_none();
     let mut simulation = match (begun, tuned) {
         (None, Some(tuned)) => tuned,
-        (None, None) => match Simulation::new(&case.model, operation, &settings) {
-            Ok(simulation) => simulation,
-            Err(error) => return unsolvable("dynamic model", &error),
-        },
+        (None, None) => {
+            let what = preparation(&settings, operation);
+            let _shown = way.watch.preparing(operation.kind.name(), what);
+            match Simulation::new(&case.model, operation, &settings) {
+                Ok(simulation) => simulation,
+                Err(error) => return unsolvable("dynamic model", &error),
+            }
+        }
         (Some(begun), _) => {
             before = Duration::from_secs_f64(begun.wall_time_s);
             let then = begun.simulation.instructions().to_owned();
@@ -282,6 +287,16 @@ fn solve_dynamic(
     status
 }
 
+/// What is done before an operation's first step.
+fn preparation(settings: &DynamicsSettings, operation: &Operation) -> &'static str {
+    match settings.bit.law {
+        BitLaw::Rock(_) if operation.kind.on_bottom() => {
+            "laying the string and running the bit in on the rock"
+        }
+        _ => "laying the string",
+    }
+}
+
 /// Finds the lift of an operation, and its run under it.
 fn tune(
     case: &Case,
@@ -354,6 +369,17 @@ mod tests {
         );
         assert_eq!(status, Status::Interrupted);
         assert!(record.summary.operations.is_empty());
+    }
+
+    #[test]
+    fn what_comes_before_the_first_step_is_said() {
+        let case = slant();
+        let said = preparation(&case.dynamics, &case.operations[0]);
+        assert_eq!(said, "laying the string");
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/rock-300.toml");
+        let case = wholestring_case::load(&path, &[]).expect("a sound case");
+        let said = preparation(&case.dynamics, &case.operations[0]);
+        assert!(said.ends_with("running the bit in on the rock"), "{said}");
     }
 
     /// An operation without an answer ends like one that diverged: what was solved before is kept, and

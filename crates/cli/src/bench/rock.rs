@@ -3,7 +3,7 @@
 use serde::Serialize;
 use wholestring::rock::{
     Alone, Block, BlockSpec, Edge, Grid, Rock, Stepper,
-    bit_face::{BitFace, ContactLaw, PdcBit, Pose, SurfaceNodes},
+    bit_face::{BitFace, ContactLaw, PdcBit, Pose},
 };
 
 use super::{Bench, Spread, clock::Clock, failed};
@@ -109,14 +109,6 @@ struct Bit {
     pose: Pose,
     /// Nodes that touched in the last step.
     touching: usize,
-    // Of the exposed nodes, to be filled again in every step.
-    index: Vec<usize>,
-    surface: Vec<u32>,
-    position_m: [Vec<f64>; 3],
-    velocity_m_per_s: [Vec<f64>; 3],
-    force_N: [Vec<f64>; 3],
-    mass_kg: Vec<f64>,
-    area_m2: Vec<f64>,
 }
 
 /// Softening rock with more of it around, and a bit that has come into it.
@@ -168,13 +160,6 @@ impl Scene {
                     down.map(|part| TURN_RAD_PER_S * part).into(),
                 ),
                 touching: 0,
-                index: Vec::new(),
-                surface: Vec::new(),
-                position_m: Default::default(),
-                velocity_m_per_s: Default::default(),
-                force_N: Default::default(),
-                mass_kg: Vec::new(),
-                area_m2: Vec::new(),
             },
         })
     }
@@ -208,51 +193,9 @@ impl Scene {
 impl Bit {
     /// Pushes the nodes that it holds and moves on.
     fn press(&mut self, block: &mut Block) {
-        let dt_s = block.dt_s();
-        let vectors = [
-            &mut self.position_m,
-            &mut self.velocity_m_per_s,
-            &mut self.force_N,
-        ];
-        vectors.into_iter().flatten().for_each(Vec::clear);
-        self.index.clear();
-        self.surface.clear();
-        self.mass_kg.clear();
-        self.area_m2.clear();
-        for node in block.exposed() {
-            self.surface.push(self.index.len() as u32);
-            self.index.push(node.index);
-            for axis in 0..3 {
-                // The rock's own forces are in its velocity.
-                self.position_m[axis].push(node.position_m[axis]);
-                self.velocity_m_per_s[axis].push(node.velocity_m_per_s[axis]);
-                self.force_N[axis].push(0.0);
-            }
-            let [x, y, z] = node.area_m2;
-            self.mass_kg.push(node.mass_kg);
-            self.area_m2.push((x * x + y * y + z * z).sqrt());
-        }
-        let load = self.face.touch(
-            &self.pose,
-            &self.law,
-            dt_s,
-            &mut SurfaceNodes {
-                surface: &self.surface,
-                position_m: self.position_m.each_ref().map(Vec::as_slice),
-                velocity_m_per_s: self.velocity_m_per_s.each_ref().map(Vec::as_slice),
-                mass_kg: &self.mass_kg,
-                area_m2: &self.area_m2,
-                force_N: self.force_N.each_mut().map(Vec::as_mut_slice),
-            },
-        );
-        for (at, &index) in self.index.iter().enumerate() {
-            let force_N = self.force_N.each_ref().map(|force| force[at]);
-            if force_N != [0.0; 3] {
-                block.push(index, force_N);
-            }
-        }
-        self.touching = load.touching;
-        self.pose = self.pose.after(dt_s);
+        let pressed = block.press(&self.face, &self.pose, &self.law);
+        self.touching = pressed.load.touching;
+        self.pose = self.pose.after(block.dt_s());
     }
 }
 

@@ -14,7 +14,7 @@ use super::{
 use crate::{
     model::Model,
     operation::Operation,
-    rock::{Drilling, DrillingError},
+    rock::DrillingError,
     rod::{
         mesh::Mesh,
         number::Real,
@@ -142,7 +142,7 @@ fn check_bit(bit: &BitSettings) -> Result<(), SetupError> {
         }
         BitLaw::Table(law) => (law.rock_stiffness_N_per_m, law.excitation),
         BitLaw::Rock(law) => {
-            Drilling::new(&law.drilling)?;
+            law.drilling.check()?;
             return Ok(());
         }
     };

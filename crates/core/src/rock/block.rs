@@ -66,8 +66,21 @@ impl BlockSpec {
     /// # Errors
     /// Numbers that no rock has, or bricks too large for its fracture energy.
     pub fn step_s(&self) -> Result<f64, RockError> {
-        let constants = Constants::new(&self.rock, self.size_m, self.pressure_Pa, &self.numerics)?;
-        Ok(constants.dt_s)
+        Ok(self.numbers()?.dt_s)
+    }
+
+    fn numbers(&self) -> Result<Constants, RockError> {
+        Constants::new(&self.rock, self.size_m, self.pressure_Pa, &self.numerics)
+    }
+
+    /// What all bricks have in common, if there can be such a block.
+    pub(super) fn constants(&self) -> Result<Constants, RockError> {
+        let [nx, ny, nz] = self.cells;
+        let nodes = (nx as u128 + 16) * (ny as u128 + 1) * (nz as u128 + 1);
+        if self.cells.contains(&0) || nodes >= u128::from(u32::MAX) {
+            return Err(RockError::Cells(nx, ny, nz));
+        }
+        self.numbers()
     }
 }
 
@@ -138,16 +151,12 @@ impl Block {
     /// # Errors
     /// Numbers that no rock has, elements too large for its fracture energy, or no elements at all.
     pub fn new(spec: &BlockSpec) -> Result<Self, RockError> {
-        let [nx, ny, nz] = spec.cells;
-        let nodes = (nx as u128 + 16) * (ny as u128 + 1) * (nz as u128 + 1);
-        if spec.cells.contains(&0) || nodes >= u128::from(u32::MAX) {
-            return Err(RockError::Cells(nx, ny, nz));
-        }
+        let constants = spec.constants()?;
+        let [_, ny, nz] = spec.cells;
         let grid = Grid {
             cells: spec.cells,
             size_m: spec.size_m,
         };
-        let constants = Constants::new(&spec.rock, spec.size_m, spec.pressure_Pa, &spec.numerics)?;
         let across = -spec.confinement_Pa;
         let initial_stress = [across, across, -spec.pressure_Pa, 0.0, 0.0, 0.0];
         let zeros = || vec![0.0; grid.node_places()];

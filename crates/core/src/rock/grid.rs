@@ -73,8 +73,14 @@ impl Grid {
 
     /// Which node is at a place.
     pub fn node_at(&self, place: usize) -> [usize; 3] {
-        let (row, layer) = (self.node_row(), self.node_layer());
-        [place % row, place % layer / row, place / layer]
+        // Nodes are fewer than 2³², and half as wide numbers are divided in half the time.
+        let (place, row, rows) = (
+            place as u32,
+            self.node_row() as u32,
+            self.cells[1] as u32 + 1,
+        );
+        let over = place / row;
+        [place % row, over % rows, over / rows].map(|at| at as usize)
     }
 
     /// Places of a brick's corners; bits 0, 1, 2 of a corner's number tell whether it is the far one in x, y, z.
@@ -132,4 +138,23 @@ pub fn of_face(corners: [usize; 8], face: usize) -> [usize; 4] {
         *place = corners[corner];
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_are_found_again() {
+        let grid = Grid {
+            cells: [9, 4, 3],
+            size_m: [1.0; 3],
+        };
+        for node in grid.each_node() {
+            assert_eq!(grid.node_at(grid.node(node)), node);
+        }
+        for brick in grid.each_brick() {
+            assert_eq!(grid.brick_at(grid.brick(brick)), brick);
+        }
+    }
 }

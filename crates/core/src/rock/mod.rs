@@ -2,7 +2,8 @@
 //!
 //! A [`Rock`] is elastic up to Drucker and Prager's cone and brittle beyond it. A [`Block`] of it stands in a grid of
 //! eight-node bricks with one point of integration each and is integrated explicitly; what touches it
-//! finds the nodes of its surface by [`Block::exposed`] and pushes them by [`Block::push`] between two steps. Bricks that have
+//! finds the nodes of its surface by [`Block::exposed`] and pushes them by [`Block::push`] between two steps; a bit's face does so
+//! by [`Block::press`]. Bricks that have
 //! failed are removed, and energy is accounted for throughout ([`Energies`]). A block [follows](Block::follow) the bit that
 //! drills it.
 //!
@@ -26,6 +27,7 @@ mod grid;
 mod kernel;
 mod material;
 mod plasticity;
+mod press;
 mod surface;
 mod trial;
 
@@ -41,4 +43,5 @@ pub use executor::{Alone, Executor};
 pub use grid::Grid;
 pub use kernel::Stepper;
 pub use material::{Cone, Rock, RockError};
+pub use press::Pressed;
 pub use trial::{DrillingResponse, Trial, TrialError, TrialOutcome, TrialSpec};

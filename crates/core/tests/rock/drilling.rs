@@ -404,10 +404,30 @@ fn a_bit_begins_in_its_own_bottom() {
     assert!(bored.depth_m > 0.5 * SIZE_M, "{} m", bored.depth_m);
 }
 
+/// What cannot be drilled is refused with the same reason before anything is built and when it is.
 #[test]
-fn a_block_must_be_deeper_than_the_wall() {
-    let mut spec = small(rock());
-    spec.wall_m = spec.block.cells[2] as f64 * SIZE_M;
-    let error = Drilling::new(&spec).unwrap_err();
-    assert!(matches!(error, DrillingError::Shallow { .. }), "{error}");
+fn what_cannot_be_drilled_is_refused_before_it_is_built() {
+    let sound = small(rock());
+    let altered = |alter: &dyn Fn(&mut DrillingSpec)| {
+        let mut spec = sound.clone();
+        alter(&mut spec);
+        let reason = spec.check().unwrap_err();
+        assert_eq!(Drilling::new(&spec).unwrap_err(), reason);
+        reason
+    };
+    let shallow = altered(&|spec| spec.wall_m = spec.block.cells[2] as f64 * SIZE_M);
+    assert!(
+        matches!(shallow, DrillingError::Shallow { .. }),
+        "{shallow}"
+    );
+    let empty = altered(&|spec| spec.block.cells[1] = 0);
+    assert!(matches!(empty, DrillingError::Rock(_)), "{empty}");
+    let light = altered(&|spec| spec.block.rock.density_kg_per_m3 = 0.0);
+    assert!(matches!(light, DrillingError::Rock(_)), "{light}");
+    let faceless = altered(&|spec| spec.bit = BitShape::Pdc(PdcBit::for_diameter(-1.0)));
+    assert!(matches!(faceless, DrillingError::Face(_)), "{faceless}");
+    // More than any memory holds.
+    let mut vast = sound.clone();
+    vast.block.cells = [1500; 3];
+    assert_eq!(vast.check(), Ok(()));
 }

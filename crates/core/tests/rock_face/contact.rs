@@ -1,14 +1,13 @@
 //! The face against nodes of rock.
 
 use nalgebra::{Rotation3, Vector3};
-use wholestring::rock::bit_face::{BitFace, BitLoad, ContactLaw, Pose, SurfaceNodes};
+use wholestring::rock::bit_face::{BitFace, BitLoad, Contact, ContactLaw, Pose, RockNode};
 
 use super::{faces, opposed, pdc};
 
 /// Nodes, component by component.
 #[derive(Debug, Clone, Default)]
 struct Nodes {
-    surface: Vec<u32>,
     position: [Vec<f64>; 3],
     velocity: [Vec<f64>; 3],
     force: [Vec<f64>; 3],
@@ -22,7 +21,6 @@ fn at(of: &[Vec<f64>; 3], i: usize) -> Vector3<f64> {
 
 impl Nodes {
     fn push(&mut self, position: Vector3<f64>, velocity: Vector3<f64>, force: Vector3<f64>) {
-        self.surface.push(self.mass.len() as u32);
         for axis in 0..3 {
             self.position[axis].push(position[axis]);
             self.velocity[axis].push(velocity[axis]);
@@ -34,22 +32,22 @@ impl Nodes {
     }
 
     fn touch(&mut self, face: &BitFace, pose: &Pose, law: &ContactLaw, dt: f64) -> BitLoad {
-        let slices = |of: &'_ [Vec<f64>; 3]| [0, 1, 2].map(|axis| of[axis].clone());
-        let (position, velocity) = (slices(&self.position), slices(&self.velocity));
-        let [x, y, z] = &mut self.force;
-        face.touch(
-            pose,
-            law,
-            dt,
-            &mut SurfaceNodes {
-                surface: &self.surface,
-                position_m: [&position[0], &position[1], &position[2]],
-                velocity_m_per_s: [&velocity[0], &velocity[1], &velocity[2]],
-                mass_kg: &self.mass,
-                area_m2: &self.area,
-                force_N: [x, y, z],
-            },
-        )
+        let mut contact = Contact::new(face, pose, law, dt);
+        for i in 0..self.mass.len() {
+            let node = RockNode {
+                position_m: at(&self.position, i),
+                velocity_m_per_s: at(&self.velocity, i),
+                force_N: at(&self.force, i),
+                mass_kg: self.mass[i],
+            };
+            if !contact.reaches(node.position_m) {
+                continue;
+            }
+            if let Some(force) = contact.touch(&node, || self.area[i]) {
+                (0..3).for_each(|axis| self.force[axis][i] += force[axis]);
+            }
+        }
+        contact.load()
     }
 
     /// One step of the leapfrog.
@@ -162,6 +160,30 @@ fn momentum_and_energy_pass_exactly() {
         let works = load.work_on_nodes_J + load.work_on_bit_J;
         let books = works + load.friction_loss_J + load.contact_loss_J;
         assert!(books.abs() < 1e-12 * scale, "{name}: {books}");
+    }
+}
+
+/// What a face holds is in its reach; what is not in its reach need not be asked for.
+#[test]
+fn what_is_held_is_in_reach() {
+    let (pose, law) = (turning(), law());
+    for (name, face) in faces() {
+        let contact = Contact::new(&face, &pose, &law, DT);
+        let nodes = placed(cloud(&face, 2000), &pose);
+        let (mut held, mut random) = (0, random(3));
+        for i in 0..nodes.mass.len() {
+            // Of the cloud, and of all around it.
+            let near = at(&nodes.position, i);
+            for position in [near, near + Vector3::from_fn(|_, _| 0.1 * random())] {
+                if face.holds(pose.to_bit(position)).is_some() {
+                    held += 1;
+                    assert!(contact.reaches(position), "{name}: {position}");
+                }
+            }
+        }
+        assert!(held > 500, "{name}: {held}");
+        let far = pose.position_m - pose.axis() * face.profile().radius_m() * 9.0;
+        assert!(!contact.reaches(far), "{name}");
     }
 }
 

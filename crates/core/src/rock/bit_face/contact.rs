@@ -31,21 +31,17 @@ impl ContactLaw {
     }
 }
 
-/// The nodes of a rock, component by component, and which of them are on its surface.
-#[derive(Debug)]
-pub struct SurfaceNodes<'a> {
-    /// The nodes on the surface; the sums run in this order.
-    pub surface: &'a [u32],
-    /// Positions at the beginning of the step, m.
-    pub position_m: [&'a [f64]; 3],
-    /// Velocities before the step's forces, m/s.
-    pub velocity_m_per_s: [&'a [f64]; 3],
-    /// Masses, kg: above zero and finite.
-    pub mass_kg: &'a [f64],
-    /// Part of the surface that belongs to a node, m².
-    pub area_m2: &'a [f64],
-    /// All other forces of the step, N; those of the face are added.
-    pub force_N: [&'a mut [f64]; 3],
+/// A node of the rock's surface at a step.
+#[derive(Debug, Clone, Copy)]
+pub struct RockNode {
+    /// Position at the beginning of the step, m.
+    pub position_m: Vector3<f64>,
+    /// Velocity before the step's forces, m/s.
+    pub velocity_m_per_s: Vector3<f64>,
+    /// All forces of the step but those of the face, N.
+    pub force_N: Vector3<f64>,
+    /// Mass, kg: above zero and finite.
+    pub mass_kg: f64,
 }
 
 /// What the rock does to the bit in a step, and where the energy goes. Works are exact for a step that gives the
@@ -74,111 +70,77 @@ pub struct BitLoad {
 /// would be met in the next.
 const NEAR_M: f64 = 2e-3;
 
-/// A node that may touch.
+/// A face in a step of the rock, and what the nodes that it has met did to the bit.
+///
+/// Penetration `α` and closing speed `v` are those with which the step would end without the face; the force
+/// solves `N = k α' + c v'` with what it leaves of them,
+///
+/// ```text
+/// N = max(0, k α + c v)/(1 + (dt/m)(k dt + c)),   k = stiffness · area,   c = 2 ζ √(k m)
+/// ```
+///
+/// and never takes more than all penetration away, so that no stiffness limits the step and a node that has just come is
+/// not thrown back. Friction is the smaller of `μ N` and what stops the sliding, exactly. The
+/// motion of the bit within the step is taken to the first order.
 #[derive(Debug, Clone, Copy)]
-struct Node {
-    /// Its position from the bit's reference point.
-    arm: Vector3<f64>,
-    velocity: Vector3<f64>,
-    force: Vector3<f64>,
-    mass: f64,
-    area: f64,
-}
-
-/// The cylinder around a face, with what a step may bring in.
-#[derive(Debug, Clone, Copy)]
-pub(in crate::rock) struct Reach {
+pub struct Contact<'a> {
+    face: &'a BitFace,
+    pose: &'a Pose,
+    law: &'a ContactLaw,
+    dt_s: f64,
     axis: Vector3<f64>,
+    /// The cylinder around the face, with what a step may bring in.
     z_m: [f64; 2],
     radius2_m2: f64,
+    load: BitLoad,
 }
 
-impl Reach {
-    /// Whether a node at this place from the bit's reference point may touch.
-    #[inline]
-    pub(in crate::rock) fn contains(&self, arm_m: Vector3<f64>) -> bool {
-        let z = arm_m.dot(&self.axis);
-        let [high, low] = self.z_m;
-        z <= low && z >= high && arm_m.norm_squared() - z * z <= self.radius2_m2
-    }
-}
-
-impl BitFace {
-    /// Where nodes may touch.
-    pub(in crate::rock) fn reach(&self, pose: &Pose) -> Reach {
-        let [high, low] = self.grid.z_m;
-        Reach {
+impl<'a> Contact<'a> {
+    /// A face that has met nothing yet.
+    pub fn new(face: &'a BitFace, pose: &'a Pose, law: &'a ContactLaw, dt_s: f64) -> Self {
+        let [high, low] = face.grid.z_m;
+        Self {
+            face,
+            pose,
+            law,
+            dt_s,
             axis: pose.axis(),
             z_m: [high - NEAR_M, low + NEAR_M],
-            radius2_m2: (self.grid.radius2_m2.sqrt() + NEAR_M).powi(2),
+            radius2_m2: (face.grid.radius2_m2.sqrt() + NEAR_M).powi(2),
+            load: BitLoad::default(),
         }
     }
 
-    /// Adds the forces of the face to those of the nodes and returns their reaction.
-    ///
-    /// Penetration `α` and closing speed `v` are those with which the step would end without the face; the force
-    /// solves `N = k α' + c v'` with what it leaves of them,
-    ///
-    /// ```text
-    /// N = max(0, k α + c v)/(1 + (dt/m)(k dt + c)),   k = stiffness · area,   c = 2 ζ √(k m)
-    /// ```
-    ///
-    /// and never takes more than all penetration away, so that no stiffness limits the step and a node that has just come is
-    /// not thrown back. Friction is the smaller of `μ N` and what stops the sliding, exactly. The
-    /// motion of the bit within the step is taken to the first order.
-    pub fn touch(
-        &self,
-        pose: &Pose,
-        law: &ContactLaw,
-        dt_s: f64,
-        nodes: &mut SurfaceNodes<'_>,
-    ) -> BitLoad {
-        let mut load = BitLoad::default();
-        let reach = self.reach(pose);
-        for &index in nodes.surface {
-            let i = index as usize;
-            let at = |of: &[&[f64]; 3]| Vector3::new(of[0][i], of[1][i], of[2][i]);
-            let arm = at(&nodes.position_m) - pose.position_m;
-            if !reach.contains(arm) {
-                continue;
-            }
-            let [fx, fy, fz] = &nodes.force_N;
-            let node = Node {
-                arm,
-                velocity: at(&nodes.velocity_m_per_s),
-                force: Vector3::new(fx[i], fy[i], fz[i]),
-                mass: nodes.mass_kg[i],
-                area: nodes.area_m2[i],
-            };
-            if let Some(force) = self.meet(pose, law, dt_s, &node, &mut load) {
-                for (sum, part) in nodes.force_N.iter_mut().zip(force.iter()) {
-                    sum[i] += part;
-                }
-            }
-        }
-        load
-    }
-
-    /// The force on one node, booked.
+    /// Whether a node at this place may touch.
     #[inline]
-    fn meet(
-        &self,
-        pose: &Pose,
-        law: &ContactLaw,
-        dt: f64,
-        node: &Node,
-        load: &mut BitLoad,
+    pub fn reaches(&self, position_m: Vector3<f64>) -> bool {
+        let arm = position_m - self.pose.position_m;
+        let z = arm.dot(&self.axis);
+        let [high, low] = self.z_m;
+        z <= low && z >= high && arm.norm_squared() - z * z <= self.radius2_m2
+    }
+
+    /// The force of the face on a node, N, its reaction booked; none on one that does not touch. Sums run in the order of the
+    /// calls. Of a node that touches it asks `area_m2`, its part of the surface, m².
+    #[inline]
+    pub fn touch(
+        &mut self,
+        node: &RockNode,
+        area_m2: impl FnOnce() -> f64,
     ) -> Option<Vector3<f64>> {
-        let mobility = dt / node.mass;
-        let carried = pose.velocity_m_per_s + pose.angular_velocity_rad_per_s.cross(&node.arm);
-        let free = node.velocity + node.force * mobility;
+        let (pose, law, dt) = (self.pose, self.law, self.dt_s);
+        let arm = node.position_m - pose.position_m;
+        let mobility = dt / node.mass_kg;
+        let carried = pose.velocity_m_per_s + pose.angular_velocity_rad_per_s.cross(&arm);
+        let free = node.velocity_m_per_s + node.force_N * mobility;
         let slip = free - carried;
-        let touch = self.holds(pose.rotation.tr_mul(&(node.arm + slip * dt)))?;
+        let to_bit = pose.rotation.tr_mul(&(arm + slip * dt));
+        let touch = self.face.holds(to_bit)?;
 
         let out = pose.rotation * touch.out;
         let closing = -slip.dot(&out);
-        let stiffness = law.stiffness_Pa_per_m * node.area;
-        let damping = 2.0 * law.damping_ratio * (stiffness * node.mass).sqrt();
+        let stiffness = law.stiffness_Pa_per_m * area_m2();
+        let damping = 2.0 * law.damping_ratio * (stiffness * node.mass_kg).sqrt();
         let push = (stiffness * touch.depth_m + damping * closing).max(0.0)
             / (1.0 + mobility * (stiffness * dt + damping));
         let push = push.min(touch.depth_m / (dt * mobility));
@@ -194,9 +156,10 @@ impl BitFace {
 
         let normal = out * push;
         let force = normal + rub;
-        let mean = (node.velocity + free + force * mobility) * 0.5;
+        let mean = (node.velocity_m_per_s + free + force * mobility) * 0.5;
+        let load = &mut self.load;
         load.force_N -= force;
-        load.moment_N_m -= node.arm.cross(&force);
+        load.moment_N_m -= arm.cross(&force);
         load.work_on_nodes_J += dt * force.dot(&mean);
         load.work_on_bit_J -= dt * force.dot(&carried);
         load.friction_loss_J += dt * rub.dot(&(carried - mean));
@@ -204,5 +167,10 @@ impl BitFace {
         load.touching += 1;
         load.deepest_m = load.deepest_m.max(touch.depth_m - dt * mobility * push);
         Some(force)
+    }
+
+    /// What the nodes that touched did to the bit.
+    pub fn load(&self) -> BitLoad {
+        self.load
     }
 }

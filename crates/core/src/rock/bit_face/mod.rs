@@ -24,7 +24,7 @@ mod tracks;
 
 pub use self::{
     bottom::BottomHole,
-    contact::{BitLoad, ContactLaw, SurfaceNodes},
+    contact::{BitLoad, Contact, ContactLaw, RockNode},
     cutter::Cutter,
     error::FaceError,
     face::{BitFace, Part, Touch},

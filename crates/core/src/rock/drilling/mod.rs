@@ -4,7 +4,6 @@ mod bit;
 mod bottom;
 mod driver;
 mod motion;
-mod near;
 mod progress;
 mod seat;
 mod spec;
@@ -12,7 +11,6 @@ mod spec;
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
-use self::near::Near;
 pub use self::{
     bit::{Bit, BitShape},
     driver::Driver,
@@ -61,8 +59,6 @@ pub struct Drilling {
     energies: DrillingEnergies,
     /// Bricks of the first hole and of the wall that were dropped, not broken.
     dropped: usize,
-    #[serde(skip)]
-    near: Near,
 }
 
 impl Drilling {
@@ -70,18 +66,11 @@ impl Drilling {
     /// kept, or on the flat top. The bricks of that hole count as dropped, not as broken.
     ///
     /// # Errors
-    /// No rock, no face, or a block that is not three layers deeper than the wall that is kept.
+    /// Those of [`DrillingSpec::check`].
     pub fn new(spec: &DrillingSpec) -> Result<Self, DrillingError> {
+        let bit = spec.sound_bit()?;
         let block = Block::new(&spec.block)?;
-        let bit = Bit::try_from(spec.bit)?;
-        let ([nx, ny, nz], [x, y, z]) = (spec.block.cells, spec.block.size_m);
-        let depth_m = nz as f64 * z;
-        if !(spec.wall_m >= 0.0 && depth_m - spec.wall_m > 2.5 * z) {
-            return Err(DrillingError::Shallow {
-                depth_m,
-                wall_m: spec.wall_m,
-            });
-        }
+        let ([nx, ny, _], [x, y, _]) = (spec.block.cells, spec.block.size_m);
         let middle = Vector3::new(0.5 * nx as f64 * x, 0.5 * ny as f64 * y, 0.0);
         let mut drilling = Self {
             block,
@@ -96,7 +85,6 @@ impl Drilling {
             },
             energies: DrillingEnergies::default(),
             dropped: 0,
-            near: Near::default(),
         };
         if spec.seated {
             drilling.seat();
@@ -138,9 +126,7 @@ impl Drilling {
             ];
             self.pose.velocity_m_per_s += inertia.moved(motion.force_N * dt);
             self.pose.angular_velocity_rad_per_s += inertia.turned(motion.moment_N_m * dt, &axis);
-            let met = self
-                .near
-                .press(&mut self.block, self.bit.face(), &self.pose, &self.contact);
+            let met = self.block.press(self.bit.face(), &self.pose, &self.contact);
             let load = met.load;
             self.pose.velocity_m_per_s += inertia.moved(load.force_N * dt);
             self.pose.angular_velocity_rad_per_s += inertia.turned(load.moment_N_m * dt, &axis);

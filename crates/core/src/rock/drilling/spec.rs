@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::BitShape;
+use super::{Bit, BitShape};
 use crate::rock::{
     bit_face::{ContactLaw, FaceError},
     block::BlockSpec,
@@ -83,5 +83,28 @@ impl DrillingSpec {
             wall_m: wall as f64 * size_m,
             seated: true,
         })
+    }
+
+    /// Whether a bit can drill it, found without building the block.
+    ///
+    /// # Errors
+    /// No rock, no face, or a block that is not three layers deeper than the wall that is kept.
+    pub fn check(&self) -> Result<(), DrillingError> {
+        self.sound_bit().map(drop)
+    }
+
+    /// The bit, if it can drill the block.
+    pub(super) fn sound_bit(&self) -> Result<Bit, DrillingError> {
+        self.block.constants()?;
+        let bit = Bit::try_from(self.bit)?;
+        let (layers, height_m) = (self.block.cells[2] as f64, self.block.size_m[2]);
+        let depth_m = layers * height_m;
+        if !(self.wall_m >= 0.0 && depth_m - self.wall_m > 2.5 * height_m) {
+            return Err(DrillingError::Shallow {
+                depth_m,
+                wall_m: self.wall_m,
+            });
+        }
+        Ok(bit)
     }
 }
