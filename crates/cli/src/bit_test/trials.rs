@@ -83,18 +83,24 @@ impl<'a> Trials<'a> {
             start: Instant::now(),
         };
         if args.resume {
-            trials.find_finished();
+            trials.find_finished()?;
         }
         trials.write()?;
         Ok(trials)
     }
 
     /// Takes up the points that an earlier test finished, those of other shards too: the tables show all there is.
-    fn find_finished(&self) {
+    fn find_finished(&self) -> Result<(), Failure> {
         let mut endings = lock(&self.endings);
-        for (point, ending) in self.points.iter().zip(endings.iter_mut()) {
-            *ending = laid::finished(&self.folder.path().join(&point.name), point).map(Ok);
+        for (index, point) in self.points.iter().enumerate() {
+            let place = self.folder.path().join(&point.name);
+            endings[index] = laid::finished(&place, point).map(Ok);
+            if endings[index].is_some() && self.mine.contains(&index) {
+                // Killed as soon as the point was finished, the earlier test left this.
+                ResultsFolder::create(place)?.remove_checkpoint()?;
+            }
         }
+        Ok(())
     }
 
     /// Drills the points of this shard.

@@ -222,6 +222,9 @@ fn a_killed_test_goes_on() {
         .find(|point| written(point).is_some())
         .unwrap();
     let before = written(done);
+    // As if it had been killed between the outcome and this.
+    let left = desk.path("killed").join(done).join("checkpoint.bin");
+    fs::write(left, "laid aside").unwrap();
     let output = desk.run(&bit_test(&["-o", "killed", "--resume"]));
     assert!(output.status.success(), "{}", transcript(&output));
     assert_eq!(written(done), before);
