@@ -6,6 +6,8 @@ use wholestring::outcome::{ModelKind, Scalars};
 use wholestring_results::{Numerics, OperationSummary, Status, Summary};
 use wholestring_units::{Dimension, UnitSet};
 
+use crate::pace::pace;
+
 /// A row: what people call the quantity, how it is read, and its key in the statistics.
 struct Quantity {
     label: &'static str,
@@ -202,11 +204,11 @@ pub(crate) fn notes(summary: &Summary, units: UnitSet) -> String {
         let shortest_step_s = all().map(|of| of.time_step_s).fold(f64::INFINITY, f64::min);
         notes += &format!(
             "Dynamics: {} elements, step {:.3} ms, added axial mass {:.2} %; {simulated_s:.1} s simulated \
-             in {took_s:.1} s, {:.1} × real time\n",
+             in {took_s:.1} s, {}\n",
             largest(|of| of.elements as f64),
             shortest_step_s * 1e3,
             largest(|of| of.added_axial_mass_fraction) * 100.0,
-            simulated_s / took_s,
+            pace(simulated_s / took_s),
         );
     }
     notes

@@ -7,6 +7,8 @@ use std::{
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use crate::pace::pace;
+
 /// Who watches a run.
 #[derive(Debug, Clone)]
 pub(crate) enum Watch {
@@ -167,8 +169,9 @@ impl OwnBar {
         let speed = (time_s - self.from_s) / self.start.elapsed().as_secs_f64();
         self.bar.set_position(milliseconds(time_s));
         self.bar.set_message(format!(
-            "{time_s:.1} of {:.0} s, {speed:.0} × real time",
-            self.end_s
+            "{time_s:.1} of {:.0} s, {}",
+            self.end_s,
+            pace(speed)
         ));
     }
 }

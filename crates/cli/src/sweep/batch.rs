@@ -22,6 +22,7 @@ use crate::{
     conclusion::Conclusion,
     failure::Failure,
     interrupt::Interrupt,
+    pace::pace,
     parallel::{in_parallel, lock},
     progress::{self, Watch, milliseconds},
     record::Record,
@@ -169,9 +170,10 @@ impl<'a> Batch<'a> {
         let simulated_s = self.bar.position() as f64 * 1e-3;
         let speed = simulated_s / self.start.elapsed().as_secs_f64();
         self.bar.set_message(format!(
-            "{} of {} cases, {speed:.0} × real time",
+            "{} of {} cases, {}",
             reached.count,
-            self.mine.len()
+            self.mine.len(),
+            pace(speed)
         ));
         if reached.written.elapsed() >= WRITE_INTERVAL {
             // What cannot be written now is told at the end.

@@ -4,6 +4,7 @@
 mod common;
 
 mod bending;
+mod break_away;
 mod brick;
 mod drill;
 mod drilling;
