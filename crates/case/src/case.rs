@@ -3,7 +3,7 @@
 use std::path::Path as FilePath;
 
 use wholestring::{
-    dynamics::{BitLaw, DynamicsSettings},
+    dynamics::{BitLaw, DynamicsSettings, RockLaw},
     model::Model,
     operation::Operation,
     outcome::ModelKind,
@@ -450,17 +450,15 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         let drills = models.contains(&ModelKind::Dynamic)
             && case.bit.get().and_then(|bit| bit.law.get()) == Some(&Law::Rock)
             && operations.iter().any(|one| one.kind.on_bottom());
-        let run_s = if drills {
-            dynamics.settle_s + dynamics.duration_s
-        } else {
-            0.0
-        };
-        let test_s = tested.and(bit_test.as_ref()).map_or(0.0, BitTest::time_s);
-        let longest_s = run_s.max(test_s);
         let speeds = operations
             .iter()
             .filter(|one| drills && one.kind.on_bottom())
             .map(|one| dynamics.bit.drilling_speed_rad_per_s(one));
+        let run_s = speeds.clone().map(|speed_rad_per_s| {
+            dynamics.settle_s + dynamics.duration_s + RockLaw::run_in_s(speed_rad_per_s)
+        });
+        let test_s = tested.and(bit_test.as_ref()).map_or(0.0, BitTest::time_s);
+        let longest_s = run_s.fold(test_s, f64::max);
         let points = tested.and(bit_test.as_ref()).into_iter();
         let points = points.flat_map(|test| test.rotary_speeds_rad_per_s.iter().copied());
         let fastest = speeds.chain(points).fold(0.0, f64::max);

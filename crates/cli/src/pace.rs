@@ -4,10 +4,10 @@
 pub(crate) fn pace(times: f64) -> String {
     if times >= 100.0 {
         format!("{times:.0} × real time")
-    } else if times >= 0.1 || times <= 0.0 {
-        format!("{times:.1} × real time")
-    } else {
+    } else if times > 0.0 && times < 0.1 {
         format!("1/{:.0} of real time", 1.0 / times)
+    } else {
+        format!("{times:.1} × real time")
     }
 }
 

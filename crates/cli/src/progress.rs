@@ -41,7 +41,7 @@ impl Watch {
         }
     }
 
-    /// Shows what is done before an operation's time begins, which takes seconds and counts nothing, until what it gives is
+    /// Shows what is done before an operation's time begins, which takes seconds, or minutes on rock, and counts nothing, until what it gives is
     /// dropped. A sweep goes on showing its bar.
     pub(crate) fn preparing(&self, name: &str, what: &'static str) -> Option<Preparing> {
         match self {

@@ -199,7 +199,11 @@ fn solve_dynamic(
         (None, None) => {
             let what = preparation(&settings, operation);
             let _shown = way.watch.preparing(operation.kind.name(), what);
-            match Simulation::new(&case.model, operation, &settings) {
+            let laid = match &way.crew {
+                Some(crew) => Simulation::lent(&case.model, operation, &settings, crew.clone()),
+                None => Simulation::new(&case.model, operation, &settings),
+            };
+            match laid {
                 Ok(simulation) => simulation,
                 Err(error) => return unsolvable("dynamic model", &error),
             }
@@ -290,7 +294,7 @@ fn solve_dynamic(
 /// What is done before an operation's first step.
 fn preparation(settings: &DynamicsSettings, operation: &Operation) -> &'static str {
     match settings.bit.law {
-        BitLaw::Rock(_) if operation.kind.on_bottom() => {
+        BitLaw::Rock(_) if operation.weight_on_bit_now_N() > 0.0 => {
             "laying the string and running the bit in on the rock"
         }
         _ => "laying the string",

@@ -39,3 +39,13 @@ pub struct Crew {
     pub(super) stepper: Stepper,
     pub(super) lent: Lent,
 }
+
+impl Crew {
+    /// An executor, with the best instructions that there are.
+    pub fn of(executor: Arc<dyn Executor + Send + Sync>) -> Self {
+        Self {
+            lent: Lent::new(executor),
+            ..Self::default()
+        }
+    }
+}

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use super::{
+    crew::Crew,
     frame::Frame,
     outcome::DynamicOutcome,
     settings::{DynamicsSettings, HoistControl, Precision},
@@ -15,7 +16,7 @@ use super::{
 use crate::{
     model::Model,
     operation::Operation,
-    rock::{Executor, bit_face::BottomHole},
+    rock::{Alone, Executor, bit_face::BottomHole},
     rod::{
         counted::Flops,
         mesh::{Mesh, MeshNode},
@@ -96,9 +97,28 @@ impl Simulation {
         operation: &Operation,
         settings: &DynamicsSettings,
     ) -> Result<Self, SetupError> {
+        Self::lent(model, operation, settings, Arc::new(Alone))
+    }
+
+    /// The same with an executor lent to solid rock under the bit from the first: the bit is run in before the string is laid. The
+    /// answer does not depend on it.
+    ///
+    /// # Errors
+    /// Those of [`Simulation::new`].
+    pub fn lent(
+        model: &Model,
+        operation: &Operation,
+        settings: &DynamicsSettings,
+        executor: Arc<dyn Executor + Send + Sync>,
+    ) -> Result<Self, SetupError> {
+        let crew = Crew::of(executor);
         Ok(Self(match settings.precision {
-            Precision::Double => Either::Double(Box::new(Run::new(model, operation, settings)?)),
-            Precision::Single => Either::Single(Box::new(Run::new(model, operation, settings)?)),
+            Precision::Double => {
+                Either::Double(Box::new(Run::new(model, operation, settings, crew)?))
+            }
+            Precision::Single => {
+                Either::Single(Box::new(Run::new(model, operation, settings, crew)?))
+            }
         }))
     }
 

@@ -234,7 +234,7 @@ fn snaking<'a>(quantity: &'a str, shape: &Shape) -> Row<'a> {
 /// tolerance for more than ten waves).
 ///
 /// The amplitude is right to `A⁴` and at one wavelength out of those that fit: 2 % up to 1.1 of the load. So little above it the snake
-/// grows for half a minute.
+/// grows for half a minute from a micrometre.
 #[test]
 fn the_onset_and_the_amplitude_of_snaking() {
     let loads = [0.99, 1.0, 1.02, 1.05, 1.1];

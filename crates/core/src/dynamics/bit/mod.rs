@@ -146,7 +146,7 @@ impl Bit {
     /// The bit of `operation` at `depth_m`, pressed on the rock with the operation's weight as it is
     /// while drilling steadily. `seed` is that of the excitation. Solid rock comes under it with [`Self::stand`].
     pub fn new(settings: &BitSettings, operation: &Operation, depth_m: f64, seed: u64) -> Self {
-        let drills = operation.kind.on_bottom() && operation.weight_on_bit_now_N() > 0.0;
+        let drills = operation.weight_on_bit_now_N() > 0.0;
         let motor = settings.motor;
         let flow = operation.flow_now_m3_per_s();
         let drive = Drive::new(motor, flow, operation.bit_torque_now_N_m());
@@ -200,8 +200,8 @@ impl Bit {
 
     /// Stands the string's bit on the rock that it was run in on.
     pub fn stand(&mut self, run_in: RunIn, chain: &Chain<impl Real>, anchor: &Anchor) {
-        let mut cut = run_in.into_cut();
-        cut.stand(chain, anchor);
+        self.drive.resist(run_in.torque_N_m());
+        let cut = RockCut::new(run_in, chain, anchor);
         self.cut = Some(Cut::Rock(Box::new(cut)));
     }
 

@@ -10,11 +10,10 @@ use crate::operation::Operation;
 pub struct BitSettings {
     /// How the rock answers.
     pub law: BitLaw,
-    /// Lateral stiffness that holds the bit to the hole's axis, N/m. On solid rock the hole that the bit has cut holds it, and
-    /// this does so off bottom alone.
+    /// Lateral stiffness that holds the bit to the hole's axis, N/m. On solid rock the bricks that it meets hold it besides.
     pub lateral_stiffness_N_per_m: f64,
     /// What the bit cuts sideways per force, over what it cuts along the hole per weight: its steerability. Zero of one
-    /// that does not cut sideways; solid rock is cut sideways as its law has it.
+    /// that does not cut sideways.
     pub steerability: f64,
     /// What turns the bit against the string.
     pub motor: Motor,

@@ -12,7 +12,7 @@ use crate::{
         hoist::{Hoist, Target},
         record::Record,
         schedule::SetPoints,
-        settings::DynamicsSettings,
+        settings::{DynamicsSettings, Start},
         setup::{self, Basis, SetupError},
         signal::Probed,
         start::{self, Scene},
@@ -35,12 +35,15 @@ impl<R: Real> Run<R> {
     /// The bit is placed so that it passes the operation's depth in the middle of the window: a string
     /// that trips at 0.3 m/s for a minute is then, on average, where a static calculation has it.
     ///
+    /// `crew` runs the bit in, where there is solid rock, and works on it from then on.
+    ///
     /// # Errors
     /// A setting out of range, or a soft string without solution.
     pub fn new(
         model: &Model,
         operation: &Operation,
         settings: &DynamicsSettings,
+        crew: Crew,
     ) -> Result<Self, SetupError> {
         let basis = Basis::<R>::new(model, operation, settings)?;
         let (mesh, dt) = (&basis.mesh, basis.plan.dt_s);
@@ -60,15 +63,20 @@ impl<R: Real> Run<R> {
         } else {
             first.weight_on_bit_now_N()
         };
-        let crew = Crew::default();
         let last = mesh.nodes.len() - 1;
-        let drills = operation.kind.on_bottom() && operation.weight_on_bit_now_N() > 0.0;
+        // A string that starts centred is at rest.
+        let turns = settings.start == Start::Prepared;
         let standing = Standing {
             weight_N: pressed_N,
             rate_m_per_s: if pressed_N > 0.0 { velocity } else { 0.0 },
+            string_rad_per_s: if turns {
+                first.rotation_rad_per_s()
+            } else {
+                0.0
+            },
             mass_kg: node!(chain, last, mass_axial),
         };
-        let run_in = if drills {
+        let run_in = if operation.weight_on_bit_now_N() > 0.0 {
             RunIn::new(&settings.bit, &first, standing, &crew)?
         } else {
             None
@@ -163,6 +171,9 @@ impl<R: Real> Run<R> {
             ledger: Ledger::default(),
             window_open: false,
         };
-        Ok(Self::of(model, operation, settings, basis, chain, state))
+        Ok(Self {
+            crew,
+            ..Self::of(model, operation, settings, basis, chain, state)
+        })
     }
 }

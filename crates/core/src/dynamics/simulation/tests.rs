@@ -6,7 +6,10 @@ mod laying;
 
 use super::*;
 use crate::{
-    dynamics::settings::{ContactLaw, FrictionLaw},
+    dynamics::{
+        crew::Crew,
+        settings::{ContactLaw, FrictionLaw},
+    },
     mud::Mud,
     operation::OperationKind,
     rig::Rig,
@@ -102,7 +105,7 @@ fn every_instruction_set_moves_the_string_alike() {
                 damping_ratio: 0.05,
             };
         }
-        let laid = Run::<f64>::new(&model, &REAM, &settings).unwrap();
+        let laid = Run::<f64>::new(&model, &REAM, &settings, Crew::default()).unwrap();
         let vector = friction_law == FrictionLaw::Vector;
         let outcomes: Vec<_> = Stepper::all(Abilities {
             hertz,
@@ -138,7 +141,13 @@ fn every_instruction_set_moves_the_string_alike() {
 /// length, and it makes no difference to any of them: with strands of other lengths all bits are the same, those of the sums too.
 #[test]
 fn no_node_knows_who_shares_its_row() {
-    let mut run = Run::<f64>::new(&model(0.3), &REAM, &DynamicsSettings::default()).unwrap();
+    let mut run = Run::<f64>::new(
+        &model(0.3),
+        &REAM,
+        &DynamicsSettings::default(),
+        Crew::default(),
+    )
+    .unwrap();
     run.advance(1.0).unwrap();
     let (input, rows) = (run.step_input(), run.chain.node_blocks.len());
     let stepped = |mut chain: Chain| {
@@ -182,7 +191,7 @@ fn wear_is_laid_on_the_hole() {
             friction_law,
             ..Default::default()
         };
-        let mut run = Run::<f64>::new(&model(0.3), &REAM, &settings).unwrap();
+        let mut run = Run::<f64>::new(&model(0.3), &REAM, &settings, Crew::default()).unwrap();
         let input = run.step_input();
         run.chain.clear_sums();
         for _ in 0..2000 {
@@ -216,7 +225,8 @@ fn counting_leaves_the_step_as_it_is() {
     let mut totals = Vec::new();
     for at_rest in [0.25, 0.3] {
         let settings = DynamicsSettings::default();
-        let mut plain = Run::<f64>::new(&model(at_rest), &REAM, &settings).unwrap();
+        let mut plain =
+            Run::<f64>::new(&model(at_rest), &REAM, &settings, Crew::default()).unwrap();
         let mut counted = plain.clone();
         plain.use_instructions("baseline");
         const STEPS: usize = 300;

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
+use super::RunIn;
 use crate::{
     dynamics::{
         assembly::Anchor,
@@ -41,31 +42,25 @@ pub struct RockCut {
 }
 
 impl RockCut {
-    /// A bit that presses on its rock and turns; [`Self::stand`] says where.
-    pub(super) fn new(
-        drilling: Drilling,
-        weight_N: f64,
-        torque_N_m: f64,
-        depth_of_cut_m: f64,
+    /// Puts the block on which the bit was run in in the hole where the string's bit is.
+    pub(in crate::dynamics::bit) fn new(
+        run_in: RunIn,
+        chain: &Chain<impl Real>,
+        anchor: &Anchor,
     ) -> Self {
-        Self {
-            drilling,
-            frame: Matrix3::identity(),
-            origin_m: Vector3::zeros(),
-            even_N: Vector3::z() * weight_N,
-            even_N_m: torque_N_m,
-            resisting_N_m: torque_N_m,
-            depth_of_cut_m,
-        }
-    }
-
-    /// Puts the block in the hole where the string's bit is.
-    pub(in crate::dynamics::bit) fn stand(&mut self, chain: &Chain<impl Real>, anchor: &Anchor) {
         let index = chain.nodes() - 1;
         let along = Vector3::from(chain.director(index));
-        self.frame = Pose::new(Vector3::zeros(), along, anchor.high_side, 0.0).rotation;
+        let frame = Pose::new(Vector3::zeros(), along, anchor.high_side, 0.0).rotation;
         let at = anchor.position_m + Vector3::from(chain.displacement(index));
-        self.origin_m = at - self.frame * self.drilling.pose().position_m;
+        Self {
+            origin_m: at - frame * run_in.drilling.pose().position_m,
+            drilling: run_in.drilling,
+            frame,
+            even_N: Vector3::z() * run_in.weight_N,
+            even_N_m: run_in.torque_N_m,
+            resisting_N_m: run_in.torque_N_m,
+            depth_of_cut_m: run_in.depth_of_cut_m,
+        }
     }
 
     /// Takes the bit's node, which the step has pushed without the rock, through the step.

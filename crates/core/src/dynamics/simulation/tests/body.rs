@@ -56,7 +56,7 @@ fn start(kind: OperationKind, rpm: f64) -> Run<f64> {
         duration_s: 10.0,
         ..DynamicsSettings::default()
     };
-    Run::new(&bent_model(), &operation, &settings).unwrap()
+    Run::new(&bent_model(), &operation, &settings, Crew::default()).unwrap()
 }
 
 /// Where the bend points: its part towards the high side and that to the right of it.

@@ -15,9 +15,9 @@ fn rows_of_the_map_hold_what_the_samples_hold() {
         ..Default::default()
     };
     // The window begins with the second sample of a row.
-    let laid = Run::<f64>::new(&model, &REAM, &settings).unwrap();
+    let laid = Run::<f64>::new(&model, &REAM, &settings, Crew::default()).unwrap();
     settings.settle_s = 281.5 * laid.sample_interval_s();
-    let mut simulation = Run::<f64>::new(&model, &REAM, &settings).unwrap();
+    let mut simulation = Run::<f64>::new(&model, &REAM, &settings, Crew::default()).unwrap();
     simulation.advance(simulation.end_time_s()).unwrap();
     let outcome = simulation.outcome();
     let (map, series) = (&outcome.contact, &outcome.series);

@@ -11,7 +11,6 @@ use crate::{
         crew::Crew,
         energy::kinetic_J,
     },
-    operation::Operation,
     rock::{
         BitShape, DrillingSpec, Edge, Rock,
         bit_face::{PdcBit, Pose},
@@ -83,13 +82,10 @@ impl Slant {
         let standing = Standing {
             weight_N: 0.0,
             rate_m_per_s: 0.0,
+            string_rad_per_s: 0.0,
             mass_kg: MASS_KG,
         };
-        let thrown = Operation {
-            bit_torque_N_m: 0.0,
-            ..OPERATION
-        };
-        let run_in = RunIn::new(&settings, &thrown, standing, &crew).expect("a sound bit");
+        let run_in = RunIn::new(&settings, &OPERATION, standing, &crew).expect("a sound bit");
         bit.stand(run_in.expect("rock"), &chain, &anchor);
         Self {
             chain,
