@@ -246,7 +246,7 @@ fn a_run_on_rock_ends_with_the_same_bits_whoever_works_on_it() {
     let [double, single] = [double, single].map(|series| impulse(&series.weight_on_bit_N));
     report(&Row {
         case: "rock",
-        quantity: "weight on solid rock over the first 30 ms, single over double precision",
+        quantity: "weight on solid rock over the first 30 ms in single over that in double precision",
         expected: 1.0,
         computed: single / double,
         tolerance: Tolerance::Relative(0.02),

@@ -221,7 +221,7 @@ fn drilled(weight_N: f64, step_s: f64) -> [Progress; 2] {
     let borne_N_s = first.weight_N() * first.time_s + second.weight_N() * second.time_s;
     report(&Row {
         case: "rock",
-        quantity: "weight that the rock bears and that moves the bit, over the weight given",
+        quantity: "weight that the rock bears and that moves the bit over the weight given",
         expected: 1.0,
         computed: (borne_N_s + gained_N_s) / (weight_N * (first.time_s + second.time_s)),
         tolerance: Tolerance::Absolute(1e-10),
@@ -395,7 +395,7 @@ fn a_bit_begins_in_its_own_bottom() {
     let bored = drill(&mut drilling, &weight(3000.0), STEP_S, 0.5);
     report(&Row {
         case: "rock",
-        quantity: "weight borne in the first half revolution of a bit in its bottom, over the weight",
+        quantity: "weight borne in the first half revolution of a bit in its bottom over the weight",
         expected: 1.0,
         computed: bored.weight_N() / 3000.0,
         tolerance: Tolerance::Absolute(0.2),

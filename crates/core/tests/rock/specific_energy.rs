@@ -180,6 +180,8 @@ impl std::fmt::Display for Drilled {
 /// 2012; Detournay and Defourny, 1992); torque over half of weight and radius 1/ζ, ζ from 0.5 to 0.8 for sharp cutters (E07 has 0.6).
 /// Cuts of less than a brick per revolution bear too little weight: of them the slope is shown.
 fn as_published(name: &str, case: &Case, drilled: &Drilled) {
+    // What follows a comma would pass for a unit.
+    let name = name.replace(", ", "; ");
     let slope = if drilled.depth_of_cut_m.0 > 0.99 * case.brick_m {
         (
             Tolerance::Absolute(0.375),
@@ -209,7 +211,7 @@ fn as_published(name: &str, case: &Case, drilled: &Drilled) {
     ] {
         report(&Row {
             case: "rock",
-            quantity: &format!("{quantity}, {name}"),
+            quantity: &format!("{quantity} ({name})"),
             expected,
             computed,
             tolerance,
@@ -218,7 +220,7 @@ fn as_published(name: &str, case: &Case, drilled: &Drilled) {
     }
     report(&Row {
         case: "rock",
-        quantity: &format!("kinetic energy, part of the work of deformation, {name}"),
+        quantity: &format!("kinetic energy over the work of deformation ({name})"),
         expected: 0.0,
         computed: drilled.kinetic,
         tolerance: Tolerance::Absolute(0.05),
@@ -370,7 +372,7 @@ fn bricks_of_three_sizes_take_about_the_same() {
     for (brick_mm, counted) in [(6.0, 8), (4.0, 6)] {
         let brick_m = 1e-3 * brick_mm;
         moved(
-            &format!("on bricks of {brick_mm} over that on 3 mm, 12 mm/rev"),
+            &format!("on bricks of {brick_mm} over that on 3 mm (12 mm/rev)"),
             &fine[0],
             &on(brick_m, cut, 3),
             [Tolerance::Any, Tolerance::Absolute(0.2)],

@@ -148,7 +148,7 @@ fn a_trial_counts_what_a_driven_bit_does() {
     ] {
         report(&Row {
             case: "rock",
-            quantity: &format!("{quantity} of a bit alone, counted against summed up by hand"),
+            quantity: &format!("{quantity} of a bit alone over that summed up by hand"),
             expected: 1.0,
             computed: computed / expected,
             tolerance: Tolerance::Absolute(1e-12),
