@@ -5,7 +5,7 @@
 //! bit turns clockwise, from `x` to `y`.
 //!
 //! Parameters ([`PdcBit`], [`InsertBit`]) make a [`BitFace`], once: its cutters, the body that carries them, and
-//! a grid that knows what is where. [`BitFace::touch`] then gives nodes their forces and the bit its own, and
+//! a grid that knows what is where. [`Contact`] then gives nodes their forces and the bit its own, and
 //! [`Tracks`] says what the cutters cut at a given advance per revolution.
 
 mod body;
