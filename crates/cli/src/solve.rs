@@ -224,6 +224,7 @@ fn solve_dynamic(
             }
         }
     };
+    // One that was resumed, or tuned, has not got them yet.
     if let Some(crew) = &way.crew {
         simulation.lend(crew.clone());
     }

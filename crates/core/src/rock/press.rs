@@ -49,6 +49,7 @@ impl Block {
                 Vector3::from(area_m2).norm().max(least_m2)
             };
             if let Some(force) = contact.touch(&node, area_m2) {
+                // What the sum with the rock's own force rounds away is not pushed: the node would not feel it either.
                 pushes.push((index, (force_N + force) - force_N));
             }
         }
