@@ -10,7 +10,7 @@ use wholestring::{
 };
 
 use crate::{
-    ResultsError,
+    Finding, ResultsError,
     json::{read_versioned, write_json},
 };
 
@@ -78,6 +78,9 @@ pub struct OperationSummary {
     /// Measured depth of the bit, m.
     #[serde(with = "finite")]
     pub bit_depth_m: f64,
+    /// What an engineer must be told of the answer, the gravest first; empty where nothing was found.
+    #[serde(default)]
+    pub findings: Vec<Finding>,
     /// Torque and drag; means over the window for a dynamic model.
     #[serde(flatten, with = "ScalarKeys")]
     pub scalars: Scalars,

@@ -34,6 +34,7 @@ fn soft() -> OperationSummary {
         friction: Friction::of(&[0.3, 0.3]),
         bit_depth_m: 4305.0,
         scalars: SCALARS,
+        findings: Vec::new(),
         lift: None,
         hydraulics: None,
         statistics: None,

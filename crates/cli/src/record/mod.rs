@@ -160,6 +160,7 @@ impl Record {
             status: Status::Complete,
             friction: Friction::of(&friction(&self.hole)),
             bit_depth_m: operation.bit_depth_m,
+            findings: Vec::new(),
             scalars,
             lift: None,
             hydraulics: None,
