@@ -20,7 +20,7 @@ use crate::{
     quantity,
     range::Range,
     reader::Reader,
-    rule::{At, List, Prose, Section, Text},
+    rule::{At, Choice, List, Prose, Section, Text},
     source::Place,
     table::{default, optional, required, table},
 };
@@ -87,6 +87,9 @@ table! {
         /// What stands on the horizontal axis: a varied key for "summary", otherwise a column. All other
         /// keys that are varied make a curve for each of their values.
         x: String = required(Text);
+        /// Where the axis of `x` points: "across" the page, or "down" it, as depths are drawn beside each other; `y` then
+        /// points across. Not for "contact".
+        x_axis: Pointing = default(POINTING, Pointing::Across);
         /// Columns on the vertical axis, all of one unit; of |tension_N| the sign is dropped. A depth points
         /// down.
         y: Vec<At<String>> = required(List { item: Text, or_one: true, noun: "columns", most: MOST });
@@ -128,6 +131,20 @@ table! {
     }
 }
 
+/// Where an axis points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Pointing {
+    /// To the right.
+    Across,
+    /// Down the page.
+    Down,
+}
+
+const POINTING: Choice<Pointing> = Choice {
+    noun: "a direction of an axis",
+    words: &[("across", Pointing::Across), ("down", Pointing::Down)],
+};
+
 /// Curves to draw.
 #[derive(Debug, Clone)]
 pub struct Figure {
@@ -141,6 +158,8 @@ pub struct Figure {
     pub chosen: Chosen,
     /// What is drawn.
     pub data: FigureData,
+    /// Where the axis of `x` points.
+    pub x_axis: Pointing,
     /// The vertical axis.
     pub y: Vec<Quantity>,
     /// Values to hold the curves against.
@@ -260,6 +279,7 @@ impl FigureTable {
             caption: text(&self.caption)?,
             chosen,
             data,
+            x_axis: *self.x_axis.get()?,
             levels: levels
                 .iter()
                 .map(|At { value: table, .. }| {
@@ -296,6 +316,7 @@ impl FigureTable {
                 ("depths", place(&self.depths)),
                 ("window", place(&self.window)),
                 ("colour", place(&self.colour)),
+                ("x_axis", place(&self.x_axis)),
             ];
             let idle = all.into_iter().filter(|(name, _)| names.contains(name));
             unheeded(idle, why, reader);
@@ -364,6 +385,11 @@ impl FigureTable {
             }
             Source::Contact => {
                 idle(&["times", "depths"], "used with from = \"frames\"", reader);
+                idle(
+                    &["x_axis"],
+                    "the depth of a map points down the page",
+                    reader,
+                );
                 let colour = self.map_colour(at, columns, reader)?;
                 Some(FigureData::Map { colour, window_s })
             }

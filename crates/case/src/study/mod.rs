@@ -13,7 +13,7 @@ use wholestring_units::UnitSet;
 
 pub use self::{
     column::{ColumnName, Quantity, Source, Statistic},
-    figure::{Abscissa, Figure, FigureData, Level},
+    figure::{Abscissa, Figure, FigureData, Level, Pointing},
     numbers::{Number, NumberTable, Row, Shape, Wanted},
     selection::Selection,
     sweep::{Exception, Sweep},

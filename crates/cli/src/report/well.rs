@@ -10,6 +10,15 @@ const POINTS: usize = 800;
 /// A name, and the quantity at a measured depth.
 type PathColumn = (&'static str, fn(&Path, f64) -> f64);
 
+/// Horizontal distance from the first station, projected on the direction to the last one: the abscissa of a vertical
+/// section, m. Zero of a path that ends below its beginning.
+fn vertical_section_m(path: &Path, md_m: f64) -> f64 {
+    let from = path.at(path.first_md_m()).position_m;
+    let closure = (path.at(path.last_md_m()).position_m - from).xy();
+    let direction = closure.try_normalize(1e-9).unwrap_or_default();
+    (path.at(md_m).position_m - from).xy().dot(&direction)
+}
+
 /// The well of a run.
 pub(crate) struct WellBore<'a> {
     settings: &'a Json,
@@ -57,11 +66,12 @@ impl<'a> WellBore<'a> {
     }
 
     /// What is known of the path at a measured depth.
-    pub(crate) const COLUMNS: [PathColumn; 7] = [
+    pub(crate) const COLUMNS: [PathColumn; 8] = [
         ("md_m", |_, md| md),
         ("north_m", |path, md| path.at(md).position_m.x),
         ("east_m", |path, md| path.at(md).position_m.y),
         ("tvd_m", |path, md| path.at(md).position_m.z),
+        ("vertical_section_m", vertical_section_m),
         ("inclination_rad", |path, md| path.at(md).inclination_rad()),
         ("azimuth_rad", |path, md| path.at(md).azimuth_rad()),
         ("dogleg_severity_rad_per_m", |path, md| {

@@ -1,6 +1,6 @@
 //! A figure of a study as a picture.
 
-use wholestring_case::study::{Figure, FigureData, Level, Source};
+use wholestring_case::study::{Figure, FigureData, Level, Pointing, Quantity, Source};
 use wholestring_report::figure::{
     Axis, Direction, Figure as Picture, Ink, Layout, Mark, Panel, Range, Shape,
 };
@@ -17,6 +17,12 @@ use super::{
 const WIDTH_MM: f64 = 180.0;
 const HEIGHT_MM: f64 = 90.0;
 const TALL_MM: f64 = 120.0;
+
+/// Size of a figure whose shared axis points down.
+const UPRIGHT_MM: (f64, f64) = (130.0, 140.0);
+
+/// Where the path is in space, m.
+const POSITIONS: [&str; 4] = ["north_m", "east_m", "tvd_m", "vertical_section_m"];
 
 /// Curves of more points than this are lines without dots.
 const MOST_DOTS: usize = 60;
@@ -72,13 +78,28 @@ pub(super) fn picture(
             });
         }
     }
+    let upright = figure.x_axis == Pointing::Down;
+    let x = match &figure.data {
+        FigureData::Rows { x, .. } => Some(x),
+        _ => None,
+    };
+    let plan = !upright && x.is_some_and(|x| is_position(x) && is_position(y));
     // A depth against which nothing else is drawn points down the page.
-    let down = y.column.source != Source::Summary && is_depth(y.column.name);
+    let down = !upright && y.column.source != Source::Summary && is_depth(y.column.name);
     let own = Axis {
         down,
+        // One node may bear what would flatten all others.
+        clips: matches!(
+            y.column.source,
+            Source::Nodes | Source::Frames | Source::Wear
+        ),
         ..Axis::new(
             label(&y_names.join(", "), &y_unit),
-            if down { Range::Tight } else { Range::Zero },
+            if down || plan {
+                Range::Tight
+            } else {
+                Range::Zero
+            },
         )
     };
     Picture {
@@ -86,12 +107,26 @@ pub(super) fn picture(
         subtitle: String::new(),
         keys: looks.keys(),
         layout: Layout {
-            direction: Direction::Across,
+            direction: match (upright, plan) {
+                (true, _) => Direction::Down,
+                (_, true) => Direction::Plan,
+                _ => Direction::Across,
+            },
             columns: 1,
-            width_mm: WIDTH_MM,
-            panel_mm: if down { TALL_MM } else { HEIGHT_MM },
+            width_mm: if upright { UPRIGHT_MM.0 } else { WIDTH_MM },
+            panel_mm: match (upright, down || plan) {
+                (true, _) => UPRIGHT_MM.1,
+                (_, true) => TALL_MM,
+                _ => HEIGHT_MM,
+            },
         },
-        shared: Axis::new(label(&x_name, &x_unit), x_range),
+        shared: Axis {
+            down: upright,
+            ..Axis::new(
+                label(&x_name, &x_unit),
+                if plan { Range::Tight } else { x_range },
+            )
+        },
         panels: vec![Panel {
             axis: own,
             marks,
@@ -99,6 +134,11 @@ pub(super) fn picture(
         }],
         hole: Vec::new(),
     }
+}
+
+/// Whether a column says where the path is in space: two of them share one scale.
+fn is_position(quantity: &Quantity) -> bool {
+    quantity.column.source == Source::Path && POSITIONS.contains(&quantity.column.name)
 }
 
 /// Lines at the levels of the vertical axis, in a unit worth so much.

@@ -5,6 +5,7 @@ use super::{
     legend::Legend,
     panel::{self, LABEL, Place, TICK, shared_values, widest},
     ruler::Ruler,
+    scale,
 };
 use crate::draw::{Anchor, Box, Drawing, Ink, fitting, text_width};
 
@@ -43,6 +44,13 @@ pub(super) fn draw(figure: &Figure) -> Drawing {
     let marks = figure.panels.iter().flat_map(|panel| &panel.marks);
     let hole = figure.hole.iter().flat_map(|part| [part.from, part.to]);
     let values: Vec<f64> = marks.flat_map(shared_values).chain(hole).collect();
+    let scaled;
+    let figure = if figure.layout.direction == Direction::Plan {
+        scaled = scale::to_scale(figure, &values);
+        &scaled
+    } else {
+        figure
+    };
     let grid = Grid::of(figure, width, top, &values);
 
     let mut on = Drawing::new(&figure.title, width, grid.bottom + MARGIN);
@@ -135,7 +143,7 @@ impl Grid {
         let right = if has_map { COLOURS } else { 7.0 };
         let wide = (width - 2.0 * MARGIN) / columns as f64 - left - right;
         let (wide, height) = match figure.layout.direction {
-            Direction::Plan => (wide.min(height), wide.min(height)),
+            Direction::Plan => scale::frame(figure, (wide, height)),
             Direction::Down | Direction::Across => (wide, height),
         };
         let count = (wide / (widest(&about) + 14.0)).clamp(2.0, 12.0);

@@ -1,10 +1,13 @@
 //! A figure: panels that share one axis, with curves, bands and maps.
 
+mod beyond;
 mod layout;
 mod legend;
 mod marks;
+mod outliers;
 mod panel;
 mod ruler;
+mod scale;
 
 use crate::draw::Drawing;
 pub use crate::draw::{Hue, Ink};
@@ -39,7 +42,7 @@ pub struct Layout {
     pub columns: usize,
     /// Width of the figure, mm.
     pub width_mm: f64,
-    /// Height of a panel's frame, mm; of a plan its width too, as far as there is room.
+    /// Height of a panel's frame, mm; of a plan the most that it may be.
     pub panel_mm: f64,
 }
 
@@ -50,7 +53,8 @@ pub enum Direction {
     Down,
     /// Across the page: time, or anything else.
     Across,
-    /// Across the page, in frames that are as high as wide: of two axes that reach as far, something seen from above.
+    /// Across the page, with both axes to the same scale: a plan view, or a vertical section. Frames are as wide or as
+    /// high as there is room.
     Plan,
 }
 
@@ -67,6 +71,9 @@ pub struct Axis {
     pub sides: Option<[String; 2]>,
     /// Whether it grows down the page; an axis across the page never does.
     pub down: bool,
+    /// Whether it leaves out single values far from all others, so that they do not flatten these. What lies
+    /// beyond its ends is marked there, with the largest value in numbers. Of a panel's own axis alone.
+    pub clips: bool,
 }
 
 impl Axis {
@@ -78,6 +85,7 @@ impl Axis {
             range,
             sides: None,
             down: false,
+            clips: false,
         }
     }
 }

@@ -1,6 +1,8 @@
 //! A panel: its frame, its ticks and what is in it.
 
-use super::{Axis, Direction, Figure, Map, Mark, Panel, Scale, marks, ruler::Ruler};
+use super::{
+    Axis, Direction, Figure, Map, Mark, Panel, Range, Scale, beyond, marks, outliers, ruler::Ruler,
+};
 use crate::draw::{Anchor, Box, ColourScale, Drawing, Hue, Ink, Pen, fitting, text_width};
 
 pub(super) const TICK: f64 = 7.0;
@@ -17,15 +19,16 @@ pub(super) struct Place<'a> {
     /// Whether the shared axis points down the page.
     pub(super) down: bool,
     pub(super) shared: &'a Ruler,
-    own: Ruler,
+    pub(super) own: Ruler,
     /// Whether the panel's own axis does.
-    own_down: bool,
+    pub(super) own_down: bool,
 }
 
 impl<'a> Place<'a> {
     pub(super) fn new(figure: &Figure, panel: &Panel, shared: &'a Ruler, frame: Box) -> Self {
         let down = figure.layout.direction == Direction::Down;
-        let values = || panel.marks.iter().flat_map(own_values);
+        let values = reached(panel);
+        let values = || values.iter().copied();
         let own = if down {
             unhurried(&panel.axis, &values, &frame)
         } else {
@@ -157,7 +160,22 @@ fn inside(middle: f64, half: f64, frame: &Box) -> f64 {
     middle.clamp(low.min(high), high.max(low))
 }
 
-/// The values on a panel's own axis that it has to reach.
+/// The values on a panel's own axis that it has to reach: those of all marks but for outliers, where it leaves them out.
+pub(super) fn reached(panel: &Panel) -> Vec<f64> {
+    let values: Vec<f64> = panel.marks.iter().flat_map(own_values).collect();
+    if !panel.axis.clips {
+        return values;
+    }
+    let rules = panel.marks.iter().filter_map(|mark| match mark {
+        Mark::OwnRule { at, .. } => Some(*at),
+        _ => None,
+    });
+    let ends = outliers::without(&values, panel.axis.range == Range::Zero);
+    let ends = ends.into_iter().flat_map(|(low, high)| [low, high]);
+    ends.chain(rules).collect()
+}
+
+/// The values on a panel's own axis.
 fn own_values(mark: &Mark) -> Vec<f64> {
     match mark {
         Mark::Curve { points, .. } | Mark::Sides { points } | Mark::Points { points, .. } => {
@@ -210,6 +228,9 @@ pub(super) fn draw(on: &mut Drawing, figure: &Figure, panel: &Panel, place: &Pla
         }
     });
     on.frame(frame, Pen::new(Ink::Frame, FRAME));
+    if panel.axis.clips {
+        beyond::draw(on, &panel.marks, place);
+    }
     own_axis(on, panel, place);
     for mark in &panel.marks {
         if let Mark::Map(map) = mark {

@@ -102,6 +102,25 @@ impl Ruler {
         (value - self.from) / (self.to - self.from)
     }
 
+    /// Ends of the range in the axis' own values.
+    pub(super) fn ends(&self) -> (f64, f64) {
+        match self.logarithmic {
+            false => (self.from, self.to),
+            true => (10_f64.powf(self.from), 10_f64.powf(self.to)),
+        }
+    }
+
+    /// A value as the ticks of this ruler are written, to a tenth of their step or in three digits.
+    pub(super) fn text(&self, value: f64) -> String {
+        let step = match &self.ticks[..] {
+            [(first, _), (second, _), ..] => second - first,
+            _ => self.to - self.from,
+        };
+        let third = 10_f64.powf(value.abs().log10().floor() - 2.0);
+        let step = round_step(0.1 * step).max(if third.is_finite() { third } else { 0.0 });
+        tick_text((value / step).round() * step, step)
+    }
+
     /// The value that lies at a part of a linear range.
     pub(super) fn value(&self, place: f64) -> f64 {
         self.from + place * (self.to - self.from)

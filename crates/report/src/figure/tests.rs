@@ -198,3 +198,65 @@ fn a_picture_of_pixels_has_the_size_that_was_asked_for() {
     let share = inked.count() as f64 / pixels.pixels().len() as f64;
     assert!((0.01..0.5).contains(&share), "{share} of it is inked");
 }
+
+/// Of both axes a unit is as long; a line that is hardly wide gets a quarter of its length as room.
+#[test]
+fn a_plan_has_one_scale() {
+    let mut figure = figure(Direction::Plan, 1);
+    figure.panels.truncate(1);
+    figure.panels[0].axis = Axis::new("North, m", Range::Tight);
+    for (points, spans) in [
+        (vec![(0.0, 0.0), (300.0, 150.0)], (300.0, 150.0)),
+        (vec![(0.0, 0.0), (150.0, 300.0)], (150.0, 300.0)),
+        (vec![(5.0, 0.0), (15.0, 4000.0)], (1000.0, 4000.0)),
+    ] {
+        let shared: Vec<f64> = points.iter().map(|point| point.0).collect();
+        figure.panels[0].marks = vec![Mark::Curve {
+            ink: Ink::Line(0),
+            stroke: Stroke::Solid,
+            points,
+        }];
+        let scaled = scale::to_scale(&figure, &shared);
+        let span = |axis: &Axis| match axis.range {
+            Range::Fixed(from, to) => to - from,
+            _ => panic!("{axis:?}"),
+        };
+        assert_eq!((span(&scaled.shared), span(&scaled.panels[0].axis)), spans);
+        let (wide, high) = scale::frame(&scaled, (200.0, 100.0));
+        assert!((wide / spans.0 - high / spans.1).abs() < 1e-12);
+        assert!(wide <= 200.0 + 1e-9 && high <= 100.0 + 1e-9);
+        assert!(wide == 200.0 || (high - 100.0).abs() < 1e-9);
+    }
+}
+
+/// One node far off does not flatten the others, and is told with its number.
+#[test]
+fn an_outlier_is_marked_at_the_edge() {
+    for direction in [Direction::Down, Direction::Across] {
+        let mut figure = figure(direction, 1);
+        figure.panels.truncate(1);
+        let mut points: Vec<(f64, f64)> = (0..400)
+            .map(|i| (10.0 * f64::from(i), (0.1 * f64::from(i)).sin()))
+            .collect();
+        points[100].1 = 230.0;
+        points[300].1 = -120.0;
+        figure.panels[0].marks = vec![Mark::Curve {
+            ink: Ink::Line(0),
+            stroke: Stroke::Solid,
+            points,
+        }];
+        let texts = |figure: &Figure| -> Vec<String> {
+            let svg = figure.drawing().svg();
+            boxes(&svg).into_iter().map(|(_, text)| text).collect()
+        };
+        assert!(
+            texts(&figure).contains(&"200".to_owned()),
+            "ticks as before"
+        );
+        figure.panels[0].axis.clips = true;
+        let texts = texts(&figure);
+        assert!(!texts.contains(&"200".to_owned()), "{texts:?}");
+        let told = |number: &str| texts.iter().any(|text| text.starts_with(number));
+        assert!(told("230") && told("\u{2212}120"), "{texts:?}");
+    }
+}

@@ -99,6 +99,19 @@ impl<'a> Looks<'a> {
         keys
     }
 
+    /// What a dotted curve is: the least value from one tool joint to the next.
+    pub(super) fn between_key(&self) -> Key {
+        let ink = if self.alone() {
+            Ink::Line(0)
+        } else {
+            Ink::Note
+        };
+        Key {
+            name: "between the joints".into(),
+            sample: Sample::Line(ink, Stroke::Dotted),
+        }
+    }
+
     /// What a band is.
     pub(super) fn band_key(&self) -> Key {
         Key {

@@ -1,24 +1,38 @@
 //! Columns as they are seen from afar: what joints do counts for the pipe between them.
 
+use std::ops::Range;
+
 /// Half of the distance between joints, and a little, m.
 pub(crate) const JOINT_REACH_M: f64 = 6.0;
 
 /// Something of the values within `reach` of each depth.
 fn near(depths: &[f64], values: &[f64], reach: f64, of: fn(&[f64]) -> f64) -> Vec<f64> {
+    let within = |range: Range<usize>| of(&values[range]);
+    intervals(depths, reach).map(within).collect()
+}
+
+/// The rows within `reach` of each depth.
+fn intervals(depths: &[f64], reach: f64) -> impl Iterator<Item = Range<usize>> {
     let mut from = 0;
     let mut to = 0;
-    depths
-        .iter()
-        .map(|depth| {
-            while depths[from] < depth - reach {
-                from += 1;
-            }
-            while to < depths.len() && depths[to] <= depth + reach {
-                to += 1;
-            }
-            of(&values[from..to])
-        })
-        .collect()
+    depths.iter().map(move |depth| {
+        while depths[from] < depth - reach {
+            from += 1;
+        }
+        while to < depths.len() && depths[to] <= depth + reach {
+            to += 1;
+        }
+        from..to
+    })
+}
+
+/// Of the rows within `reach` of each depth the one with the largest value: a joint, of what joints do.
+pub(crate) fn row_of_largest(depths: &[f64], values: &[f64], reach: f64) -> Vec<usize> {
+    let row = |rows: Range<usize>| {
+        rows.max_by(|a, b| values[*a].total_cmp(&values[*b]))
+            .unwrap_or(0)
+    };
+    intervals(depths, reach).map(row).collect()
 }
 
 /// The largest value within `reach` of each depth.
@@ -32,13 +46,6 @@ pub(crate) fn largest(depths: &[f64], values: &[f64], reach: f64) -> Vec<f64> {
 pub(crate) fn smallest(depths: &[f64], values: &[f64], reach: f64) -> Vec<f64> {
     near(depths, values, reach, |values| {
         values.iter().copied().fold(f64::NAN, f64::min)
-    })
-}
-
-/// The mean.
-pub(crate) fn mean(depths: &[f64], values: &[f64], reach: f64) -> Vec<f64> {
-    near(depths, values, reach, |values| {
-        values.iter().sum::<f64>() / values.len() as f64
     })
 }
 
@@ -56,6 +63,6 @@ mod tests {
             [1.0, 1.0, 7.0, 7.0, 7.0, 7.0, 7.0, 1.0, 1.0, 1.0]
         );
         assert_eq!(smallest(&depths, &values, 2.0), [1.0; 10]);
-        assert!((mean(&depths, &values, 2.0)[4] - 2.2).abs() < 1e-12);
+        assert_eq!(row_of_largest(&depths, &values, 2.0)[2..7], [4; 5]);
     }
 }

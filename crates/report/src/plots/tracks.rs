@@ -88,6 +88,18 @@ fn keys(tracks: &[(&Track, Panel)], looks: &Looks<'_>) -> Vec<Key> {
         };
         looks.keys().into_iter().filter(drawn).collect()
     };
+    let dotted = |mark: &Mark| {
+        matches!(
+            mark,
+            Mark::Curve {
+                stroke: Stroke::Dotted,
+                ..
+            }
+        )
+    };
+    if marks().any(dotted) {
+        keys.push(looks.between_key());
+    }
     if marks().any(|mark| matches!(mark, Mark::Band { .. })) {
         keys.push(looks.band_key());
     }
@@ -123,6 +135,7 @@ fn panel(track: &Track, runs: &[Run<'_>], looks: &Looks<'_>, shown: Shown<'_>) -
     };
     Some(Panel {
         axis: Axis {
+            clips: track.from == Source::Profile && track.range.is_none(),
             sides: track
                 .sides
                 .then(|| ["low side".to_owned(), "high side".to_owned()]),
@@ -163,15 +176,15 @@ fn solved_marks(track: &Track, looks: &Looks<'_>, shown: Shown<'_>) -> Vec<Mark>
         if track.touches {
             values = near::largest(&depths, &values, JOINT_REACH_M);
         }
+        // From afar two curves, at the joints and between them; the band is the joint's own.
+        let mut between = None;
         if track.swings && reach(FAR_M) {
-            // From afar, what it swings about and how far.
-            values = near::mean(&depths, &values, JOINT_REACH_M);
-            band = band.map(|(low, high)| {
-                (
-                    near::smallest(&depths, &low, JOINT_REACH_M),
-                    near::largest(&depths, &high, JOINT_REACH_M),
-                )
-            });
+            let smallest = near::smallest(&depths, &values, JOINT_REACH_M);
+            let joints = near::row_of_largest(&depths, &values, JOINT_REACH_M);
+            let at_joints = |of: &[f64]| joints.iter().map(|row| of[*row]).collect::<Vec<f64>>();
+            values = at_joints(&values);
+            band = band.map(|(low, high)| (at_joints(&low), at_joints(&high)));
+            between = differs(&smallest, &values).then_some(smallest);
         }
         let (ink, stroke) = looks.of(run, solved);
         let points = |values: &[f64]| points(&depths, values, shown, track.dimension);
@@ -193,11 +206,25 @@ fn solved_marks(track: &Track, looks: &Looks<'_>, shown: Shown<'_>) -> Vec<Mark>
             stroke,
             points,
         });
+        curves.extend(between.map(|values| Mark::Curve {
+            ink,
+            stroke: Stroke::Dotted,
+            points: self::points(&depths, &values, shown, track.dimension),
+        }));
     }
     // Dashed lines over full ones, or those would hide them.
     curves
         .sort_by_key(|mark| matches!(mark, Mark::Curve { stroke, .. } if *stroke != Stroke::Solid));
     [areas, bands, curves].concat()
+}
+
+/// Whether a curve would be seen beside another: somewhere a hundredth of the largest value from it.
+fn differs(one: &[f64], other: &[f64]) -> bool {
+    let largest = other
+        .iter()
+        .fold(0.0_f64, |most, value| most.max(value.abs()));
+    let off = one.iter().zip(other).map(|(a, b)| (a - b).abs());
+    off.fold(0.0, f64::max) > 0.01 * largest
 }
 
 /// A curve of the path: one alone where all runs are on the same.

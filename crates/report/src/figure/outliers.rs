@@ -1,0 +1,73 @@
+//! Values so far from all others that an axis that reached them would flatten what it is about.
+
+/// Part of the values at either end that may be outliers.
+const TAIL: f64 = 0.01;
+
+/// Values are outliers where the axis would have to be this many times as long to reach them.
+const TIMES_AS_LONG: f64 = 3.0;
+
+/// Fewer values than this have no outliers: each of them is a hundredth and more.
+const FEWEST: usize = 100;
+
+/// The interval that an axis has to reach, without outliers: the whole one where there are none.
+///
+/// The inner interval holds all but the lowest and the highest hundredth of the values, and zero where `zero` says that
+/// the axis goes there. An end is an outlier's where the distance to it from the inner interval is more than
+/// [`TIMES_AS_LONG`] less one lengths of the inner interval.
+pub(super) fn without(values: &[f64], zero: bool) -> Option<(f64, f64)> {
+    let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
+    let (count, last) = (sorted.len(), sorted.len().checked_sub(1)?);
+    sorted.sort_by(f64::total_cmp);
+    let whole = (sorted[0], sorted[last]);
+    if count < FEWEST {
+        return Some(whole);
+    }
+    let tail = (TAIL * count as f64).ceil() as usize;
+    let (mut low, mut high) = (sorted[tail], sorted[last - tail]);
+    if zero {
+        (low, high) = (low.min(0.0), high.max(0.0));
+    }
+    let far = (TIMES_AS_LONG - 1.0) * (high - low);
+    if far == 0.0 {
+        return Some(whole);
+    }
+    Some((
+        if low - whole.0 > far { low } else { whole.0 },
+        if whole.1 - high > far { high } else { whole.1 },
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn line() -> Vec<f64> {
+        (0..1000).map(|i| f64::from(i) / 999.0).collect()
+    }
+
+    #[test]
+    fn one_value_far_off_is_left_out_and_an_even_spread_is_not() {
+        assert_eq!(without(&line(), false), Some((0.0, 1.0)));
+        let mut values = line();
+        values[500] = 230.0;
+        let (low, high) = without(&values, true).unwrap();
+        assert_eq!(low, 0.0);
+        assert!((0.98..=1.0).contains(&high), "{high}");
+        values[400] = -230.0;
+        let (low, high) = without(&values, true).unwrap();
+        assert!((-0.01..=0.0).contains(&low) && high <= 1.0, "{low} {high}");
+        // What a tenth of the values do is no outlier.
+        values[..100].fill(50.0);
+        assert_eq!(without(&values, false).unwrap().1, 50.0);
+    }
+
+    #[test]
+    fn few_values_and_equal_ones_have_none() {
+        assert_eq!(without(&[0.0, 1.0, 900.0], false), Some((0.0, 900.0)));
+        let mut values = vec![2.0; 200];
+        values[7] = 5.0;
+        assert_eq!(without(&values, false), Some((2.0, 5.0)));
+        assert_eq!(without(&[], true), None);
+        assert_eq!(without(&[f64::NAN], true), None);
+    }
+}
