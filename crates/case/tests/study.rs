@@ -1,6 +1,6 @@
 //! Study files: what is read, and the answer that mistakes get.
 
-use wholestring_case::study::{ColumnName, FigureData, Source, Statistic, Study, parse};
+use wholestring_case::study::{ColumnName, FigureData, Pointing, Source, Statistic, Study, parse};
 use wholestring_case::{Report, study_schema};
 use wholestring_units::Dimension;
 
@@ -182,6 +182,21 @@ fn an_example_is_read_as_it_is_meant() {
     assert_eq!(rows[3].number.depth_m, Some(650.0));
 }
 
+/// `x` points across the page unless it is told to point down.
+#[test]
+fn an_axis_points_down_where_that_is_asked_for() {
+    let across = read(EXAMPLE).unwrap_or_else(|report| panic!("{report}"));
+    let asked = EXAMPLE.replacen(
+        "x = \"bit_depth\"",
+        "x = \"bit_depth\"\nx_axis = \"down\"",
+        1,
+    );
+    let down = read(&asked).unwrap_or_else(|report| panic!("{report}"));
+    assert_eq!(across.figures[0].x_axis, Pointing::Across);
+    assert_eq!(down.figures[0].x_axis, Pointing::Down);
+    assert_eq!(down.figures[1].x_axis, Pointing::Across);
+}
+
 #[test]
 fn mistakes_get_an_answer() {
     for (name, from, to) in [
@@ -210,6 +225,11 @@ fn mistakes_get_an_answer() {
             "where_backwards",
             "\"..600 m\", friction = 0.3",
             "\"900 m..600 m\"",
+        ),
+        (
+            "x_axis_unknown",
+            "statistic = [\"mean\", \"std\"]",
+            "x_axis = \"up\"",
         ),
         ("axis_not_varied", "x = \"bit_depth\"", "x = \"rpm\""),
         ("column_unknown", "y = \"torque_N_m\"", "y = \"torqe_N_m\""),
@@ -287,6 +307,11 @@ fn mistakes_get_an_answer() {
             "tolerance_of_no_number",
             "at_least = 2\n",
             "tolerance = \"1 %\"\n",
+        ),
+        (
+            "x_axis_of_a_map",
+            "colour = \"|side_force_N_per_m|\"\n",
+            "colour = \"side_force_N_per_m\"\nx_axis = \"down\"\n",
         ),
         (
             "colour_of_frames",
