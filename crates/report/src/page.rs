@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::{
     BitTest, BottomPicture, DisplayUnit, Fact, Plot, Report, Sheet, Sweep, bit_test_plots,
+    draw::palette,
     plots::{
         SETS,
         catalogue::{BIT_PLOTS, TIME_PLOTS, TRACKS, TimePlot, Track},
@@ -163,7 +164,8 @@ fn page(title: &str, made_by: &str, data: &impl Serialize, rest: &str, program: 
 {program}</script>"#,
         escaped(title)
     );
-    document(title, made_by, POLICY, LOOKS, &body)
+    let looks = format!("{}{LOOKS}", palette::css());
+    document(title, made_by, POLICY, &looks, &body)
 }
 
 /// A whole file of one page, which opens offline: `policy` says what it may do, `looks` how it looks.
