@@ -195,7 +195,7 @@ fn cells(heads: &[Head], row: &[(String, Verdict)]) -> String {
 }
 
 /// A path as an address within a page.
-fn address(path: &str) -> String {
+pub fn address(path: &str) -> String {
     let plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-_./".contains(&byte);
     let bytes = path.bytes();
     bytes

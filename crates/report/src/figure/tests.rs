@@ -1,6 +1,6 @@
 //! Figures as they are written.
 
-use super::*;
+use super::{ruler::Ruler, *};
 
 fn curve(ink: usize, stroke: Stroke) -> Mark {
     Mark::Curve {
@@ -197,4 +197,30 @@ fn a_picture_of_pixels_has_the_size_that_was_asked_for() {
     let inked = pixels.pixels().iter().filter(|pixel| pixel.red() < 250);
     let share = inked.count() as f64 / pixels.pixels().len() as f64;
     assert!((0.01..0.5).contains(&share), "{share} of it is inked");
+}
+
+/// A load that hardly moves fills a small part of its axis, which spans what the quantity says.
+#[test]
+fn a_steady_signal_is_not_blown_up() {
+    let span = |low: f64, high: f64| {
+        let axis = Axis {
+            least_span: 20.0,
+            ..Axis::new("Hook load, kN", Range::Near)
+        };
+        let ruler = Ruler::new(&axis, [low, high], 5.0);
+        (ruler.value(0.0), ruler.value(1.0))
+    };
+    // About its middle; from zero where zero is near; as it is where it moves by more.
+    for ((low, high), (from, to)) in [
+        ((660.1, 660.3), (650.2, 670.2)),
+        ((0.0, 0.2), (0.0, 20.0)),
+        ((-0.2, 0.0), (-20.0, 0.0)),
+        ((600.0, 700.0), (595.0, 705.0)),
+    ] {
+        let found = span(low, high);
+        assert!(
+            (found.0 - from).abs() < 1e-9 && (found.1 - to).abs() < 1e-9,
+            "{low} to {high}: {found:?}"
+        );
+    }
 }
