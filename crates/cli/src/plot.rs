@@ -6,16 +6,15 @@ use wholestring_report::{
     Plot, Report, Run, Spectrum, bit_test_plots, common_operations, figure::Figure, plots,
     sweep_plots,
 };
-use wholestring_results::{ResultsError, ResultsFolder, Summary, Table};
+use wholestring_results::{ResultsFolder, Summary};
 use wholestring_units::UnitSet;
 
 use crate::{
     args::PlotArgs,
     bit_test::page as bit_test,
-    column::{numbers, words},
     failure::Failure,
     folder_name::file_name,
-    report::{Tables, gather, table},
+    report::{Tables, gather, spectra::spectra, table},
     say,
     sweep::report as sweep,
 };
@@ -155,7 +154,7 @@ impl Drawn {
         Ok(Self {
             folder: folder.to_owned(),
             report: gather(&tables, &summary, units),
-            spectra: spectra(folder).map_err(bad)?,
+            spectra: spectra(&table(folder, "spectra").map_err(bad)?),
         })
     }
 }
@@ -195,34 +194,4 @@ fn drawn(runs: &[Drawn]) -> Result<Vec<Plot>, Failure> {
         )));
     }
     Ok(plots(&runs, &first.units))
-}
-
-/// The power spectral densities in a folder.
-fn spectra(folder: &Path) -> Result<Vec<Spectrum>, ResultsError> {
-    let table: Table = table(folder, "spectra")?;
-    let text = |name: &str, row: usize| words(&table, name).get(row).cloned().unwrap_or_default();
-    let number = |name: &str, row: usize| numbers(&table, name).get(row).copied().flatten();
-    let mut spectra: Vec<Spectrum> = Vec::new();
-    for row in 0..table.rows() {
-        let (operation, signal) = (text("operation", row), text("signal", row));
-        let md_m = number("md_m", row);
-        let same =
-            |of: &Spectrum| of.operation == operation && of.signal == signal && of.md_m == md_m;
-        if !spectra.last().is_some_and(same) {
-            spectra.push(Spectrum {
-                operation,
-                signal,
-                md_m,
-                unit: text("unit", row),
-                frequency_Hz: Vec::new(),
-                density: Vec::new(),
-            });
-        }
-        if let Some(of) = spectra.last_mut() {
-            of.frequency_Hz
-                .push(number("frequency_Hz", row).unwrap_or(f64::NAN));
-            of.density.push(number("density", row).unwrap_or(f64::NAN));
-        }
-    }
-    Ok(spectra)
 }

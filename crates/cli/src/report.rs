@@ -1,12 +1,14 @@
 //! `report.html`: the page of a run, made from the files that it left.
 
 mod answers;
+mod findings;
 pub(crate) mod asked;
 pub(crate) mod dimensions;
 mod frames;
 pub(crate) mod history;
 pub(crate) mod inputs;
 mod sheets;
+pub(crate) mod spectra;
 pub(crate) mod well;
 
 use std::path::Path;
@@ -83,6 +85,7 @@ pub(crate) struct Tables {
     time: Table,
     contact: Table,
     bottom_hole: Table,
+    spectra: Table,
 }
 
 impl Tables {
@@ -94,6 +97,7 @@ impl Tables {
             time: table(folder, "time")?,
             contact: table(folder, "contact")?,
             bottom_hole: table(folder, "bottom_hole")?,
+            spectra: table(folder, "spectra")?,
         })
     }
 }
@@ -130,6 +134,7 @@ pub(crate) fn gather(tables: &Tables, summary: &Summary, units: Option<UnitSet>)
             frames: None,
             drill_off: history::drill_off(&tables.time, &solved.operation, window_s, many),
             bottom: history::bottom(&tables.bottom_hole, &solved.operation),
+            spectra: spectra::pictures(&tables.spectra, &solved.operation),
         }
     };
     Report {
@@ -167,6 +172,7 @@ pub(crate) fn along_the_hole(
                     Status::Interrupted => Some("interrupted: what was computed until then".into()),
                     Status::Failed(reason) => Some(reason.clone()),
                 },
+                findings: solved.findings.iter().map(findings::told).collect(),
                 answers: answers::answers(solved, settings, nodes),
                 profile: columns(nodes, Some(solved.model.name()), &solved.operation),
                 wear: match solved.model {

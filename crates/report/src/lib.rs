@@ -5,6 +5,7 @@ mod bit_test;
 mod bottom;
 mod draw;
 pub mod figure;
+mod finding;
 mod packed;
 mod page;
 mod plots;
@@ -16,15 +17,17 @@ mod thin;
 pub use bit_test::{BitTest, BitTestPoint, bit_test_plots};
 pub use bottom::BottomPicture;
 pub use draw::Drawing;
+pub use finding::{Finding, Level};
 pub use packed::Packed;
 pub use page::{bit_test_html, report_html, sweep_html};
 pub use plots::{
     ContactMap, Plot, Run, Spectrum, common_operations, contact_figure, plots, profile,
+    spectrum_dimension,
 };
 pub use report::{
     Answer, Cell, ContactPicture, DisplayUnit, DrillOff, Fact, Frames, Part, Place, Report,
-    Section, Sheet, Solved, TimeRun, Well,
+    Section, Sheet, Solved, SpectrumPicture, TimeRun, Well,
 };
-pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, study_html};
+pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, address, study_html};
 pub use sweep::{Sweep, SweepRow, sweep_plots};
 pub use thin::thinned;

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::{
     BitTest, BottomPicture, DisplayUnit, Fact, Plot, Report, Sheet, Sweep, bit_test_plots,
+    draw::palette,
     plots::{
         SETS,
         catalogue::{BIT_PLOTS, TIME_PLOTS, TRACKS, TimePlot, Track},
@@ -60,6 +61,15 @@ struct SweepData<'a> {
     dimensions: &'a BTreeMap<String, [DisplayUnit; 3]>,
     asked: &'a [Fact],
     sheet: Sheet,
+    rows: Vec<Spot<'a>>,
+}
+
+/// What a point of a sweep's figure says: a row of its table.
+#[derive(Serialize)]
+struct Spot<'a> {
+    findings: [usize; 2],
+    finding: &'a str,
+    page: Option<&'a str>,
 }
 
 /// The report of a sweep as the text of an HTML file: its figure in every set of units, and the table.
@@ -73,6 +83,15 @@ pub fn sweep_html(sweep: &Sweep) -> String {
         dimensions: &sweep.dimensions,
         asked: &sweep.asked,
         sheet: sweep.sheet(),
+        rows: sweep
+            .rows
+            .iter()
+            .map(|row| Spot {
+                findings: [row.errors, row.warnings],
+                finding: &row.finding,
+                page: row.page.as_deref(),
+            })
+            .collect(),
     };
     let figures = SETS.map(|units| {
         let plot = sweep_plots(sweep, units).into_iter().next();
@@ -163,7 +182,8 @@ fn page(title: &str, made_by: &str, data: &impl Serialize, rest: &str, program: 
 {program}</script>"#,
         escaped(title)
     );
-    document(title, made_by, POLICY, LOOKS, &body)
+    let looks = format!("{}{LOOKS}", palette::css());
+    document(title, made_by, POLICY, &looks, &body)
 }
 
 /// A whole file of one page, which opens offline: `policy` says what it may do, `looks` how it looks.
@@ -219,8 +239,8 @@ mod tests {
 
     use super::*;
     use crate::{
-        Answer, BottomPicture, Cell, DisplayUnit, DrillOff, Fact, Packed, Part, Place, Section,
-        Sheet, Solved, TimeRun, Well,
+        Answer, BottomPicture, Cell, DisplayUnit, DrillOff, Fact, Finding, Level, Packed, Part,
+        Place, Section, Sheet, Solved, TimeRun, Well,
     };
 
     const NASTY: &str = "</script><script>alert(1)</script> <!-- & \" ' \u{2028} </title>";
@@ -251,12 +271,24 @@ mod tests {
                 model: "soft".into(),
                 operation: "drill".into(),
                 message: Some(NASTY.into()),
+                findings: vec![Finding {
+                    kind: NASTY.into(),
+                    level: Level::Error,
+                    md_m: Some(1.0),
+                    to_md_m: None,
+                    value: Cell::quantity(1.0, "force"),
+                    limit: Cell::Nothing,
+                    message: NASTY.into(),
+                }],
                 answers: vec![Answer {
                     label: "Hook load".into(),
                     value: Cell::quantity(1.0, "force"),
                     worst: None,
+                    held: None,
                     limit: Some(2.0),
                     limit_label: NASTY.into(),
+                    more: vec![fact(Cell::quantity(2.0, "force"))],
+                    about: vec!["hook_load".into()],
                 }],
                 profile: BTreeMap::from([("md_m".into(), column())]),
                 wear: BTreeMap::new(),
@@ -300,6 +332,7 @@ mod tests {
                     torque_N_m: column(),
                 }),
                 bottom: BottomPicture::new(&[0.1], &[1.0, 3.0], &[0.0, 0.01]),
+                spectra: Vec::new(),
             }],
             sheets: vec![Sheet {
                 place: Place::Inputs,

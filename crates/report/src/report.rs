@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{BottomPicture, Packed};
+use crate::{BottomPicture, Finding, Packed};
 
 /// A run as its page shows it.
 ///
@@ -77,6 +77,13 @@ pub enum Cell {
     },
     /// A bare number.
     Number(f64),
+    /// Words that lead to a file beside the page.
+    Link {
+        /// The words.
+        text: String,
+        /// The file, relative to the page.
+        href: String,
+    },
     /// Words.
     Text(String),
     /// Nothing: it does not apply.
@@ -115,6 +122,9 @@ pub struct Solved {
     pub operation: String,
     /// Why it ended before its end; nothing where it did not.
     pub message: Option<String>,
+    /// What an engineer must be told of the answer, the gravest first.
+    #[serde(default)]
+    pub findings: Vec<Finding>,
     /// The numbers that matter most, beside their limits.
     pub answers: Vec<Answer>,
     /// Columns of `nodes.parquet` by their name.
@@ -130,12 +140,21 @@ pub struct Answer {
     pub label: String,
     /// The number that people ask for: of a dynamic run a mean, where `worst` is given.
     pub value: Cell,
-    /// What is held against the limit: the largest of the window, where the value is a mean.
+    /// The largest of the window, where the value is a mean.
     pub worst: Option<f64>,
+    /// What is held against the limit, where that is neither the largest nor the value itself.
+    #[serde(default)]
+    pub held: Option<f64>,
     /// The limit.
     pub limit: Option<f64>,
     /// Whose limit it is, or that none is given.
     pub limit_label: String,
+    /// What stands beside the number, such as the same with another part of the rig.
+    #[serde(default)]
+    pub more: Vec<Fact>,
+    /// Words in the kinds of those findings that are about this number.
+    #[serde(default)]
+    pub about: Vec<String>,
 }
 
 /// The path of the well, point by point.
@@ -212,6 +231,24 @@ pub struct TimeRun {
     pub drill_off: Option<DrillOff>,
     /// The bottom of the hole at the end, where the bit stands on solid rock.
     pub bottom: Option<BottomPicture>,
+    /// Power spectral densities of the signals that the case asks for.
+    #[serde(default)]
+    pub spectra: Vec<SpectrumPicture>,
+}
+
+/// A power spectral density as a page draws it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SpectrumPicture {
+    /// `surface_torque`, or of a node `tension`, ...
+    pub signal: String,
+    /// Measured depth of the node, m; nothing of a signal of the whole string.
+    pub md_m: Option<f64>,
+    /// Dimension of the signal, whose square per frequency the density has; empty where it has none.
+    pub dimension: String,
+    /// Frequencies, Hz.
+    pub frequency_Hz: Packed,
+    /// Density at each, square of the signal's SI unit per Hz.
+    pub density: Packed,
 }
 
 /// What a bit takes away for what it is given: samples of the window, evenly apart in time.

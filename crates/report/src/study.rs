@@ -1,6 +1,7 @@
 //! The page of a study as one file that needs nothing else.
 
 use crate::{
+    draw::palette,
     figure::Figure,
     page::{LOOKS, document, escaped},
 };
@@ -81,13 +82,7 @@ const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src dat
 
 /// The looks of a run's page, dark where the reader's other windows are: this page has no program that could ask.
 fn looks() -> String {
-    const DARK: &str = ":root[data-theme=dark]{";
-    let dark = LOOKS
-        .find(DARK)
-        .map(|at| &LOOKS[at + DARK.len()..])
-        .and_then(|rest| rest.split('}').next())
-        .unwrap_or_default();
-    format!("{LOOKS}@media screen and (prefers-color-scheme:dark){{:root{{{dark}}}}}\n")
+    format!("{}{LOOKS}", palette::css_by_window())
 }
 
 /// The page as the text of an HTML file. No name in it can end the element that it stands in.
@@ -200,7 +195,7 @@ fn cells(heads: &[Head], row: &[(String, Verdict)]) -> String {
 }
 
 /// A path as an address within a page.
-fn address(path: &str) -> String {
+pub fn address(path: &str) -> String {
     let plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-_./".contains(&byte);
     let bytes = path.bytes();
     bytes

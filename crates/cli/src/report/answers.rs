@@ -2,7 +2,7 @@
 
 use serde_json::Value as Json;
 use wholestring::outcome::ModelKind;
-use wholestring_report::{Answer, Cell};
+use wholestring_report::{Answer, Cell, Fact};
 use wholestring_results::{OperationSummary, Table};
 
 use super::rows;
@@ -17,22 +17,31 @@ pub(super) fn answers(solved: &OperationSummary, settings: &Json, nodes: &Table)
         Some(statistics.get(key)?.max)
     };
     let scalars = &solved.scalars;
-    let block_N = rig("block_weight_N").unwrap_or(0.0);
+    let block_N = rig("block_weight_N").filter(|weight| *weight > 0.0);
+    let with_block = |load_N: f64| Cell::quantity(load_N + block_N.unwrap_or(0.0), "force");
+    let more = block_N.map(|_| Fact {
+        label: "with block".into(),
+        value: with_block(scalars.hook_load_N),
+    });
+    let whose = match block_N {
+        Some(_) => "hoist's capacity, for the load with block",
+        None => "hoist's capacity",
+    };
     let hook = Answer {
-        label: if block_N > 0.0 {
-            "Hook load with block"
-        } else {
-            "Hook load"
-        }
-        .into(),
-        value: Cell::quantity(scalars.hook_load_N + block_N, "force"),
-        worst: largest("hook_load_N").map(|load| load + block_N),
-        ..limited(rig("hoist_capacity_N"), "hoist's capacity")
+        label: "Hook load without block".into(),
+        value: Cell::quantity(scalars.hook_load_N, "force"),
+        worst: largest("hook_load_N"),
+        // The hoist lifts the block too.
+        held: block_N.map(|block_N| largest("hook_load_N").unwrap_or(scalars.hook_load_N) + block_N),
+        more: more.into_iter().collect(),
+        about: words(&["hook_load", "hoist", "lock_up", "rig"]),
+        ..limited(rig("hoist_capacity_N"), whose)
     };
     let torque = Answer {
         label: "Surface torque".into(),
         value: Cell::quantity(scalars.surface_torque_N_m, "torque"),
         worst: largest("surface_torque_N_m"),
+        about: words(&["torque", "top_drive", "stall"]),
         ..limited(rig("top_drive_torque_N_m"), "top drive's rated torque")
     };
     let side = side_force(solved, nodes);
@@ -61,17 +70,24 @@ pub(super) fn answers(solved: &OperationSummary, settings: &Json, nodes: &Table)
     }
 }
 
+fn words(of: &[&str]) -> Vec<String> {
+    of.iter().map(|word| (*word).to_owned()).collect()
+}
+
 /// An answer with this limit, whose label and value are yet to be given.
 fn limited(limit: Option<f64>, whose: &str) -> Answer {
     Answer {
         label: String::new(),
         value: Cell::Nothing,
         worst: None,
+        held: None,
         limit,
         limit_label: match limit {
             Some(_) => whose.into(),
             None => format!("{whose} not given"),
         },
+        more: Vec::new(),
+        about: Vec::new(),
     }
 }
 
@@ -85,6 +101,7 @@ fn unlimited(note: &str) -> Answer {
 fn drag(solved: &OperationSummary) -> Answer {
     Answer {
         label: "Axial friction".into(),
+        about: words(&["lock_up"]),
         value: Cell::quantity(solved.scalars.axial_friction_N, "force"),
         ..unlimited("positive adds to hook load")
     }
@@ -95,6 +112,7 @@ fn stick_slip(solved: &OperationSummary) -> Option<Answer> {
     let severity = solved.indicators?.stick_slip?.severity?;
     Some(Answer {
         label: "Stick-slip severity".into(),
+        about: words(&["stick_slip", "stall"]),
         value: Cell::quantity(severity, "ratio"),
         ..limited(Some(1.0), "at 1 the bit just stops")
     })
@@ -106,11 +124,13 @@ fn stress(solved: &OperationSummary, nodes: &Table) -> Answer {
     match largest("yield_use") {
         Some(part) => Answer {
             label: "Use of yield strength".into(),
+            about: words(&["yield"]),
             value: Cell::quantity(part, "percent"),
             ..limited(Some(1.0), "minimum yield strength, pipe body")
         },
         None => Answer {
             label: "Largest von Mises stress".into(),
+            about: words(&["yield"]),
             value: largest("von_mises_stress_max_Pa")
                 .map_or(Cell::Nothing, |stress| Cell::quantity(stress, "pressure")),
             ..limited(None, "yield strength")

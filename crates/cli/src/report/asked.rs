@@ -71,6 +71,8 @@ pub(crate) fn asked(summary: &Summary) -> Vec<Fact> {
     }
     let density = &settings["mud"]["density_kg_per_m3"];
     tell("Mud density", quantity(density, "density"));
+    let block = &settings["rig"]["block_weight_N"];
+    tell("Weight of the block", quantity(block, "force"));
     if operation["flow_rate_m3_per_s"]
         .as_f64()
         .is_some_and(|flow| flow > 0.0)

@@ -14,9 +14,19 @@ type Row<'a> = (
 
 /// Results of all models and operations side by side.
 pub(super) fn results(summary: &Summary) -> Vec<Sheet> {
+    let block_N = summary.settings["rig"]["block_weight_N"].as_f64();
+    let block_N = block_N.filter(|weight| *weight > 0.0);
     let scalars: &[(Row<'_>, &str)] = &[
         (
-            ("Hook load", "force", &|of| Some(of.scalars.hook_load_N)),
+            ("Hook load without block", "force", &|of| {
+                Some(of.scalars.hook_load_N)
+            }),
+            "hook_load_N",
+        ),
+        (
+            ("Hook load with block", "force", &|of| {
+                Some(of.scalars.hook_load_N + block_N?)
+            }),
             "hook_load_N",
         ),
         (
@@ -78,6 +88,9 @@ pub(super) fn results(summary: &Summary) -> Vec<Sheet> {
         &summary.operations,
     );
     for ((label, dimension, value), key) in scalars {
+        if *label == "Hook load with block" && block_N.is_none() {
+            continue;
+        }
         let cells = summary.operations.iter().map(|of| {
             let spread = of.statistics.as_ref().and_then(|all| all.get(*key));
             match value(of).filter(|value| value.is_finite()) {

@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeMap, path::Path};
 
-use wholestring_report::{Sweep, SweepRow, sweep_html};
+use wholestring_report::{Sweep, SweepRow, address, sweep_html};
 use wholestring_results::{Column, Data, ResultsError, ResultsFolder, Summary, Table};
 use wholestring_units::UnitSet;
 
@@ -49,6 +49,12 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, Res
         };
         others.iter().filter_map(number).collect()
     };
+    let count = |name: &str, row: usize| word(name, row).parse().unwrap_or(0);
+    // Cases that keep no page of their own have none to lead to.
+    let page = |case: &str| {
+        let there = !case.is_empty() && folder.join(case).join(report::FILE).is_file();
+        there.then(|| format!("{}/{}", address(case), report::FILE))
+    };
     let rows = table.rows();
     let rows: Vec<SweepRow> = (0..rows)
         .map(|row| SweepRow {
@@ -57,6 +63,10 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, Res
             operation: word("operation", row),
             status: word("status", row),
             numbers: numbers(row),
+            errors: count("errors", row),
+            warnings: count("warnings", row),
+            finding: word("finding", row),
+            page: page(&word("folder", row)),
         })
         .collect();
     let folders: Vec<String> = (0..rows.len()).map(|row| word("folder", row)).collect();

@@ -104,6 +104,17 @@ pub(super) enum Item {
         image: Image,
         place: Box,
     },
+    /// What follows, up to the end, belongs to these keys of the legend, or is a key of the legend itself. For pages.
+    Begin {
+        keys: Vec<usize>,
+        of_legend: bool,
+    },
+    End,
+    /// A point that shows a row of a table. For pages.
+    Spot {
+        at: (f64, f64),
+        row: usize,
+    },
 }
 
 impl Drawing {
@@ -181,6 +192,23 @@ impl Drawing {
             anchor: Anchor::Middle,
             upright: true,
         });
+    }
+
+    /// What is drawn up to [`Self::end`] belongs to these keys of the legend, or is one.
+    pub(crate) fn begin(&mut self, keys: &[usize], of_legend: bool) {
+        self.items.push(Item::Begin {
+            keys: keys.to_vec(),
+            of_legend,
+        });
+    }
+
+    pub(crate) fn end(&mut self) {
+        self.items.push(Item::End);
+    }
+
+    /// A point that shows a row of a table.
+    pub(crate) fn spot(&mut self, at: (f64, f64), row: usize) {
+        self.items.push(Item::Spot { at, row });
     }
 
     pub(crate) fn image(&mut self, image: Image, place: Box) {

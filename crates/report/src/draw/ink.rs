@@ -1,4 +1,6 @@
-//! Colours that the colour-blind tell apart.
+//! What is drawn with, and scales of colours.
+
+use super::palette::{LINES, on_paper};
 
 /// What something is drawn with. A file has the colours of paper; a page may give each its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,34 +29,10 @@ pub enum Ink {
     Paper,
 }
 
-/// The palette of Okabe and Ito (*Color Universal Design*, 2008) without its yellow, the fainter ones darkened until a
-/// thin line on white shows them; the strongest first.
-const LINES: [[u8; 3]; 7] = [
-    [0, 114, 178],
-    [213, 94, 0],
-    [0, 158, 115],
-    [184, 92, 147],
-    [184, 125, 0],
-    [63, 159, 216],
-    [68, 68, 68],
-];
-
 impl Ink {
     /// Its colour on paper.
     pub(crate) fn rgb(self) -> [u8; 3] {
-        match self {
-            Self::Line(index) => LINES[index % LINES.len()],
-            Self::Text => [29, 34, 38],
-            Self::Note => [89, 99, 107],
-            Self::Frame => [90, 98, 105],
-            Self::Grid => [227, 230, 233],
-            Self::Settling => [240, 242, 244],
-            Self::Casing => [111, 122, 131],
-            Self::Rock => [222, 208, 184],
-            Self::HighSide => [240, 176, 80],
-            Self::LowSide => [79, 191, 160],
-            Self::Paper => [255, 255, 255],
-        }
+        on_paper(self.name())
     }
 
     /// Its name among the page's colours.
@@ -62,7 +40,7 @@ impl Ink {
         match self {
             Self::Line(index) => [
                 "line-0", "line-1", "line-2", "line-3", "line-4", "line-5", "line-6",
-            ][index % LINES.len()],
+            ][index % LINES],
             Self::Text => "text",
             Self::Note => "muted",
             Self::Frame => "frame",
@@ -90,34 +68,25 @@ pub enum Hue {
 
 /// A scale of colours.
 pub(crate) struct ColourScale {
-    stops: &'static [[u8; 3]],
+    stops: Vec<[u8; 3]>,
     backwards: bool,
 }
 
 impl ColourScale {
     pub(crate) fn new(hue: Hue) -> Self {
-        let stops: &[[u8; 3]] = match hue {
-            // Cividis (Nuñez, Anderton and Renslow 2018), by a few of its colours: even in lightness to every
-            // kind of eye.
-            Hue::Amount | Hue::Depth => &[
-                [0, 34, 78],
-                [18, 53, 112],
-                [59, 73, 108],
-                [87, 93, 109],
-                [112, 113, 115],
-                [138, 134, 120],
-                [165, 156, 116],
-                [195, 179, 105],
-                [225, 204, 85],
-                [254, 232, 56],
-            ],
-            Hue::Side => &[
-                [0, 97, 74],
-                [79, 191, 160],
-                [247, 247, 247],
-                [240, 176, 80],
-                [166, 94, 0],
-            ],
+        let stops = match hue {
+            Hue::Amount | Hue::Depth => (0..=9)
+                .map(|place| on_paper(&format!("amount-{place}")))
+                .collect(),
+            Hue::Side => [
+                "low-side-strong",
+                "low-side",
+                "middle",
+                "high-side",
+                "high-side-strong",
+            ]
+            .map(on_paper)
+            .to_vec(),
         };
         Self {
             stops,

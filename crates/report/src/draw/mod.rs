@@ -4,6 +4,7 @@ mod drawing;
 mod font;
 mod ink;
 mod line;
+pub(crate) mod palette;
 mod png;
 mod svg;
 

@@ -11,6 +11,9 @@ use super::{
     png,
 };
 
+/// Pixels of a point on a page below which the smallest letters of a figure, of 6.5 points, cannot be read.
+const READABLE: f64 = 1.5;
+
 impl Drawing {
     /// The drawing as the text of an SVG file: its text is text, its lines are lines.
     pub fn svg(&self) -> String {
@@ -23,25 +26,30 @@ impl Drawing {
             millimetres(self.height),
             number(self.width),
             number(self.height),
-            self.content("clip"),
+            self.content("clip", false),
         )
     }
 
     /// The drawing as an element of a page, whose colours follow the page's. `name` differs from that of every other.
     pub(crate) fn element(&self, name: &str) -> String {
         format!(
-            "<svg class=\"figure\" role=\"img\" viewBox=\"0 0 {} {}\" style=\"width:{}px\">\n{}</svg>",
+            "<svg class=\"figure\" role=\"img\" viewBox=\"0 0 {} {}\" style=\"width:{}px;--readable:{}px\">\n{}</svg>",
             number(self.width),
             number(self.height),
             number(self.width * 2.0),
-            self.content(name),
+            number(self.width * READABLE),
+            self.content(name, true),
         )
     }
 
-    fn content(&self, name: &str) -> String {
+    /// Of a page, what belongs together is told, so that its program can hide it and say what a point is.
+    fn content(&self, name: &str, of_page: bool) -> String {
         let mut clips: Vec<Box> = Vec::new();
         let mut body = String::new();
         for item in &self.items {
+            if !of_page && matches!(item, Item::Begin { .. } | Item::End | Item::Spot { .. }) {
+                continue;
+            }
             let written = match item {
                 Item::Path {
                     lines,
@@ -99,6 +107,18 @@ impl Drawing {
                         escaped(text)
                     )
                 }
+                Item::Begin { keys, of_legend } => {
+                    let class = if *of_legend { "legend-key" } else { "series" };
+                    let keys: Vec<String> = keys.iter().map(usize::to_string).collect();
+                    writeln!(body, "<g class=\"{class}\" data-keys=\"{}\">", keys.join(" "))
+                }
+                Item::End => writeln!(body, "</g>"),
+                Item::Spot { at: (x, y), row } => writeln!(
+                    body,
+                    "<circle class=\"spot\" data-row=\"{row}\" cx=\"{}\" cy=\"{}\" r=\"4.5\"/>",
+                    number(*x),
+                    number(*y)
+                ),
                 Item::Image { image, place } => writeln!(
                     body,
                     "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" \

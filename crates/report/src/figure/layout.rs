@@ -34,7 +34,7 @@ const BELOW: f64 = 9.0;
 pub(super) fn draw(figure: &Figure) -> Drawing {
     let width = figure.layout.width_mm * MILLIMETRE;
     let room = width - 2.0 * MARGIN;
-    let legend = Legend::of(&figure.keys, room);
+    let legend = Legend::of_figure(&figure.keys, room);
     let title = if figure.title.is_empty() { 0.0 } else { 13.0 };
     let told = wrapped(&figure.subtitle, room);
     let subtitle = 10.5 * told.len() as f64;

@@ -11,6 +11,8 @@ pub(super) struct Legend<'a> {
     keys: &'a [Key],
     width: f64,
     columns: usize,
+    /// Whether it is that of the whole figure, whose keys a page can hide.
+    of_figure: bool,
 }
 
 const SIZE: f64 = 7.5;
@@ -30,6 +32,15 @@ impl<'a> Legend<'a> {
             width: width + APART,
             columns: (((room + APART) / (width + APART)).floor() as usize)
                 .clamp(1, keys.len().max(1)),
+            of_figure: false,
+        }
+    }
+
+    /// The same, of the whole figure.
+    pub(super) fn of_figure(keys: &'a [Key], room: f64) -> Self {
+        Self {
+            of_figure: true,
+            ..Self::of(keys, room)
         }
     }
 
@@ -40,6 +51,7 @@ impl<'a> Legend<'a> {
     /// Draws it with its upper left corner there.
     pub(super) fn draw(&self, on: &mut Drawing, left: f64, top: f64) {
         for (index, key) in self.keys.iter().enumerate() {
+            on.begin(&[index], self.of_figure);
             let x = left + self.width * (index % self.columns) as f64;
             let y = top + ROW * (0.5 + (index / self.columns) as f64);
             let across = [(x, y), (x + SAMPLE, y)];
@@ -56,6 +68,10 @@ impl<'a> Legend<'a> {
                 Sample::Band(ink) => on.fill(block(3.0), ink, BAND),
                 Sample::Area(ink) => on.fill(block(3.0), ink, 1.0),
                 Sample::Point(ink, of) => shape(on, of, (x + SAMPLE / 2.0, y), ink),
+                Sample::Marked(ink, stroke, of) => {
+                    on.line(&across, pen(ink, stroke));
+                    shape(on, of, (x + SAMPLE / 2.0, y), ink);
+                }
                 Sample::Spread(ink) => bar(on, across[0], across[1], ink),
                 Sample::Words => {}
             }
@@ -65,6 +81,7 @@ impl<'a> Legend<'a> {
             };
             let at = (x + before, y);
             on.text(&key.name, at, SIZE, Ink::Text, Anchor::Start);
+            on.end();
         }
     }
 }

@@ -19,6 +19,10 @@ pub(super) fn pen(ink: Ink, stroke: Stroke) -> Pen {
         Stroke::Solid => None,
         Stroke::Dashed => Some([4.0, 2.2]),
         Stroke::Dotted => Some([1.1, 1.5]),
+        Stroke::LongDashed => Some([9.0, 2.2]),
+        Stroke::ShortDashed => Some([2.2, 1.2]),
+        Stroke::WideDashed => Some([4.5, 4.5]),
+        Stroke::WideDotted => Some([1.1, 3.2]),
     };
     Pen {
         dash,
@@ -110,6 +114,16 @@ pub(super) fn draw(on: &mut Drawing, mark: &Mark, all: &[Mark], place: &Place) {
             on.fill(vec![a, b, c, d], Ink::Settling, 1.0);
         }
         Mark::Map(map) => on.image(image(map, place), place.frame),
+        Mark::Spots { points, rows } => {
+            for (point, row) in points.iter().zip(rows) {
+                let at = place.of(*point);
+                if (at.0 + at.1).is_finite() {
+                    on.spot(at, *row);
+                }
+            }
+        }
+        // Its panel writes names where there is room, and knows what belongs together.
+        Mark::Name { .. } | Mark::Of { .. } => {}
     }
 }
 
@@ -189,6 +203,60 @@ fn rule(on: &mut Drawing, line: [(f64, f64); 2], label: &str, all: &[Mark], plac
     };
     on.fill(ground(at).corners().to_vec(), Ink::Paper, 0.75);
     on.text(label, at, SIZE, Ink::Text, Anchor::Start);
+}
+
+/// Names of curves beside their ends, each where it covers no other and few curves; what belongs to keys of the legend goes
+/// with them.
+pub(super) fn names(on: &mut Drawing, all: &[Mark], place: &Place) {
+    const SIZE: f64 = 6.5;
+    let frame = place.frame;
+    let mut taken: Vec<Box> = Vec::new();
+    let mut keys: &[usize] = &[];
+    for mark in all {
+        let (at, text) = match mark {
+            Mark::Of { keys: of } => {
+                keys = of;
+                continue;
+            }
+            Mark::Name { at, text } => (place.of(*at), text),
+            _ => continue,
+        };
+        if !(at.0 + at.1).is_finite() {
+            continue;
+        }
+        let width = text_width(text, SIZE) + 2.0;
+        let room = |(left, y): (f64, f64)| Box {
+            left,
+            top: y - 4.0,
+            width,
+            height: 8.0,
+        };
+        let offsets = (0..8).flat_map(|step| [-1.0, 1.0].map(|side| side * (6.5 + 4.0 * f64::from(step))));
+        let lefts = [at.0 - width - 3.0, at.0 + 3.0, at.0 - 0.5 * width];
+        let places = offsets.flat_map(|off| lefts.map(|left| (left, at.1 + off)));
+        let free = places.filter(|at| {
+            let room = room(*at);
+            room.left >= frame.left
+                && room.right() <= frame.right()
+                && room.top >= frame.top
+                && room.bottom() <= frame.bottom()
+                && !taken.iter().any(|other| overlap(other, &room))
+        });
+        // Of places alike the first, which is nearest.
+        let Some(chosen) = free.min_by_key(|at| crowd(&room(*at), all, place)) else {
+            continue;
+        };
+        taken.push(room(chosen));
+        on.begin(keys, false);
+        on.fill(room(chosen).corners().to_vec(), Ink::Paper, 0.7);
+        let start = (chosen.0 + 1.0, chosen.1);
+        on.text(text, start, SIZE, Ink::Text, Anchor::Start);
+        on.end();
+    }
+}
+
+fn overlap(a: &Box, b: &Box) -> bool {
+    a.left < b.right() && b.left < a.right() && a.top < b.bottom() && b.top < a.bottom()
 }
 
 /// How many pieces of curves run through a box.

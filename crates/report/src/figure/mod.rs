@@ -74,6 +74,8 @@ pub struct Axis {
     /// Whether it leaves out single values far from all others, so that they do not flatten these. What lies
     /// beyond its ends is marked there, with the largest value in numbers. Of a panel's own axis alone.
     pub clips: bool,
+    /// The least that it spans, so that what hardly moves is not blown up; zero where there is no such bound.
+    pub least_span: f64,
 }
 
 impl Axis {
@@ -86,6 +88,7 @@ impl Axis {
             sides: None,
             down: false,
             clips: false,
+            least_span: 0.0,
         }
     }
 }
@@ -188,6 +191,25 @@ pub enum Mark {
     },
     /// A map in colours.
     Map(Map),
+    /// What follows, up to the next of these, is what these keys of the figure's legend say: a page hides it with them.
+    Of {
+        /// Places of the keys in [`Figure::keys`].
+        keys: Vec<usize>,
+    },
+    /// The name of a curve, beside its end.
+    Name {
+        /// The end.
+        at: (f64, f64),
+        /// The name.
+        text: String,
+    },
+    /// Points at which a page says which rows of its table they show.
+    Spots {
+        /// Where they are.
+        points: Vec<(f64, f64)>,
+        /// The rows.
+        rows: Vec<usize>,
+    },
 }
 
 /// Values over the shared axis and a panel's own, as colours.
@@ -231,6 +253,8 @@ pub enum Sample {
     Area(Ink),
     /// Single points.
     Point(Ink, Shape),
+    /// Curves with points.
+    Marked(Ink, Stroke, Shape),
     /// How far points spread.
     Spread(Ink),
     /// Words alone.
@@ -246,6 +270,30 @@ pub enum Stroke {
     Dashed,
     /// A dotted line.
     Dotted,
+    /// A line of long dashes.
+    LongDashed,
+    /// A line of short dashes.
+    ShortDashed,
+    /// A line of dashes far apart.
+    WideDashed,
+    /// A line of dots far apart.
+    WideDotted,
+}
+
+impl Stroke {
+    /// The stroke of a curve by its place, where its colour goes by that too: seven can be told apart.
+    pub fn of(place: usize) -> Self {
+        const ALL: [Stroke; 7] = [
+            Stroke::Solid,
+            Stroke::Dashed,
+            Stroke::Dotted,
+            Stroke::LongDashed,
+            Stroke::ShortDashed,
+            Stroke::WideDashed,
+            Stroke::WideDotted,
+        ];
+        ALL[place % ALL.len()]
+    }
 }
 
 /// The shape of single points.

@@ -184,7 +184,11 @@ fn own_values(mark: &Mark) -> Vec<f64> {
         Mark::Band { points, .. } => points.iter().flat_map(|point| [point.1, point.2]).collect(),
         Mark::Bars { bars, .. } => bars.iter().flatten().map(|end| end.1).collect(),
         Mark::OwnRule { at, .. } => vec![*at],
-        Mark::SharedRule { .. } | Mark::Shade { .. } => Vec::new(),
+        Mark::SharedRule { .. }
+        | Mark::Shade { .. }
+        | Mark::Of { .. }
+        | Mark::Name { .. }
+        | Mark::Spots { .. } => Vec::new(),
         Mark::Map(map) => map.middles.clone(),
     }
 }
@@ -198,7 +202,12 @@ pub(super) fn shared_values(mark: &Mark) -> Vec<f64> {
         Mark::Band { points, .. } => points.iter().map(|point| point.0).collect(),
         Mark::Bars { bars, .. } => bars.iter().flatten().map(|end| end.0).collect(),
         Mark::Map(map) => map.ends.iter().copied().chain([map.from]).collect(),
-        Mark::SharedRule { .. } | Mark::OwnRule { .. } | Mark::Shade { .. } => Vec::new(),
+        Mark::SharedRule { .. }
+        | Mark::OwnRule { .. }
+        | Mark::Shade { .. }
+        | Mark::Of { .. }
+        | Mark::Name { .. }
+        | Mark::Spots { .. } => Vec::new(),
     }
 }
 
@@ -223,10 +232,22 @@ pub(super) fn draw(on: &mut Drawing, figure: &Figure, panel: &Panel, place: &Pla
         }
     }
     on.within(frame, |on| {
+        let mut open = false;
         for mark in panel.marks.iter().filter(|mark| !shade(mark)) {
+            if let Mark::Of { keys } = mark {
+                if open {
+                    on.end();
+                }
+                on.begin(keys, false);
+                open = true;
+            }
             marks::draw(on, mark, &panel.marks, place);
         }
+        if open {
+            on.end();
+        }
     });
+    marks::names(on, &panel.marks, place);
     on.frame(frame, Pen::new(Ink::Frame, FRAME));
     if panel.axis.clips {
         beyond::draw(on, &panel.marks, place);

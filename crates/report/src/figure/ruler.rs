@@ -162,6 +162,15 @@ fn range(axis: &Axis, values: Option<(f64, f64)>) -> (f64, f64) {
         0.2 * high.abs()
     };
     let air = 0.05 * span;
+    let short = axis.least_span - span;
+    if short > 0.0 {
+        // What is at zero, or would pass it, stays at it.
+        return match (low, high) {
+            (low, high) if low >= 0.0 && low < 0.5 * short => (0.0, high.max(axis.least_span)),
+            (low, high) if high <= 0.0 && -high < 0.5 * short => (low.min(-axis.least_span), 0.0),
+            (low, high) => (low - 0.5 * short, high + 0.5 * short),
+        };
+    }
     (
         if low == 0.0 { 0.0 } else { low - air },
         if high == 0.0 { 0.0 } else { high + air },

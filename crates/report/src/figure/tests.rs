@@ -1,6 +1,6 @@
 //! Figures as they are written.
 
-use super::*;
+use super::{ruler::Ruler, *};
 
 fn curve(ink: usize, stroke: Stroke) -> Mark {
     Mark::Curve {
@@ -258,5 +258,31 @@ fn an_outlier_is_marked_at_the_edge() {
         assert!(!texts.contains(&"200".to_owned()), "{texts:?}");
         let told = |number: &str| texts.iter().any(|text| text.starts_with(number));
         assert!(told("230") && told("\u{2212}120"), "{texts:?}");
+    }
+}
+
+/// A load that hardly moves fills a small part of its axis, which spans what the quantity says.
+#[test]
+fn a_steady_signal_is_not_blown_up() {
+    let span = |low: f64, high: f64| {
+        let axis = Axis {
+            least_span: 20.0,
+            ..Axis::new("Hook load, kN", Range::Near)
+        };
+        let ruler = Ruler::new(&axis, [low, high], 5.0);
+        (ruler.value(0.0), ruler.value(1.0))
+    };
+    // About its middle; from zero where zero is near; as it is where it moves by more.
+    for ((low, high), (from, to)) in [
+        ((660.1, 660.3), (650.2, 670.2)),
+        ((0.0, 0.2), (0.0, 20.0)),
+        ((-0.2, 0.0), (-20.0, 0.0)),
+        ((600.0, 700.0), (595.0, 705.0)),
+    ] {
+        let found = span(low, high);
+        assert!(
+            (found.0 - from).abs() < 1e-9 && (found.1 - to).abs() < 1e-9,
+            "{low} to {high}: {found:?}"
+        );
     }
 }

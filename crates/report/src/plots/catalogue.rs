@@ -16,6 +16,8 @@ pub(crate) struct Track {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) band: Option<[&'static str; 2]>,
     pub(crate) from: Source,
+    /// What the axis spans at least, SI: less than that is no difference to an engineer.
+    pub(crate) least_span: f64,
     /// Whether the axis goes to zero.
     pub(crate) zero: bool,
     /// Whether its sign is a side of the hole.
@@ -44,6 +46,7 @@ const TRACK: Track = Track {
     column: "",
     band: None,
     from: Source::Profile,
+    least_span: 0.0,
     zero: false,
     sides: false,
     touches: false,
@@ -56,6 +59,7 @@ pub(crate) const TRACKS: &[Track] = &[
         name: "tension",
         title: "Effective tension",
         dimension: "force",
+        least_span: 2e4,
         column: "tension_N",
         band: Some(["tension_p05_N", "tension_p95_N"]),
         zero: true,
@@ -65,6 +69,7 @@ pub(crate) const TRACKS: &[Track] = &[
         name: "torque",
         title: "Torque",
         dimension: "torque",
+        least_span: 500.0,
         column: "torque_N_m",
         band: Some(["torque_p05_N_m", "torque_p95_N_m"]),
         ..TRACK
@@ -73,6 +78,7 @@ pub(crate) const TRACKS: &[Track] = &[
         name: "side-force",
         title: "Side force",
         dimension: "force per length",
+        least_span: 100.0,
         column: "side_force_N_per_m",
         band: Some(["side_force_p05_N_per_m", "side_force_p95_N_per_m"]),
         zero: true,
@@ -92,6 +98,7 @@ pub(crate) const TRACKS: &[Track] = &[
         name: "bending-moment",
         title: "Bending moment",
         dimension: "torque",
+        least_span: 500.0,
         column: "bending_moment_N_m",
         band: Some(["bending_moment_p05_N_m", "bending_moment_p95_N_m"]),
         swings: true,
@@ -101,6 +108,7 @@ pub(crate) const TRACKS: &[Track] = &[
         name: "wear",
         title: "Wear work, hole",
         dimension: "work per length",
+        least_span: 1e3,
         column: "wear_work_J_per_m",
         from: Source::Wear,
         ..TRACK
@@ -109,6 +117,7 @@ pub(crate) const TRACKS: &[Track] = &[
         name: "inclination",
         title: "Inclination",
         dimension: "angle",
+        least_span: 0.035,
         column: "inclination_rad",
         from: Source::Well,
         zero: true,
@@ -118,6 +127,7 @@ pub(crate) const TRACKS: &[Track] = &[
         name: "dogleg-severity",
         title: "Dogleg severity",
         dimension: "dogleg severity",
+        least_span: 6e-4,
         column: "dogleg_rad_per_m",
         from: Source::Well,
         zero: true,
@@ -133,6 +143,8 @@ pub(crate) struct TimePlot {
     pub(crate) name: &'static str,
     pub(crate) title: &'static str,
     pub(crate) dimension: &'static str,
+    /// What the axis spans at least, SI: less than that is no difference to an engineer.
+    pub(crate) least_span: f64,
     /// Columns of the history, and what each is called.
     pub(crate) columns: &'static [[&'static str; 2]],
     /// Column of the soft string's profile whose value at the surface stands beside them.
@@ -146,6 +158,7 @@ const TIME_PLOT: TimePlot = TimePlot {
     name: "",
     title: "",
     dimension: "",
+    least_span: 0.0,
     columns: &[],
     soft: None,
     points: false,
@@ -154,8 +167,9 @@ const TIME_PLOT: TimePlot = TimePlot {
 pub(crate) const TIME_PLOTS: &[TimePlot] = &[
     TimePlot {
         name: "time-hook-load",
-        title: "Hook load",
+        title: "Hook load without block",
         dimension: "force",
+        least_span: 2e4,
         columns: &[["hook_load_N", "hook load"]],
         soft: Some("tension_N"),
         ..TIME_PLOT
@@ -164,6 +178,7 @@ pub(crate) const TIME_PLOTS: &[TimePlot] = &[
         name: "time-torque",
         title: "Torque",
         dimension: "torque",
+        least_span: 1e3,
         columns: &[
             ["surface_torque_N_m", "surface"],
             ["friction_torque_N_m", "friction"],
@@ -176,6 +191,7 @@ pub(crate) const TIME_PLOTS: &[TimePlot] = &[
         name: "time-rotary-speed",
         title: "Rotary speed",
         dimension: "rotary speed",
+        least_span: 1.0,
         columns: &[
             ["rotary_speed_rad_per_s", "top"],
             ["bit_rotary_speed_rad_per_s", "bit"],
@@ -187,6 +203,7 @@ pub(crate) const TIME_PLOTS: &[TimePlot] = &[
         name: "time-block-velocity",
         title: "Block velocity, down",
         dimension: "speed",
+        least_span: 0.02,
         columns: &[
             ["block_velocity_m_per_s", "block"],
             ["block_velocity_set_m_per_s", "set"],
@@ -197,6 +214,7 @@ pub(crate) const TIME_PLOTS: &[TimePlot] = &[
         name: "time-axial-friction",
         title: "Axial friction",
         dimension: "force",
+        least_span: 1e4,
         columns: &[["axial_friction_N", "along the string"]],
         ..TIME_PLOT
     },
@@ -204,6 +222,7 @@ pub(crate) const TIME_PLOTS: &[TimePlot] = &[
         name: "time-depths",
         title: "Neutral point and cut-off depth",
         dimension: "length",
+        least_span: 20.0,
         columns: &[
             ["neutral_point_m", "neutral point"],
             ["cutoff_depth_m", "cut-off depth"],
@@ -219,6 +238,7 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
         name: "bit-rate-of-penetration",
         title: "Rate of penetration",
         dimension: "rate of penetration",
+        least_span: 5e-4,
         columns: &[["rate_of_penetration_m_per_s", "rate of penetration"]],
         ..TIME_PLOT
     },
@@ -226,6 +246,7 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
         name: "bit-depth-of-cut",
         title: "Depth of cut",
         dimension: "diameter",
+        least_span: 2e-4,
         columns: &[["depth_of_cut_m", "per revolution"]],
         ..TIME_PLOT
     },
@@ -233,6 +254,7 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
         name: "bit-weight",
         title: "Weight on bit",
         dimension: "force",
+        least_span: 1e4,
         columns: &[
             ["weight_on_bit_N", "on bit"],
             ["weight_on_bit_set_N", "set"],
@@ -243,6 +265,7 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
         name: "bit-torque",
         title: "Torque on bit",
         dimension: "torque",
+        least_span: 500.0,
         columns: &[["bit_torque_N_m", "torque on bit"]],
         ..TIME_PLOT
     },
@@ -250,6 +273,7 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
         name: "bit-speed",
         title: "Speed at the bit",
         dimension: "rotary speed",
+        least_span: 1.0,
         columns: &[
             ["bit_rotary_speed_rad_per_s", "string"],
             ["motor_speed_rad_per_s", "motor"],
@@ -260,6 +284,7 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
         name: "bit-motor-pressure",
         title: "Motor pressure",
         dimension: "pressure",
+        least_span: 2e5,
         columns: &[["motor_pressure_Pa", "pressure drop"]],
         ..TIME_PLOT
     },
@@ -267,6 +292,7 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
         name: "bit-force-across",
         title: "Force across",
         dimension: "force",
+        least_span: 1e3,
         columns: &[
             ["bit_force_high_N", "to the high side"],
             ["bit_force_right_N", "to the right"],
@@ -277,6 +303,7 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
         name: "bit-bending-moment",
         title: "Bending moment",
         dimension: "torque",
+        least_span: 200.0,
         columns: &[["bit_moment_N_m", "bending moment"]],
         ..TIME_PLOT
     },

@@ -97,7 +97,7 @@ pub(super) fn run_keys(runs: &[Run<'_>]) -> Vec<Key> {
 fn look(runs: usize, run: usize, place: usize, name: &str) -> (Ink, Stroke) {
     let is_set = name == "set";
     match (runs, is_set) {
-        (1, true) => (Ink::Note, Stroke::Dotted),
+        (1, true) => (Ink::Line(6), Stroke::Dotted),
         // The second colour is the soft string's.
         (1, false) => (Ink::Line([0, 2, 3][place.min(2)]), Stroke::Solid),
         (_, true) => (Ink::Line(run), Stroke::Dotted),
@@ -207,6 +207,7 @@ fn panel(
     Some(Panel {
         axis: Axis {
             down: plot.points,
+            least_span: shown.value(plot.least_span, plot.dimension),
             ..Axis::new(shown.label(title, plot.dimension), Range::Near)
         },
         marks,

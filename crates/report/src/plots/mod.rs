@@ -11,7 +11,10 @@ mod shown;
 mod spectra;
 mod tracks;
 
-pub use self::contact::{ContactMap, contact_figure};
+pub use self::{
+    contact::{ContactMap, contact_figure},
+    spectra::spectrum_dimension,
+};
 use self::look::Looks;
 pub(crate) use self::{
     bottom::bottoms_figure,

@@ -71,7 +71,7 @@ impl<'a> Shown<'a> {
                 values.collect::<Vec<_>>().join(", ")
             }
             Cell::Number(value) => plain(*value),
-            Cell::Text(text) => text.clone(),
+            Cell::Text(text) | Cell::Link { text, .. } => text.clone(),
             Cell::Nothing => return None,
         };
         Some(format!("{} {value}", fact.label.to_lowercase()))

@@ -53,7 +53,7 @@ fn figure(
     subtitle: &str,
 ) -> Figure {
     let unit = spectra.first().map_or("", |(_, of)| of.unit.as_str());
-    let dimension = dimension(unit, signal);
+    let dimension = spectrum_dimension(unit, signal);
     // A density goes with the square of the signal.
     let factor = dimension.map_or(1.0, |name| shown.value(1.0, name).powi(2));
     let symbol = dimension.map_or(unit, |name| shown.symbol(name));
@@ -127,7 +127,7 @@ fn figure(
 }
 
 /// The dimension of a signal, by its unit and by what it is.
-fn dimension(unit: &str, signal: &str) -> Option<&'static str> {
+pub fn spectrum_dimension(unit: &str, signal: &str) -> Option<&'static str> {
     Some(match unit {
         "N" => "force",
         "N·m" => "torque",

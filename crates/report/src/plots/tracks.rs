@@ -136,6 +136,7 @@ fn panel(track: &Track, runs: &[Run<'_>], looks: &Looks<'_>, shown: Shown<'_>) -
     Some(Panel {
         axis: Axis {
             clips: track.from == Source::Profile && track.range.is_none(),
+            least_span: shown.value(track.least_span, track.dimension),
             sides: track
                 .sides
                 .then(|| ["low side".to_owned(), "high side".to_owned()]),

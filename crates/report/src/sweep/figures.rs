@@ -133,7 +133,8 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// Colour by what was varied, and by the operation where that is all that differs; shape by the operation.
+    /// Colour by what was varied, and by the operation where that is all that differs; shape by the operation. Strokes tell
+    /// the models apart where there are two, else the operations.
     fn look(&self, family: usize, operation: usize) -> (Ink, Shape) {
         let ink = if self.families.len() > 1 {
             family
@@ -143,12 +144,46 @@ impl<'a> Drawing<'a> {
         (Ink::Line(ink), SHAPES[operation % SHAPES.len()])
     }
 
-    fn stroke(&self, model: &str) -> Stroke {
-        if self.both_models && model == "soft" {
-            Stroke::Dashed
-        } else {
-            Stroke::Solid
+    fn stroke(&self, model: &str, operation: usize) -> Stroke {
+        match (self.both_models, model) {
+            (true, "soft") => Stroke::Dashed,
+            (true, _) => Stroke::Solid,
+            (false, _) => Stroke::of(operation),
         }
+    }
+
+    /// Places in the legend of what a curve is of: its family, model and operation.
+    fn keys_of(&self, family: usize, model: &str, operation: usize) -> Vec<usize> {
+        let families = self.count(self.families.len());
+        let models = if self.both_models { 2 } else { 0 };
+        let bands = usize::from(self.has_bands());
+        let mut keys = Vec::new();
+        keys.extend((families > 0).then_some(family));
+        keys.extend((models > 0).then_some(families + usize::from(model == "soft")));
+        let many = self.count(self.operations.len()) > 0;
+        keys.extend(many.then_some(families + models + bands + operation));
+        keys
+    }
+
+    /// As many keys as there are things to tell apart; none of one alone.
+    fn count(&self, things: usize) -> usize {
+        if things > 1 { things } else { 0 }
+    }
+
+    fn has_bands(&self) -> bool {
+        self.sweep.rows.iter().any(|row| row.model == "dynamic")
+    }
+
+    /// What a curve is called at its end: what it is of, as far as that differs, without the model, which its stroke tells.
+    fn name(&self, family: usize, operation: usize) -> String {
+        let mut parts = Vec::new();
+        if self.families.len() > 1 {
+            parts.push(self.families[family].join(", "));
+        }
+        if self.operations.len() > 1 {
+            parts.push(spoken(self.operations[operation]));
+        }
+        parts.join(", ")
     }
 
     fn panel(&self, of: &Quantity) -> Option<Panel> {
@@ -157,34 +192,53 @@ impl<'a> Drawing<'a> {
             self.shown.value(value.unwrap_or(f64::NAN), of.dimension)
         };
         let (mut bands, mut curves, mut points) = (Vec::new(), Vec::new(), Vec::new());
+        let mut names = Vec::new();
         for (place, family) in self.families.iter().enumerate() {
             let solved = self.operations.iter().enumerate();
             let solved = solved.flat_map(|of| ["dynamic", "soft"].map(|model| (of, model)));
             for ((done, operation), model) in solved {
                 let (ink, shape) = self.look(place, done);
-                let mine = |row: &&SweepRow| {
+                let mine = |row: &SweepRow| {
                     let values = self.others.iter().map(|key| row.values[*key].as_str());
                     row.model == model
                         && row.operation == *operation
                         && values.eq(family.iter().copied())
                 };
-                let mut rows: Vec<(f64, &SweepRow)> = self
+                let mut rows: Vec<(f64, usize, &SweepRow)> = self
                     .sweep
                     .rows
                     .iter()
-                    .filter(mine)
-                    .map(|row| (self.along(row), row))
+                    .enumerate()
+                    .filter(|(_, row)| mine(row))
+                    .map(|(place, row)| (self.along(row), place, row))
                     .collect();
                 rows.sort_by(|a, b| a.0.total_cmp(&b.0));
                 let column = |end: &str| -> Vec<(f64, f64)> {
                     rows.iter()
-                        .map(|(at, row)| (*at, value(row, end)))
+                        .map(|(at, _, row)| (*at, value(row, end)))
                         .collect()
                 };
                 let mean = column("");
                 if !mean.iter().any(|(_, value)| value.is_finite()) {
                     continue;
                 }
+                let keys = self.keys_of(place, model, done);
+                for marks in [&mut bands, &mut curves, &mut points] {
+                    marks.push(Mark::Of { keys: keys.clone() });
+                }
+                let name = self.name(place, done);
+                let last = mean.iter().rev().find(|(at, value)| (at + value).is_finite());
+                // Where two models are one beside the other, one name is enough.
+                if let (Some(end), false) = (last, name.is_empty() || names.contains(&name)) {
+                    curves.push(Mark::Name {
+                        at: *end,
+                        text: name.clone(),
+                    });
+                    names.push(name);
+                }
+                let mut of_band = keys;
+                of_band.push(self.band_key());
+                bands.push(Mark::Of { keys: of_band });
                 let ends = column("_p05").into_iter().zip(column("_p95"));
                 bands.push(Mark::Band {
                     ink,
@@ -195,9 +249,13 @@ impl<'a> Drawing<'a> {
                     shape,
                     points: mean.clone(),
                 });
+                points.push(Mark::Spots {
+                    points: mean.clone(),
+                    rows: rows.iter().map(|(_, place, _)| *place).collect(),
+                });
                 curves.push(Mark::Curve {
                     ink,
-                    stroke: self.stroke(model),
+                    stroke: self.stroke(model, done),
                     points: mean,
                 });
             }
@@ -206,11 +264,17 @@ impl<'a> Drawing<'a> {
             axis: Axis {
                 // Depth points down wherever an axis can.
                 down: of.dimension == "length",
+                least_span: self.shown.value(of.least_span, of.dimension),
                 ..Axis::new(self.shown.label(of.title, of.dimension), Range::Near)
             },
             marks: [bands, curves, points].concat(),
             keys: Vec::new(),
         })
+    }
+
+    /// Place of the bands' key in the legend.
+    fn band_key(&self) -> usize {
+        self.count(self.families.len()) + if self.both_models { 2 } else { 0 }
     }
 
     fn keys(&self) -> Vec<Key> {
@@ -237,7 +301,7 @@ impl<'a> Drawing<'a> {
                 });
             }
         }
-        if self.sweep.rows.iter().any(|row| row.model == "dynamic") {
+        if self.has_bands() {
             keys.push(Key {
                 name: "5–95 % of the time".into(),
                 sample: Sample::Band(Ink::Note),
@@ -257,7 +321,11 @@ impl<'a> Drawing<'a> {
                         };
                         Key {
                             name: spoken(operation),
-                            sample: Sample::Point(ink, shape),
+                            sample: if self.both_models {
+                                Sample::Point(ink, shape)
+                            } else {
+                                Sample::Marked(ink, Stroke::of(place), shape)
+                            },
                         }
                     }),
             );

@@ -38,6 +38,14 @@ pub struct SweepRow {
     pub status: String,
     /// Columns of `sweep.csv` that hold a number here.
     pub numbers: BTreeMap<String, f64>,
+    /// How many findings are errors, and how many warnings.
+    pub errors: usize,
+    /// How many findings are warnings.
+    pub warnings: usize,
+    /// What the gravest finding says; empty where there is none.
+    pub finding: String,
+    /// The page of the case, relative to that of the sweep; none where the case has none.
+    pub page: Option<String>,
 }
 
 /// What is drawn and told of each case.
@@ -46,32 +54,38 @@ struct Quantity {
     name: &'static str,
     title: &'static str,
     dimension: &'static str,
+    /// What its axis spans at least, SI.
+    least_span: f64,
     column: &'static str,
 }
 
 const QUANTITIES: &[Quantity] = &[
     Quantity {
         name: "hook-load",
-        title: "Hook load",
+        title: "Hook load without block",
         dimension: "force",
+        least_span: 2e4,
         column: "hook_load_N",
     },
     Quantity {
         name: "torque",
         title: "Surface torque",
         dimension: "torque",
+        least_span: 1e3,
         column: "surface_torque_N_m",
     },
     Quantity {
         name: "axial-friction",
         title: "Axial friction",
         dimension: "force",
+        least_span: 1e4,
         column: "axial_friction_N",
     },
     Quantity {
         name: "cut-off-depth",
         title: "Cut-off depth",
         dimension: "length",
+        least_span: 20.0,
         column: "cutoff_depth_m",
     },
 ];
@@ -100,6 +114,8 @@ impl Sweep {
         let heads =
             |names: &[&str]| -> Vec<String> { names.iter().map(|name| (*name).into()).collect() };
         let whole = self.rows.iter().all(|row| row.status == "complete");
+        let judged = self.rows.iter().any(|row| row.errors + row.warnings > 0);
+        let paged = self.rows.iter().any(|row| row.page.is_some());
         let told: Vec<&Quantity> = QUANTITIES
             .iter()
             .filter(|of| {
@@ -128,6 +144,15 @@ impl Sweep {
             if !whole {
                 cells.push(Cell::Text(row.status.clone()));
             }
+            if judged {
+                cells.push(Cell::Text(judgement(row)));
+            }
+            if paged {
+                cells.push(row.page.as_ref().map_or(Cell::Nothing, |href| Cell::Link {
+                    text: "open".into(),
+                    href: href.clone(),
+                }));
+            }
             cells
         };
         let titles = told.iter().map(|of| of.title.to_owned());
@@ -141,10 +166,25 @@ impl Sweep {
                 .chain(heads(&["Model", "Operation"]))
                 .chain(titles)
                 .chain((!whole).then(|| "Status".to_owned()))
+                .chain(judged.then(|| "Findings".to_owned()))
+                .chain(paged.then(|| "Report".to_owned()))
                 .collect(),
             rows: self.rows.iter().map(row).collect(),
         }
     }
+}
+
+/// How many errors and warnings a row has, with marks that need no colour.
+fn judgement(row: &SweepRow) -> String {
+    let count = |mark: &str, many: usize, name: &str| {
+        let end = if many == 1 { "" } else { "s" };
+        (many > 0).then(|| format!("{mark} {many} {name}{end}"))
+    };
+    let parts = [
+        count("\u{2716}", row.errors, "error"),
+        count("\u{25b2}", row.warnings, "warning"),
+    ];
+    parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]

@@ -31,6 +31,10 @@ fn sweep(keys: [&str; 2], values: [&[&str]; 2]) -> Sweep {
                     operation: "drill".into(),
                     status: "complete".into(),
                     numbers,
+                    errors: 0,
+                    warnings: 0,
+                    finding: String::new(),
+                    page: None,
                 });
             }
         }
@@ -85,7 +89,7 @@ fn a_broomstick_has_a_curve_for_each_friction() {
     assert_eq!(figure.layout.direction, Direction::Down);
     assert!(figure.shared.down);
     assert_eq!(figure.shared.label, "Bit depth, ft");
-    assert_eq!(figure.panels[0].axis.label, "Hook load, klbf");
+    assert_eq!(figure.panels[0].axis.label, "Hook load without block, klbf");
     let curves = curves(&figure);
     assert_eq!(curves.len(), 6);
     let dashed = curves
@@ -171,7 +175,7 @@ fn the_table_has_every_case() {
     let sheet = sweep.sheet();
     assert_eq!(
         sheet.heads,
-        ["friction", "bit_depth", "Model", "Operation", "Hook load"]
+        ["friction", "bit_depth", "Model", "Operation", "Hook load without block"]
     );
     assert_eq!(sheet.rows.len(), 4);
     assert_eq!(
@@ -188,10 +192,25 @@ fn the_table_has_every_case() {
         operation: String::new(),
         status: "failed".into(),
         numbers: BTreeMap::new(),
+        errors: 0,
+        warnings: 1,
+        finding: String::new(),
+        page: Some("a/report.html".into()),
     };
     let sheet = sweep.sheet();
-    assert_eq!(sheet.heads.last().map(String::as_str), Some("Status"));
-    assert_eq!(sheet.rows[0].last(), Some(&Cell::Text("failed".into())));
+    assert_eq!(sheet.heads[5..], ["Status", "Findings", "Report"]);
+    assert_eq!(
+        sheet.rows[0][5..],
+        [
+            Cell::Text("failed".into()),
+            Cell::Text("\u{25b2} 1 warning".into()),
+            Cell::Link {
+                text: "open".into(),
+                href: "a/report.html".into()
+            },
+        ]
+    );
+    assert_eq!(sheet.rows[1][7], Cell::Nothing);
 }
 
 /// A page holds the figure in every set of units, and no name ends its element.
@@ -207,7 +226,46 @@ fn the_page_of_a_sweep_is_whole() {
     assert_eq!(page.matches("<svg class=\"figure\"").count(), 3);
     assert_eq!(page.matches("</template").count(), 3);
     assert_eq!(page.matches("</script").count(), 2);
-    for label in ["Hook load", "klbf", "kN"] {
+    for label in ["Hook load without block", "klbf", "kN"] {
         assert!(page.contains(label), "{label}");
     }
+}
+
+/// Operations are told apart by strokes and named at the ends of their curves; a page can hide what a key says, and knows
+/// which row a point shows.
+#[test]
+fn operations_differ_by_stroke_and_have_their_names() {
+    let mut sweep = sweep(["friction", "bit_depth"], [&["0.1"], &["300m", "600m"]]);
+    sweep.rows.retain(|row| row.model == "soft");
+    let slides = sweep.rows.clone().into_iter().map(|row| SweepRow {
+        operation: "slide".into(),
+        ..row
+    });
+    sweep.rows = sweep.rows.iter().cloned().chain(slides).collect();
+    let figure = figure(&sweep, "si");
+    let strokes: Vec<Stroke> = curves(&figure).iter().map(|(stroke, _)| *stroke).collect();
+    assert_eq!(strokes, [Stroke::Solid, Stroke::Dashed]);
+    let names: Vec<&str> = figure.panels[0]
+        .marks
+        .iter()
+        .filter_map(|mark| match mark {
+            Mark::Name { text, .. } => Some(text.as_str()),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(names, ["drill", "slide"]);
+    let page = crate::sweep_html(&sweep);
+    // A curve and its points for each operation, in each set of units.
+    for key in ["0", "1"] {
+        let group = format!("<g class=\"series\" data-keys=\"{key}\">");
+        assert!(page.matches(&group).count() >= 6, "{group}");
+        assert_eq!(page.matches(&format!("<g class=\"legend-key\" data-keys=\"{key}\">")).count(), 3);
+    }
+    for row in 0..4 {
+        assert_eq!(page.matches(&format!("data-row=\"{row}\"")).count(), 3);
+    }
+    // Files for a paper hold none of that.
+    let file = figure.drawing().svg();
+    assert!(!file.contains("data-") && !file.contains("class=\"series\""));
+    assert!(file.contains(">slide</text>"));
 }

@@ -1,16 +1,18 @@
 // What was asked, and the answer in five numbers beside their limits.
 
 import { el } from "./dom.js";
+import { findingsOf } from "./findings.js";
+import { levelMark, LEVELS, worstOf } from "./levels.js";
 import { cellText } from "./sheet.js";
 import { chosen, modelName } from "./solutions.js";
-import { on } from "./state.js";
+import { on, state } from "./state.js";
 import { quantity } from "./units.js";
 
 export function asked(report) {
   const list = el("dl", { class: "asked" });
   const draw = () =>
     list.replaceChildren(
-      ...report.asked.map(({ label, value }) => el("div", {}, el("dt", {}, label), el("dd", {}, cellText(value)))),
+      ...report.asked.map(({ label, value }) => el("div", {}, el("dt", {}, label), el("dd", {}, cellText(value, value?.dimension === "length" ? 5 : 4)))),
     );
   on("units", draw);
   draw();
@@ -24,7 +26,15 @@ function judged(part) {
   return ["within", "within the limit"];
 }
 
-function card(answer, softAnswer) {
+/** What says that a number has findings of its own: a card may not look well beside an error of the same quantity. */
+function flag(level, findings) {
+  const few = findings.length === 1 ? "see the finding above" : `see the ${findings.length} findings above`;
+  return el("p", { class: `flag ${level}` }, levelMark(level), el("strong", {}, ` ${LEVELS[level][0]}`), `: ${few}`);
+}
+
+function card(answer, softAnswer, findings) {
+  const mine = findings.filter((of) => answer.about.some((word) => of.kind.includes(word)));
+  const level = worstOf(mine);
   const dimension = answer.value?.dimension;
   const children = [
     el("h3", {}, answer.label),
@@ -32,12 +42,16 @@ function card(answer, softAnswer) {
   ];
   if (answer.worst !== null && dimension)
     children.push(el("p", { class: "note" }, `mean; at most ${quantity(answer.worst, dimension)}`));
+  for (const { label, value } of answer.more) children.push(el("p", { class: "note" }, `${cellText(value, 4)} ${label}`));
   if (softAnswer?.value?.dimension === dimension && dimension)
     children.push(el("p", { class: "note" }, `soft string ${cellText(softAnswer.value, 4)}`));
-  const worst = answer.worst ?? answer.value?.value;
+  if (level) children.push(flag(level, mine));
+  const worst = answer.held ?? answer.worst ?? answer.value?.value;
   if (answer.limit !== null && Number.isFinite(worst)) {
     const part = worst / answer.limit;
-    const [kind, words] = judged(part);
+    // Of a number that something is wrong with, a small part of the limit is no praise.
+    const wrong = level === "error" || level === "warning";
+    const [kind, words] = wrong && part <= 0.8 ? ["", "of the limit"] : judged(part);
     children.push(
       el(
         "div",
@@ -50,14 +64,14 @@ function card(answer, softAnswer) {
         el(
           "p",
           { class: "note" },
-          el("strong", {}, `${Math.round(part * 100)} %, ${words}`),
+          el("strong", {}, `${Math.round(part * 100)} %${wrong && part <= 0.8 ? "" : ","} ${words}`),
           el("br"),
           `${answer.limit_label} ${dimension === "percent" || dimension === "ratio" ? "" : quantity(answer.limit, dimension)}`,
         ),
       ),
     );
   } else children.push(el("p", { class: "note" }, answer.limit_label));
-  return el("div", { class: "card answer" }, children);
+  return el("div", { class: `card answer${level ? ` has-${level}` : ""}` }, children);
 }
 
 export function answers(report) {
@@ -75,7 +89,7 @@ export function answers(report) {
       el(
         "div",
         { class: "answers" },
-        main.answers.map((answer) => card(answer, same(answer))),
+        main.answers.map((answer) => card(answer, same(answer), findingsOf(report, state.operation))),
       ),
     );
   };

@@ -2,25 +2,22 @@
 
 import { asked } from "./answer.js";
 import { bottomView } from "./bottom.js";
+import { contents } from "./contents.js";
 import { el, select } from "./dom.js";
+import { downloads } from "./downloads.js";
+import { figure } from "./figure.js";
 import { licences } from "./footer.js";
 import { header } from "./header.js";
 import { sheet } from "./sheet.js";
-import { on, state } from "./state.js";
+import { on } from "./state.js";
 import { quantity } from "./units.js";
 
 const section = (id, title, ...children) => el("section", { id }, el("h2", {}, title), children);
 
-/** A figure that the page holds in each set of units; none where it has none. */
-function figure(name) {
-  const holder = el("div", { class: "figure-holder" });
-  const draw = () => {
-    const template = document.getElementById(`${name}-${state.units}`);
-    holder.replaceChildren(...(template ? [template.content.cloneNode(true)] : ["No point was finished."]));
-  };
-  on("units", draw);
-  draw();
-  return holder;
+/** A section with a figure that the page holds. */
+function drawn(id, title, name) {
+  const { element, file, there } = figure(name, "No point was finished.");
+  return section(id, [title, downloads(title, { svg: there() ? file : null })], element);
 }
 
 /** Shows a bit test. */
@@ -49,8 +46,8 @@ export function bitTestPage(report) {
   page.append(
     header(report.title, asked(report), () => bottom?.redraw()),
     ...(report.message ? [el("p", { class: "warning" }, report.message)] : []),
-    section("drill-off", "Drill-off", figure("drill-off")),
-    section("energy", "Specific energy", figure("specific-energy")),
+    drawn("drill-off", "Drill-off", "drill-off"),
+    drawn("energy", "Specific energy", "specific-energy"),
   );
   if (bottom) {
     offer();
@@ -58,7 +55,7 @@ export function bitTestPage(report) {
     page.append(section("bottom", "Bottom of the hole", chooser, bottom.element, told));
   }
   page.append(
-    el("section", { id: "points" }, sheet(points)),
+    section("points", "Points", sheet(points)),
     ...(inputs.length ? [section("inputs", "Inputs, defaults included", inputs.map(sheet))] : []),
     el(
       "footer",
@@ -67,5 +64,6 @@ export function bitTestPage(report) {
       licences(),
     ),
   );
+  page.querySelector("header").after(contents([...page.querySelectorAll("section:has(h2)")]).element);
   bottom?.redraw();
 }

@@ -216,7 +216,7 @@ function signs(outer, top) {
   const words = `${tickText(values.at(-1), step)} ${symbol("diameter")}`;
   return [
     new LineSegments(shape, new LineBasicMaterial({ color: colour("text") })),
-    label(words, [0, 0, away + 1.1 * size], size),
-    ...(top === null ? [] : [label("high side", [0, 1.2 * size - top, -outer], size)]),
+    label(words, [0, 0, away + 1.1 * size], 18),
+    ...(top === null ? [] : [label("high side", [0, 1.2 * size - top, -outer], 18)]),
   ];
 }

@@ -33,11 +33,39 @@ export const legendText = (_, value) => (value === null || value === undefined ?
 /** The marker of a legend is the colour of its curve. */
 export const LEGEND = { live: true, markers: { width: 0, fill: (plot, i) => plot.series[i].stroke(plot, i) } };
 
-/** The interval with air; what hardly moves is not blown up to noise. */
-export function air(low, high, dimension) {
+/** The interval with air, no shorter than the quantity's least span, SI: what hardly moves is not blown up to drama. */
+export function air(low, high, dimension, least) {
   if (low === null || high === null) return [0, 1];
-  const least = 2e-3 * Math.max(Math.abs(low), Math.abs(high)) || shown(1, dimension);
-  const span = Math.max(high - low, least);
+  const span = Math.max(high - low, shown(least, dimension));
   const middle = (low + high) / 2;
   return [middle - 0.58 * span, middle + 0.58 * span];
+}
+
+/** Names of curves that the reader hid, by their chart. */
+const hiddenBy = new Map();
+
+/** A legend that hides curves by click and by keyboard, and keeps them hidden when the chart `name` is drawn anew. */
+export function followLegend(plot, name) {
+  const hidden = hiddenBy.get(name) ?? new Set();
+  hiddenBy.set(name, hidden);
+  plot.root.querySelectorAll(".u-legend .u-series").forEach((row, i) => {
+    if (i === 0 || plot.series.length < 3) return;
+    const head = row.querySelector("th");
+    const { label } = plot.series[i];
+    const tell = () => head.setAttribute("aria-pressed", String(plot.series[i].show));
+    if (hidden.has(label)) plot.setSeries(i, { show: false });
+    for (const [key, value] of Object.entries({ tabindex: 0, role: "button", title: `Show or hide ${label}` }))
+      head.setAttribute(key, value);
+    head.addEventListener("keydown", (event) => {
+      if (event.key !== "Enter" && event.key !== " ") return;
+      event.preventDefault();
+      head.click();
+    });
+    head.addEventListener("click", () => {
+      if (plot.series[i].show) hidden.delete(label);
+      else hidden.add(label);
+      tell();
+    });
+    tell();
+  });
 }

@@ -1,12 +1,14 @@
 // Contact over depth and time, as a map.
 
 import { choice, el } from "./dom.js";
+import { csv, downloads } from "./downloads.js";
 import { nearest } from "./history.js";
 import { colour, colourScale } from "./palette.js";
 import { chosenRun } from "./solutions.js";
 import { choose, on, state } from "./state.js";
 import { isPrinting } from "./theme.js";
 import { ticks, tickText } from "./ticks.js";
+import { SvgPen } from "./svg_pen.js";
 import { digits, quantity, shown, si, symbol } from "./units.js";
 
 const LEFT = 58;
@@ -47,6 +49,7 @@ export function contactMap(report) {
         draw();
       },
     ),
+    downloads("Contact over depth and time", { svg: () => file(), csv: () => csv(...table()) }),
     el("span", { class: "hint" }, "follows the depths and times in view above; click to choose a depth and a time"),
   );
 
@@ -66,15 +69,56 @@ export function contactMap(report) {
     const ink = canvas.getContext("2d");
     ink.scale(ratio, ratio);
     ink.font = "11px system-ui, sans-serif";
+    paintAll(ink, run, width, (...what) => picture(ink, ...what));
+  }
+
+  /** All of the map with a pen; `paintPicture` paints what has pixels. */
+  function paintAll(ink, run, width, paintPicture) {
     const { depths, times } = views(run);
     const box = { left: LEFT, top: TOP, width: width - LEFT - RIGHT, height: HEIGHT - TOP - BOTTOM };
     const largest = percentile(Array.from(run.contact[kind]), 0.985);
     const signed = kind === "side_force";
     const scaled = colourScale(signed);
     const paint = (value) => scaled(signed ? 0.5 + (0.5 * value) / largest : value / largest);
-    picture(ink, run, box, depths, times, paint);
+    paintPicture(run, box, depths, times, paint);
     axes(ink, box, depths, times, run);
     scale(ink, box, largest, paint);
+  }
+
+  /** The map as the text of an SVG file. */
+  function file() {
+    const run = chosenRun(report);
+    const width = 1000;
+    const pen = new SvgPen(width, HEIGHT);
+    pen.fillStyle = colour("paper");
+    pen.fillRect(0, 0, width, HEIGHT);
+    paintAll(pen, run, width, (run, box, ...what) => {
+      const sheet = el("canvas", { width: box.width * 2, height: box.height * 2 });
+      const ink = sheet.getContext("2d");
+      ink.scale(2, 2);
+      ink.translate(-box.left, -box.top);
+      picture(ink, run, box, ...what);
+      pen.image(sheet.toDataURL(), box.left, box.top, box.width, box.height);
+    });
+    return pen.file();
+  }
+
+  /** The map as rows, of what is in view. */
+  function table() {
+    const { contact } = chosenRun(report);
+    const { depths, times } = views(chosenRun(report));
+    const rows = [];
+    contact.time_s.forEach((time, k) => {
+      if (time < times[0] || time > times[1]) return;
+      contact.md_m.forEach((depth, i) => {
+        if (depth < depths[0] || depth > depths[1]) return;
+        const at = k * contact.md_m.length + i;
+        const force = ["side_force", "contact_force"].map((name) => shown(contact[name][at], "force per length"));
+        rows.push([time, shown(depth, "length"), ...force]);
+      });
+    });
+    const unit = symbol("force per length");
+    return [["time, s", `md, ${symbol("length")}`, `side force, ${unit}`, `contact force, ${unit}`], rows];
   }
 
   function picture(ink, run, box, [d0, d1], [t0, t1], paint) {

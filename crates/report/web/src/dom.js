@@ -20,15 +20,17 @@ export function svg(name, attributes, ...children) {
   return filled(document.createElementNS(SVG, name), attributes, children);
 }
 
-/** A choice among a few, side by side. */
+/** A choice among a few, side by side: value, what stands on the button, and what it says aloud if that is another. */
 export function choice(label, options, chosen, choose) {
-  const buttons = options.map(([value, text]) =>
+  const buttons = options.map(([value, text, label]) =>
     el(
       "button",
       {
         type: "button",
         "aria-pressed": String(value === chosen),
         "data-value": value,
+        "aria-label": label,
+        title: label,
         onclick: (event) => {
           for (const other of buttons) other.setAttribute("aria-pressed", String(other === event.currentTarget));
           choose(value);

@@ -2,7 +2,9 @@
 
 import uPlot from "uplot";
 import { air, axes, LEGEND, legendText, widthOf } from "./chart.js";
+import { chartRows, chartSvg } from "./chart_svg.js";
 import { el } from "./dom.js";
+import { csv, downloads } from "./downloads.js";
 import { line } from "./palette.js";
 import { chosenRun } from "./solutions.js";
 import { on } from "./state.js";
@@ -11,9 +13,13 @@ import { shownAll, symbol } from "./units.js";
 
 const HEIGHT = 260;
 
+/** Least span of the weight's axis, N. */
+const LEAST_WEIGHT = 1e4;
+
+/** Column, title, dimension, name, and the least span of the axis, SI. */
 const PLOTS = [
-  ["rate_m_per_s", "Rate of penetration against weight", "rate of penetration", "rate of penetration"],
-  ["torque_N_m", "Torque against weight", "torque", "torque on bit"],
+  ["rate_m_per_s", "Rate of penetration against weight", "rate of penetration", "rate of penetration", 5e-4],
+  ["torque_N_m", "Torque against weight", "torque", "torque on bit", 500],
 ];
 
 export function drillOff(report) {
@@ -31,17 +37,25 @@ export function drillOff(report) {
       .sort((a, b) => samples.weight_N[a] - samples.weight_N[b]);
     const column = (name, dimension) => shownAll(Array.from(order, (i) => samples[name][i]), dimension);
     const weights = column("weight_N", "force");
-    const cards = PLOTS.map(([name, title, dimension, label]) => {
+    const cards = PLOTS.map(([name, title, dimension, label, least]) => {
       const body = el("div", { class: "plot" });
       const head = el("h3", {}, title, el("span", { class: "unit" }, ` ${symbol(dimension)}`));
-      const make = () => plots.push(scatter(body, weights, column(name, dimension), dimension, label));
+      let plot = null;
+      const across = `Weight on bit, ${symbol("force")}`;
+      head.append(
+        downloads(title, {
+          svg: () => chartSvg(plot, `${title}, ${symbol(dimension)}`, across),
+          csv: () => csv(...chartRows(plot, across, symbol(dimension))),
+        }),
+      );
+      const make = () => plots.push((plot = scatter(body, weights, column(name, dimension), dimension, label, least)));
       return { element: el("figure", { class: "card history" }, head, body), make };
     });
     holder.replaceChildren(...cards.map((card) => card.element));
     for (const card of cards) card.make();
   }
 
-  function scatter(body, weights, values, dimension, label) {
+  function scatter(body, weights, values, dimension, label, least) {
     const point = line(0);
     return new uPlot(
       {
@@ -50,8 +64,8 @@ export function drillOff(report) {
         cursor: { drag: { x: true, y: true, uni: 8 }, points: { size: 6 } },
         legend: LEGEND,
         scales: {
-          x: { time: false, range: (_, low, high) => air(low, high, "force") },
-          y: { range: (_, low, high) => air(low, high, dimension) },
+          x: { time: false, range: (_, low, high) => air(low, high, "force", LEAST_WEIGHT) },
+          y: { range: (_, low, high) => air(low, high, dimension, least) },
         },
         axes: axes(`Weight on bit, ${symbol("force")}`),
         series: [

@@ -2,12 +2,15 @@
 
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
-import { air, axes, LEGEND, legendText, widthOf } from "./chart.js";
+import { air, axes, followLegend, LEGEND, legendText, widthOf } from "./chart.js";
+import { chartRows, chartSvg } from "./chart_svg.js";
 import { below } from "./curve.js";
 import { el } from "./dom.js";
+import { csv, downloads } from "./downloads.js";
 import { colour, line } from "./palette.js";
 import { NODE_CHANNELS } from "./channels.js";
-import { chosen, chosenRun } from "./solutions.js";
+import { dashOf } from "./marker.js";
+import { chosen, chosenRun, spoken } from "./solutions.js";
 import { choose, on, state } from "./state.js";
 import { isPrinting } from "./theme.js";
 import { quantity, shown, shownAll, symbol } from "./units.js";
@@ -45,11 +48,12 @@ export function history(report, timePlots, follows) {
     if (frames?.channels[channel]) {
       const nodes = frames.md_m.length;
       const node = nearest(frames.md_m, state.depth);
-      const [name, title, dimension] = NODE_CHANNELS.find(([name]) => name === channel);
+      const [name, title, dimension, least_span] = NODE_CHANNELS.find(([name]) => name === channel);
       const values = Float32Array.from(frames.time_s, (_, k) => frames.channels[name][k * nodes + node]);
       return {
         title: `${title} at ${quantity(frames.md_m[node], "length", 5)}`,
         dimension,
+        least_span,
         columns: [[name, "node"]],
         times: frames.time_s,
         values: [values],
@@ -63,6 +67,7 @@ export function history(report, timePlots, follows) {
       return {
         title: `Side force around ${quantity(contact.md_m[stretch], "length", 5)}`,
         dimension: "force per length",
+        least_span: 100,
         columns: [["side_force_N_per_m", "side force"]],
         times: contact.time_s,
         values: [values],
@@ -77,7 +82,7 @@ export function history(report, timePlots, follows) {
     const run = chosenRun(report);
     const cards = run ? shownPlots(run).map((plot) => card(plot, run)) : [];
     holder.replaceChildren(...cards.map((card) => card.element));
-    for (const { plot, body } of cards) plots.push(make(plot, body, run));
+    for (const { plot, body, it } of cards) plots.push((it.made = make(plot, body, run)));
   }
 
   function card(plot, run) {
@@ -106,7 +111,15 @@ export function history(report, timePlots, follows) {
           plot.chooses.map(([name, title]) => el("option", { value: name, selected: name === channel }, title)),
         ),
       );
-    return { plot, body, element: el("figure", { class: "card history" }, head, body) };
+    const it = { plot, body, made: null };
+    const title = () => `${spoken(run.operation)}: ${plot.title}`;
+    head.append(
+      downloads(title, {
+        svg: () => chartSvg(it.made, `${title()}${unit ? `, ${unit}` : ""}`, "Time, s"),
+        csv: () => csv(...chartRows(it.made, "time, s", unit)),
+      }),
+    );
+    return { ...it, it, element: el("figure", { class: "card history" }, head, body) };
   }
 
   function make(plot, body, run) {
@@ -116,9 +129,10 @@ export function history(report, timePlots, follows) {
       const set = label === "set";
       return {
         label,
-        stroke: set ? colour("muted") : line([0, 2, 3][i] ?? i),
-        width: set ? 1 : 1.4,
-        dash: set ? [5, 4] : undefined,
+        stroke: line(set ? 6 : ([0, 2, 3][i] ?? i)),
+        width: set ? 1.2 : 1.4,
+        // The second stroke is the soft string's.
+        dash: set ? dashOf(4) : (dashOf([0, 2, 3][i] ?? i) ?? undefined),
         spanGaps: Boolean(plot.points),
         points: { show: false },
         value: legendText,
@@ -148,7 +162,7 @@ export function history(report, timePlots, follows) {
         legend: LEGEND,
         scales: {
           x: { time: false, min: view[0], max: view[1] },
-          y: { dir: plot.points ? -1 : 1, range: (_, low, high) => air(low, high, plot.dimension) },
+          y: { dir: plot.points ? -1 : 1, range: (_, low, high) => air(low, high, plot.dimension, plot.least_span) },
         },
         axes: axes("Time, s"),
         series: [{ label: "time, s", value: (_, value) => (value === null ? "–" : value.toFixed(2)) }, ...series],
@@ -162,6 +176,7 @@ export function history(report, timePlots, follows) {
       body,
     );
     listen(made);
+    followLegend(made, `${run.operation} ${plot.title.replace(/ (at|around) .*/, "")}`);
     return made;
   }
 

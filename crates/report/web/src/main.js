@@ -4,11 +4,9 @@ import "./style.css";
 import { bitTestPage } from "./bit_test.js";
 import { readReport } from "./data.js";
 import { runPage } from "./run.js";
-import { state } from "./state.js";
 import { useDimensions } from "./units.js";
 
 const report = readReport();
-useDimensions(report.dimensions);
-state.units = report.units;
+useDimensions(report.dimensions, report.units);
 (report.bottoms ? bitTestPage : runPage)(report);
 document.documentElement.dataset.ready = "";

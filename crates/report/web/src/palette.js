@@ -1,4 +1,4 @@
-// Colours that the colour-blind tell apart, from the page's looks.
+// The page's colours, which the program that made it declares.
 
 /** The value of a custom property of the page. */
 export const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
@@ -12,19 +12,9 @@ export function rgb(hex) {
   return [number >> 16, (number >> 8) & 255, number & 255];
 }
 
-/** Cividis (Nuñez, Anderton and Renslow 2018), by a few of its colours: even in lightness to every kind of eye. */
-const CIVIDIS = [
-  "#00224e",
-  "#123570",
-  "#3b496c",
-  "#575d6d",
-  "#707173",
-  "#8a8678",
-  "#a59c74",
-  "#c3b369",
-  "#e1cc55",
-  "#fee838",
-].map(rgb);
+/** Names of the colours from little to much, and from the low side over nothing to the high side. */
+const AMOUNTS = Array.from({ length: 10 }, (_, i) => `amount-${i}`);
+const SIDES = ["low-side-strong", "low-side", "middle", "high-side", "high-side-strong"];
 
 function between(stops, part) {
   const place = part * (stops.length - 1);
@@ -41,9 +31,7 @@ const STEPS = 512;
  * to the high side.
  */
 export function colourScale(signed) {
-  const stops = signed
-    ? ["low-side-strong", "low-side", "middle", "high-side", "high-side-strong"].map((name) => rgb(colour(name)))
-    : CIVIDIS;
+  const stops = (signed ? SIDES : AMOUNTS).map((name) => rgb(colour(name)));
   const table = Array.from({ length: STEPS + 1 }, (_, i) => between(stops, i / STEPS));
   return (part) => table[Math.round(Math.min(Math.max(part, 0), 1) * STEPS)];
 }

@@ -2,6 +2,8 @@
 
 import { deepestOf, depthAt, depthScale, edgesOf } from "./cells.js";
 import { el } from "./dom.js";
+import { csv, downloads } from "./downloads.js";
+import { SvgPen } from "./svg_pen.js";
 import { colour } from "./palette.js";
 import { on } from "./state.js";
 import { isPrinting } from "./theme.js";
@@ -21,7 +23,8 @@ const PAPER = 270;
 export function plan(get, sided) {
   const canvas = el("canvas", { class: "plan", role: "img", "aria-label": "The bottom of the hole from above" });
   const readout = el("p", { class: "readout-line" }, "\u00a0");
-  const holder = el("div", { class: "plan-holder" }, canvas, readout);
+  const save = downloads("Bottom of the hole", { svg: () => file(), csv: () => csv(...table()) });
+  const holder = el("div", { class: "plan-holder" }, canvas, readout, save);
   let side = WIDEST;
 
   function draw() {
@@ -39,6 +42,37 @@ export function plan(get, sided) {
     const reach = 1.04 * edgesOf(bottom)[1];
     picture(ink, bottom, reach, Math.round(side * ratio));
     axes(ink, reach);
+  }
+
+  /** The map as the text of an SVG file. */
+  function file() {
+    const bottom = get();
+    const pen = new SvgPen(LEFT + side + RIGHT, TOP + side + BOTTOM);
+    pen.fillStyle = colour("paper");
+    pen.fillRect(0, 0, LEFT + side + RIGHT, TOP + side + BOTTOM);
+    const sheet = el("canvas", { width: 2 * side, height: 2 * side });
+    const ink = sheet.getContext("2d");
+    ink.scale(2, 2);
+    ink.translate(-LEFT, -TOP);
+    const reach = 1.04 * edgesOf(bottom)[1];
+    picture(ink, bottom, reach, 2 * side);
+    pen.image(sheet.toDataURL(), LEFT, TOP, side, side);
+    axes(pen, reach);
+    return pen.file();
+  }
+
+  /** The depth of every cell. */
+  function table() {
+    const { radius_m, angle_rad, depth_m } = get();
+    const rows = Array.from(radius_m).flatMap((radius, ring) =>
+      Array.from(angle_rad, (angle, sector) => [
+        shown(radius, "diameter"),
+        shown(angle, "angle"),
+        shown(depth_m[ring * angle_rad.length + sector], "diameter"),
+      ]),
+    );
+    const unit = symbol("diameter");
+    return [[`radius, ${unit}`, `angle, ${symbol("angle")}`, `depth, ${unit}`], rows];
   }
 
   function picture(ink, bottom, reach, pixels) {

@@ -15,8 +15,11 @@ import { colour } from "./palette.js";
 import { ticks, tickText } from "./ticks.js";
 import { shown, si, symbol } from "./units.js";
 
-/** Words that face the reader; `anchor` is the part of them that lies left of their place. */
-export function label(text, place, size, ink = "text", anchor = 0.5) {
+/** Height of a label, of which its letters are three quarters, pixels. */
+const LETTERS = 17;
+
+/** Words that face the reader, so many pixels high; `anchor` is the part of them that lies left of their place. */
+export function label(text, place, high, ink = "text", anchor = 0.5) {
   const sheet = el("canvas", {});
   const pen = sheet.getContext("2d");
   const font = "600 44px system-ui, sans-serif";
@@ -30,7 +33,7 @@ export function label(text, place, size, ink = "text", anchor = 0.5) {
   const sprite = new Sprite(new SpriteMaterial({ map: new CanvasTexture(sheet), depthTest: false, transparent: true }));
   sprite.position.set(...place);
   sprite.center.set(anchor, 0.5);
-  sprite.scale.set((size * sheet.width) / sheet.height, size, 1);
+  sprite.userData.pixels = [(high * sheet.width) / sheet.height, high];
   sprite.renderOrder = 3;
   return sprite;
 }
@@ -79,7 +82,7 @@ export function reference(course, range, radius, from) {
     return label(
       `${tickText(value, along.step)} ${unit}`,
       place.map((at, axis) => at + away * high[axis]),
-      0.021 * size,
+      LETTERS,
       "text",
       0,
     );
@@ -92,16 +95,17 @@ export function reference(course, range, radius, from) {
     const at = ([x, z]) => [x, y, z];
     edge(at(behind), at(right));
     edge(at(behind), at(left));
-    return label(`TVD ${tickText(value, down.step)} ${unit}`, at(left), 0.019 * size, "muted", 1.06);
+    return label(`TVD ${tickText(value, down.step)} ${unit}`, at(left), LETTERS, "muted", 1.06);
   });
   for (const [x, z] of [behind, right, left]) edge([x, low.y, z], [x, high.y, z]);
   const frame = new BufferGeometry();
   frame.setAttribute("position", new Float32BufferAttribute(lines, 3));
   return [
     new LineSegments(frame, new LineBasicMaterial({ color: colour("frame"), transparent: true, opacity: 0.35 })),
-    ...depths,
+    // Of labels that would lie on each other the first stays.
+    label("N", [(low.x + high.x) / 2, high.y, low.z - 0.04 * size], LETTERS + 2),
+    label("E", [high.x + 0.04 * size, high.y, (low.z + high.z) / 2], LETTERS + 2),
     ...levels,
-    label("N", [(low.x + high.x) / 2, high.y, low.z - 0.04 * size], 0.024 * size),
-    label("E", [high.x + 0.04 * size, high.y, (low.z + high.z) / 2], 0.024 * size),
+    ...depths,
   ];
 }

@@ -3,28 +3,46 @@
 import { answers, asked } from "./answer.js";
 import { bottomView } from "./bottom.js";
 import { contactMap } from "./contact.js";
+import { contents } from "./contents.js";
 import { choice, el } from "./dom.js";
 import { drillOff } from "./drill_off.js";
+import { allFindings, findingList, findingsOf } from "./findings.js";
 import { licences } from "./footer.js";
 import { header } from "./header.js";
 import { history } from "./history.js";
+import { countMarks, countText } from "./levels.js";
 import { scene } from "./scene.js";
 import { sheet } from "./sheet.js";
 import { chosenRun, operations, spoken } from "./solutions.js";
+import { spectra } from "./spectra.js";
 import { choose, on, state } from "./state.js";
 import { tracks } from "./tracks.js";
+
+/** The operation with the gravest finding, if that is more than a note. */
+function worstOperation(report) {
+  const [worst] = allFindings(report);
+  return worst && worst.level !== "note" ? worst.solved.operation : null;
+}
+
+/** The name of an operation with what was found of it, for eyes and ears. */
+function named(report, operation) {
+  const findings = findingsOf(report, operation).filter((of) => of.level !== "note");
+  const text = findings.length ? `${spoken(operation)}: ${countText(findings)}` : null;
+  return [operation, [spoken(operation), ...countMarks(findings)], text];
+}
 
 /** Shows the report of a run. */
 export function runPage(report) {
   const all = operations(report);
   const dynamic = report.runs.at(-1);
   Object.assign(state, {
-    units: report.units,
-    operation: dynamic?.operation ?? all.at(-1),
+    // What is wrong is seen first.
+    operation: worstOperation(report) ?? dynamic?.operation ?? all.at(-1),
     depth: (report.well.md_m.at(-1) ?? 0) / 2,
   });
 
   const parts = { answers: answers(report), tracks: tracks(report) };
+  parts.findings = findingList(report, parts.tracks.zoomTo);
   if (report.runs.length) {
     parts.history = history(report, report.time_plots, true);
     parts.contact = contactMap(report);
@@ -33,6 +51,7 @@ export function runPage(report) {
     parts.bit = history(report, report.bit_plots, false);
     parts.drillOff = drillOff(report);
   }
+  if (report.runs.some((run) => run.spectra.length)) parts.spectra = spectra(report);
   if (report.runs.some((run) => run.bottom)) parts.bottom = bottomView(() => chosenRun(report)?.bottom, true);
   if (report.well.md_m.length > 1) parts.scene = scene(report);
 
@@ -60,7 +79,7 @@ export function runPage(report) {
     all.length > 1
       ? choice(
           "Operation",
-          all.map((name) => [name, spoken(name)]),
+          all.map((name) => named(report, name)),
           state.operation,
           (operation) => choose({ operation, times: null, moment: null }),
         )
@@ -70,6 +89,7 @@ export function runPage(report) {
     section(
       "answer",
       "Answer",
+      parts.findings.element,
       operationChoice && el("div", { class: "operations" }, operationChoice),
       parts.answers.element,
     ),
@@ -79,6 +99,7 @@ export function runPage(report) {
   const some = [];
   const add = (needs, ...section_) => some.push([section(...section_), needs]);
   if (parts.history) add((run) => run, "history", "In time", parts.history.element);
+  if (parts.spectra) add((run) => run?.spectra.length, "spectra", "Spectra", parts.spectra.element);
   if (parts.bit) add((run) => run?.drill_off, "bit", "Bit", parts.bit.element, parts.drillOff.element);
   if (parts.bottom) {
     const note = el("p", { class: "note" }, "As the operation left it.");
@@ -105,8 +126,14 @@ export function runPage(report) {
   );
 
   /** What the chosen operation does not have goes. */
-  const hide = () =>
+  const links = contents([...page.querySelectorAll("section")]);
+  page.querySelector("header").after(links.element);
+  const hide = () => {
     some.forEach(([section, needs]) => section.toggleAttribute("hidden", !needs(chosenRun(report))));
+    links.redraw();
+    for (const button of page.querySelectorAll(".operations button"))
+      button.setAttribute("aria-pressed", String(button.dataset.value === state.operation));
+  };
   on("operation", hide);
   hide();
   Object.values(parts).forEach((part) => part.redraw());

@@ -4,13 +4,14 @@ import { Color, DoubleSide, Mesh, MeshLambertMaterial } from "three";
 import { Course, Tube } from "./bore.js";
 import { colourKey } from "./colour_key.js";
 import { el, select } from "./dom.js";
+import { csv, downloads } from "./downloads.js";
 import { colour, colourScale } from "./palette.js";
 import { frameAt, poseOf, quantitiesOf, rangeOf } from "./pose.js";
 import { bounds, reference, walls } from "./reference.js";
 import { chosenRun, spoken } from "./solutions.js";
 import { LOOK_AROUND, noSpace, stage } from "./stage.js";
 import { choose, on, state } from "./state.js";
-import { digits, symbol } from "./units.js";
+import { digits, shown, symbol } from "./units.js";
 
 const HEIGHT = 520;
 const SIDES = 10;
@@ -67,16 +68,21 @@ export function scene(report) {
   });
   const quantityHolder = el("span", {});
   const views = [
-    ["Whole well", () => across(0.3)],
     ["From the side", () => across(0.02)],
     ["From above", () => [0.001, 1, 0.001]],
   ].map(([name, from]) => el("button", { type: "button", onclick: () => look(from()) }, name));
+  const whole = () => {
+    choose({ depths: null });
+    look(across(0.3));
+  };
+  views.unshift(el("button", { type: "button", onclick: whole }, "Whole well"));
   const tools = el(
     "div",
     { class: "tools noprint" },
     quantityHolder,
     el("label", {}, "Across × ", slider, factor),
     views,
+    downloads("The well in space", { png: () => space.canvas, csv: () => csv(...table()) }),
     el("span", { class: "hint" }, `${LOOK_AROUND}; shows the depths in view above`),
   );
 
@@ -199,6 +205,26 @@ export function scene(report) {
     }
   }
 
+  /** The string as it is drawn, for a file. */
+  function table() {
+    const pose = poseOf(report, chosenRun(report), frame);
+    const [, name, dimension] = quantitiesOf(pose).find(([name]) => name === quantity);
+    const values = pose.values(quantity);
+    const heads = [
+      `md, ${symbol("length")}`,
+      `to the high side, ${symbol("diameter")}`,
+      `to the right, ${symbol("diameter")}`,
+      `${name}, ${symbol(dimension)}`,
+    ];
+    const rows = Array.from(pose.depths, (depth, i) => [
+      shown(depth, "length"),
+      shown(pose.high[i], "diameter"),
+      shown(pose.right[i], "diameter"),
+      shown(values[i], dimension),
+    ]);
+    return [heads, rows];
+  }
+
   /** Places along the path in view. */
   function along() {
     const [from, to] = view();
@@ -220,7 +246,10 @@ export function scene(report) {
     const { low, high } = bounds(course, view());
     const middle = low.clone().add(high).multiplyScalar(0.5);
     const corners = walls({ low, high }, across(0.3)).flatMap(([x, z]) => [low.y, high.y].map((y) => [x, y, z]));
-    space.lookAt([...corners, ...along()], direction, middle);
+    const places = [...corners, ...along()];
+    // Depths stand to the right of the well, vertical depths to the left of the box.
+    space.lookAt(places, direction, middle, [84, 16]);
+    space.holder.dataset.spans = space.spans(places).map((part) => part.toFixed(2)).join(" ");
   }
 
   function redraw() {

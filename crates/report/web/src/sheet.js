@@ -1,6 +1,7 @@
 // Tables of numbers in the reader's units.
 
 import { el } from "./dom.js";
+import { csv, downloads } from "./downloads.js";
 import { on } from "./state.js";
 import { digits, grouped, plain, quantity, shown, symbol } from "./units.js";
 
@@ -10,6 +11,7 @@ const bare = (value) => (Number.isInteger(value) && Math.abs(value) < 1e12 ? gro
 export function cellText(cell, significant) {
   if (cell === null || cell === "") return "–";
   if (typeof cell === "string") return cell;
+  if (cell.href) return cell.text;
   if (typeof cell === "number") return bare(cell);
   if (cell.values) return listText(cell);
   return quantity(cell.value, cell.dimension, significant ?? 6, significant ? digits : plain);
@@ -44,7 +46,7 @@ function common(cells) {
 
 const unit = (dimension) =>
   dimension && symbol(dimension) !== "" ? el("span", { class: "unit" }, ` ${symbol(dimension)}`) : null;
-const isText = (cell) => typeof cell === "string";
+const isText = (cell) => typeof cell === "string" || Boolean(cell?.href);
 
 /** The largest number of some cells, without its sign and unit. */
 const largestOf = (cells) =>
@@ -81,7 +83,11 @@ function byColumn(sheet, writer) {
     el(
       "tr",
       {},
-      cells.map((cell, i) => el("td", { class: isText(cell) ? null : "number" }, writers[i](cell))),
+      cells.map((cell, i) => el(
+          "td",
+          { class: isText(cell) ? null : "number" },
+          cell?.href ? el("a", { href: cell.href }, cell.text) : writers[i](cell),
+        )),
     ),
   );
 }
@@ -91,6 +97,41 @@ function keys(sheet) {
   return sheet.rows.map(([name, value]) =>
     el("tr", {}, el("th", { scope: "row" }, name), el("td", {}, cellText(value))),
   );
+}
+
+/** Heads and rows of a table for a file: numbers in the reader's units, deviations in columns of their own. */
+export function fileRows(sheet, results) {
+  const number = (cell) => {
+    if (cell === null || typeof cell !== "object") return cell;
+    if (cell.values || cell.href) return cellText(cell);
+    return shown(cell.value, cell.dimension);
+  };
+  const named = (name, dimension) => (dimension && symbol(dimension) ? `${name}, ${symbol(dimension)}` : name);
+  const spread = (cells) => cells.some((cell) => cell?.std !== undefined);
+  const deviation = (cell) => (cell?.std === undefined ? null : shown(cell.std, cell.dimension));
+  if (results) {
+    const wide = sheet.heads.map((_, i) => i > 0 && spread(sheet.rows.map((row) => row[i])));
+    const heads = sheet.heads.flatMap((head, i) => (wide[i] ? [head, `${head}, deviation`] : [head]));
+    const rows = sheet.rows.map(([name, ...cells]) => [
+      named(name, common(cells)),
+      ...cells.flatMap((cell, i) => (wide[i + 1] ? [number(cell), deviation(cell)] : [number(cell)])),
+    ]);
+    return [heads, rows];
+  }
+  if (!sheet.heads.length) {
+    const unit = (cell) => (cell?.dimension ? symbol(cell.dimension) : "");
+    return [["key", "value", "unit"], sheet.rows.map(([name, cell]) => [name, number(cell), unit(cell)])];
+  }
+  const columns = sheet.heads.map((head, i) => {
+    const cells = sheet.rows.map((row) => row[i]);
+    return { head: named(head, common(cells)), wide: spread(cells) };
+  });
+  return [
+    columns.flatMap(({ head, wide }) => (wide ? [head, `${head}, deviation`] : [head])),
+    sheet.rows.map((row) =>
+      row.flatMap((cell, i) => (columns[i].wide ? [number(cell), deviation(cell)] : [number(cell)])),
+    ),
+  ];
 }
 
 export function sheet(sheet) {
@@ -120,17 +161,19 @@ export function sheet(sheet) {
   };
   on("units", draw);
   draw();
+  const save = downloads(sheet.title, { csv: () => csv(...fileRows(sheet, results)) });
   const table = el(
     "div",
     { class: "scrolls" },
     el("table", { class: sheet.heads.length ? "grid" : "keys" }, head, body),
   );
-  if (results || cases) return el("div", { class: cases ? "sheet cases" : "sheet" }, el("h3", {}, sheet.title), table);
+  if (results || cases) return el("div", { class: cases ? "sheet cases" : "sheet" }, el("h3", {}, cases ? null : sheet.title, save), table);
   const long = sheet.rows.length > 24;
   return el(
     "details",
     { class: `sheet prints${sheet.heads.length > 4 ? " wide" : ""}${long ? " long" : ""}`, open: !long },
     el("summary", {}, sheet.title, long ? ` (${sheet.rows.length} rows)` : ""),
     table,
+    save,
   );
 }

@@ -1,5 +1,6 @@
 // Which model and operation a curve belongs to, and how it looks.
 
+import { dashOf, shapeOf } from "./marker.js";
 import { line } from "./palette.js";
 import { state } from "./state.js";
 
@@ -10,17 +11,28 @@ export const modelName = (model) => (model === "soft" ? "soft string" : "dynamic
 /** Operations in the order in which they were solved. */
 export const operations = (report) => [...new Set(report.solved.map((solved) => solved.operation))];
 
-/** Colour and stroke: operations differ by colour and models by stroke; with one operation models differ by both. */
+/** Whether two models stand beside each other. */
+const bothModels = (report) => new Set(report.solved.map((other) => other.model)).size > 1;
+
+/**
+ * How a curve looks: operations differ by colour and marker, and by dash too where one model solved them; models differ by
+ * dash; with one operation models differ by colour too, and nothing has markers.
+ */
 export function look(report, solved) {
   const all = operations(report);
   const soft = solved.model === "soft";
-  const both = new Set(report.solved.map((other) => other.model)).size > 1;
-  const place = all.indexOf(solved.operation);
+  const both = bothModels(report);
+  const place = all.length === 1 && both && soft ? 1 : all.indexOf(solved.operation);
   return {
-    colour: line(all.length === 1 && both && soft ? 1 : place),
-    dashed: both && soft,
+    colour: line(place),
+    dash: both ? (soft ? dashOf(1) : null) : dashOf(place),
+    shape: all.length > 1 ? shapeOf(place) : null,
+    place,
   };
 }
+
+/** What tells a curve from all others, for those that are hidden. */
+export const curveId = (solved) => `${solved.model} ${solved.operation}`;
 
 /** The name of a curve, no longer than needed. */
 export function curveName(report, solved) {

@@ -2,7 +2,10 @@
 
 const listeners = new Map();
 
-/** The choices: units, theme, operation, interval of depth and time in view (null for all), depth and time pointed at. */
+/**
+ * The choices: units, theme, operation, interval of depth and time in view (null for all), depth and time pointed at, and
+ * the names of curves that are hidden.
+ */
 export const state = {
   units: "si",
   theme: "auto",
@@ -12,6 +15,7 @@ export const state = {
   depth: null,
   moment: null,
   pointer: null,
+  hidden: new Set(),
 };
 
 /** Calls `tell` whenever one of the choices changes. */

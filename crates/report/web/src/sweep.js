@@ -1,31 +1,53 @@
 // The page of a sweep: its figure in the reader's units, and the table.
 
 import { asked } from "./answer.js";
+import { contents } from "./contents.js";
 import { readReport } from "./data.js";
 import { el } from "./dom.js";
+import { csv, downloads } from "./downloads.js";
+import { figure } from "./figure.js";
 import { header } from "./header.js";
-import { sheet } from "./sheet.js";
-import { on, state } from "./state.js";
+import { cellText, fileRows, sheet } from "./sheet.js";
 import { useDimensions } from "./units.js";
 
 const report = readReport();
-useDimensions(report.dimensions);
-state.units = report.units;
+useDimensions(report.dimensions, report.units);
 
-const holder = el("div", { class: "figure-holder" });
-function draw() {
-  const figure = document.getElementById(`figure-${state.units}`).content.cloneNode(true);
-  holder.replaceChildren(...(figure.firstChild ? [figure] : ["Nothing was solved."]));
+/** What a point says: the case by its keys, what came out of it, and what was found. */
+function tell(row) {
+  const { heads, rows } = report.sheet;
+  const { finding, page } = report.rows[row];
+  const ends = heads.indexOf("Operation") + 1;
+  const said = (i) => `${heads[i]}: ${cellText(rows[row][i], 4)}`;
+  const keys = rows[row].slice(0, ends - 2).map((value, i) => `${heads[i]} ${cellText(value)}`);
+  const texts = heads.map((_, i) => i).filter((i) => i >= ends - 2 && rows[row][i] !== null && !rows[row][i].href);
+  const lines = texts.filter((i) => rows[row][i] !== "").map((i) => ({ text: said(i) }));
+  if (finding) lines.push({ text: finding, class: "mine" });
+  if (page) lines.push({ text: "click for its report" });
+  return { title: keys.join(", "), rows: lines, href: page };
 }
-on("units", draw);
-draw();
 
+const drawn = figure("figure", "Nothing was solved.", tell);
+const save = downloads("Sweep", {
+  svg: drawn.there() ? drawn.file : null,
+  csv: () => csv(...fileRows(report.sheet, false)),
+});
+const sections = [
+  el("section", { id: "sweep" }, el("h2", {}, "What came out of it", save), drawn.element),
+  el("section", { id: "cases" }, el("h2", {}, "All cases"), sheet(report.sheet)),
+];
+const hint = el(
+  "p",
+  { class: "hint noprint" },
+  "point at a case to read it, click to open its report where it has one; click a name of the legend to hide its curves",
+);
+sections[0].querySelector("h2").after(hint);
 document
   .getElementById("page")
   .append(
     header(report.title, asked(report), () => {}),
-    el("section", { id: "sweep" }, el("h2", {}, "What came out of it"), holder),
-    el("section", { id: "cases" }, sheet(report.sheet)),
+    contents(sections).element,
+    ...sections,
     el(
       "footer",
       {},

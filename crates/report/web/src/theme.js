@@ -1,5 +1,6 @@
 // Light and dark, and paper, which is light.
 
+import { remember, remembered } from "./memory.js";
 import { choose, state } from "./state.js";
 
 const system = matchMedia("(prefers-color-scheme: dark)");
@@ -13,6 +14,7 @@ const isDark = () => !printing && (state.theme === "dark" || (state.theme === "a
 
 /** Sets the looks; `redraw` draws again what is drawn in colours of its own. */
 export function followTheme(redraw) {
+  state.theme = remembered("theme", ["auto", "light", "dark"]) ?? state.theme;
   const set = () => {
     document.documentElement.dataset.theme = isDark() ? "dark" : "light";
   };
@@ -36,6 +38,7 @@ export function followTheme(redraw) {
   set();
   return (theme) => {
     choose({ theme });
+    remember("theme", theme);
     apply();
   };
 }

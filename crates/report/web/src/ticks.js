@@ -47,12 +47,18 @@ export function tickText(value, step) {
 
 /**
  * The interval with some air, and round zero where values keep to one side of it and come near; of nothing, or nothing
- * but zeros, the interval up to `one`.
+ * but zeros, the interval up to `one`. It is no shorter than `least`, so that what hardly changes looks so.
  */
-export function domain(low, high, withZero, one) {
+export function domain(low, high, withZero, one, least) {
   if (!(low <= high) || (low === 0 && high === 0)) return [0, one];
   if (withZero || (low > 0 && low < 0.35 * high)) low = Math.min(low, 0);
   if (withZero || (high < 0 && high > 0.35 * low)) high = Math.max(high, 0);
+  const short = least - (high - low);
+  if (short > 0) {
+    if (low >= 0 && low < short / 2) return [0, Math.max(high, least)];
+    if (high <= 0 && -high < short / 2) return [Math.min(low, -least), 0];
+    return [low - short / 2, high + short / 2];
+  }
   const span = high - low || Math.abs(high) * 0.2 || 1;
   const air = 0.05 * span;
   return [low === 0 ? 0 : low - air, high === 0 ? 0 : high + air];

@@ -2,17 +2,24 @@
 
 import { area, extent, path, valueAt } from "./curve.js";
 import { el, svg } from "./dom.js";
+import { csv, downloads, svgFile } from "./downloads.js";
+import { findingsOf, kindText } from "./findings.js";
 import { listenToDepths } from "./gestures.js";
 import { schematic, lies } from "./schematic.js";
-import { chosen, curveName, look, operations } from "./solutions.js";
+import { LEVELS } from "./levels.js";
+import { chosen, curveId, curveName, look, operations, spoken } from "./solutions.js";
 import { choose, on, state } from "./state.js";
 import { isPrinting } from "./theme.js";
+import { hideTip, showTip } from "./tip.js";
 import { alignment, domain, roomyTicks, ticks, tickText } from "./ticks.js";
 import { tracksOf } from "./track.js";
-import { digits, shown, si, symbol } from "./units.js";
+import { digits, quantity, shown, si, symbol } from "./units.js";
 
 /** Where more of the string than this is in view, joints are too many to tell apart, m. */
 const FAR_M = 400;
+
+/** Markers of a curve over the height of a track. */
+const MARKERS = 5;
 
 /** Width on paper, so that letters are of a size to be read there. */
 const PAPER = 700;
@@ -60,12 +67,47 @@ export function tracks(report) {
     el("label", {}, "to ", inputs[1]),
     unitText,
     reset,
+    downloads("Along the hole", { svg: () => svgFile(rows.map((row) => row.picture)), csv: () => csv(...table()) }),
     el(
       "span",
       { class: "hint" },
       "drag to zoom, Ctrl + wheel, Shift + drag to move, click to choose a depth, double-click for all",
     ),
   );
+
+  /** Whether the reader wants to see a curve. */
+  const seen = (curve) => curve.well || !state.hidden.has(curveId(curve.solved));
+
+  /** Every value of the depths in view, for a file. */
+  function table() {
+    const [from, to] = view();
+    const rows = all.flatMap((track) =>
+      track.curves.filter(seen).flatMap((curve) => {
+        const { solved, depths, values, low, high } = curve;
+        const number = (column, i) => (column ? shown(column[i], track.dimension) : null);
+        const who = solved ? [solved.operation, solved.model] : ["", ""];
+        return Array.from(depths, (depth, i) => [depth, i])
+          .filter(([depth]) => depth >= from && depth <= to)
+          .map(([depth, i]) => [
+            track.title,
+            symbol(track.dimension),
+            ...who,
+            shown(depth, "length"),
+            number(values, i),
+            number(low, i),
+            number(high, i),
+          ]);
+      }),
+    );
+    return [["quantity", "unit", "operation", "model", `md, ${symbol("length")}`, "value", "p05", "p95"], rows];
+  }
+
+  /** Shows an interval of depths, or what is around a depth. */
+  function zoomTo({ md_m, to_md_m }) {
+    const length = Math.max((to_md_m ?? md_m) - md_m, 0.02 * deepest);
+    zoom([md_m - 0.1 * length, (to_md_m ?? md_m) + 0.1 * length]);
+    holder.scrollIntoView({ block: "nearest" });
+  }
 
   function zoom([from, to]) {
     const [low, high] = [Math.max(Math.min(from, to), full[0]), Math.min(Math.max(from, to), full[1])];
@@ -117,7 +159,7 @@ export function tracks(report) {
     picture.append(clipped, svg("text", { x: AXIS + WELL / 2, y: 16, class: "title middle" }, "Hole, string"));
     const readouts = tracks.map((track, i) => {
       const box = { left: left + i * (wide + GAP), width: wide, top: HEAD, height };
-      return { track, text: drawTrack(picture, track, box, [from, to], y) };
+      return { track, box, text: drawTrack(picture, track, box, [from, to], y) };
     });
     const cursor = svg("line", { x1: AXIS, x2: width, class: "cursor", visibility: "hidden" });
     const chosenLine = svg("line", { x1: AXIS, x2: width, class: "chosen", visibility: "hidden" });
@@ -126,6 +168,8 @@ export function tracks(report) {
     const band = svg("rect", { x: AXIS, width: width - AXIS, class: "drag", visibility: "hidden" });
     const cover = svg("rect", { x: AXIS, y: HEAD, width: width - AXIS, height, class: "cover" });
     picture.append(band, chosenLine, cursor, flag, what, cover);
+    cover.addEventListener("pointermove", (event) => tell(event, picture, readouts, [from, to], height));
+    cover.addEventListener("pointerleave", hideTip);
     listenToDepths({ cover, band, picture, head: HEAD, height, total, full, view, zoom });
     return { picture, y, readouts, cursor, chosenLine, flag, what };
   }
@@ -149,7 +193,9 @@ export function tracks(report) {
   function drawTrack(picture, track, box, [from, to], y) {
     const view = [from, to];
     const far = to - from > FAR_M;
-    const curves = track.curves.map((curve) => (far && curve.far ? { ...curve, ...curve.far } : curve));
+    const curves = track.curves
+      .filter(seen)
+      .map((curve) => (far && curve.far ? { ...curve, ...curve.far } : curve));
     let range = track.range;
     if (!range) {
       const ends = curves.flatMap((curve) =>
@@ -160,6 +206,7 @@ export function tracks(report) {
         Math.max(...ends.map((end) => end[1])),
         track.zero || track.sides,
         si(1, track.dimension),
+        track.least_span,
       );
     }
     const x = (value) => box.left + ((value - range[0]) / (range[1] - range[0])) * box.width;
@@ -191,9 +238,10 @@ export function tracks(report) {
           class: "shoe-depth",
         }),
       );
+    findingBands(clip, box, view, y);
     if (track.sides) fillSides(clip, track, view, x, y);
     for (const curve of curves) {
-      const { colour, dashed } = curve.well ? { colour: "var(--text)", dashed: false } : look(report, curve.solved);
+      const { colour, dash, shape, place } = curve.well ? { colour: "var(--text)" } : look(report, curve.solved);
       const faint = !curve.well && operations(report).length > 1 && curve.solved.operation !== state.operation;
       if (curve.low && curve.high)
         clip.append(
@@ -207,9 +255,11 @@ export function tracks(report) {
         svg("path", {
           d: path(curve.depths, curve.values, view, x, y),
           stroke: colour,
-          class: `curve${dashed ? " dashed" : ""}${faint ? " faint" : ""}`,
+          class: `curve${faint ? " faint" : ""}`,
+          "stroke-dasharray": dash?.join(" "),
         }),
       );
+      if (shape) clip.append(...markers(curve, { colour, shape, place, faint }, view, x, y));
     }
     if (track.touches) classStrip(clip, track, box, view, y);
     const middle = box.left + box.width / 2;
@@ -241,11 +291,78 @@ export function tracks(report) {
     return text;
   }
 
+  /** Markers along a curve, each curve's at depths of its own. */
+  function markers(curve, { colour, shape, place, faint }, [from, to], x, y) {
+    const part = (k) => (k + (place + (curve.solved.model === "soft" ? 1.5 : 1)) / (operations(report).length + 1.5)) / MARKERS;
+    return Array.from({ length: MARKERS }, (_, k) => from + part(k) * (to - from))
+      .map((depth) => [depth, valueAt(curve.depths, curve.values, depth)])
+      .filter(([depth, value]) => Number.isFinite(value) && depth <= curve.depths.at(-1))
+      .map(([depth, value]) =>
+        svg("path", {
+          d: shape,
+          transform: `translate(${x(value).toFixed(1)} ${y(depth).toFixed(1)})`,
+          fill: curve.solved.model === "soft" ? "var(--paper)" : colour,
+          stroke: curve.solved.model === "soft" ? colour : "var(--paper)",
+          class: `marker${faint ? " faint" : ""}`,
+        }),
+      );
+  }
+
+  /** Stretches and places of findings of the chosen operation, light over the track, and a bar at its edge. */
+  function findingBands(clip, box, [from, to], y) {
+    for (const { level, md_m, to_md_m } of placed()) {
+      if (md_m > to || (to_md_m ?? md_m) < from) continue;
+      const [top, end] = [y(md_m), y(to_md_m ?? md_m)];
+      const height = Math.max(end - top, 2);
+      const at = { y: top, height };
+      const stretch = to_md_m !== null;
+      if (stretch) clip.append(svg("rect", { x: box.left, width: box.width, ...at, class: `found ${level}` }));
+      clip.append(svg("rect", { x: box.left + box.width - 5, width: 5, ...at, class: `found-bar ${level}` }));
+      if (level !== "error" && stretch)
+        // Bars of lesser findings have gaps, so that no colour is needed to tell them.
+        for (let gap = top + 6; gap < end; gap += level === "warning" ? 10 : 6)
+          clip.append(svg("rect", { x: box.left + box.width - 5, width: 5, y: gap, height: 3, fill: "var(--paper)" }));
+    }
+  }
+
+  /** The findings of the chosen operation that have a place, the least grave first. */
+  const placed = () =>
+    findingsOf(report, state.operation)
+      .filter((finding) => finding.md_m !== null)
+      .reverse();
+
+  /** Names and values of the track under the pointer, and what was found at its depth. */
+  function tell(event, picture, readouts, [from, to], height) {
+    const bounds = picture.getBoundingClientRect();
+    const scale = picture.viewBox.baseVal.width / bounds.width;
+    const at = (event.clientX - bounds.left) * scale;
+    const depth = from + (((event.clientY - bounds.top) * scale - HEAD) / height) * (to - from);
+    const under = readouts.find(({ box }) => at >= box.left && at <= box.left + box.width);
+    const rows = (under?.track.curves ?? []).filter(seen).map((curve) => {
+      const value = valueAt(curve.depths, curve.values, depth);
+      const name = curve.well ? "well" : curveName(report, curve.solved);
+      return {
+        colour: curve.well ? "var(--text)" : look(report, curve.solved).colour,
+        text: `${name}: ${Number.isFinite(value) ? quantity(value, under.track.dimension) : "–"}`,
+        class: !curve.well && curve.solved.operation === state.operation ? "mine" : null,
+      };
+    });
+    const reach = 0.006 * (to - from);
+    for (const finding of placed().reverse()) {
+      const { level, kind, md_m, to_md_m } = finding;
+      if (depth < md_m - reach || depth > (to_md_m ?? md_m) + reach) continue;
+      const [word, ink] = LEVELS[level];
+      rows.push({ colour: `var(--${ink})`, text: `${word}: ${kindText(kind)}` });
+    }
+    if (rows.length === 0) return hideTip();
+    showTip(event, [under?.track.title, `MD ${quantity(depth, "length", 5)}`].filter(Boolean).join(", "), rows);
+  }
+
   /** The area to zero of what the reader looks at: one colour a side. */
   function fillSides(clip, track, view, x, y) {
     const solved = chosen(report, "dynamic") ?? chosen(report, "soft");
     const curve = track.curves.find((curve) => curve.solved === solved);
-    if (!curve) return;
+    if (!curve || !seen(curve)) return;
     const zero = new Float32Array(curve.values.length);
     const part = (keep) => curve.values.map((value) => (keep(value) ? value : 0));
     clip.append(
@@ -329,7 +446,7 @@ export function tracks(report) {
   }
 
   function values(track) {
-    const mine = track.curves.filter((curve) => curve.well || curve.solved.operation === state.operation);
+    const mine = track.curves.filter((curve) => seen(curve) && (curve.well || curve.solved.operation === state.operation));
     return mine.map((curve, i) => {
       const value = valueAt(curve.depths, curve.values, state.pointer);
       const fill = curve.well ? "var(--text)" : look(report, curve.solved).colour;
@@ -343,18 +460,55 @@ export function tracks(report) {
 
   function legend() {
     const curves = report.solved.map((solved) => {
-      const { colour, dashed } = look(report, solved);
+      const { colour, dash, shape } = look(report, solved);
+      const id = curveId(solved);
+      const hidden = state.hidden.has(id);
+      const name = curveName(report, solved);
       return el(
+        "button",
+        {
+          type: "button",
+          class: "key",
+          "aria-pressed": String(!hidden),
+          title: hidden ? `Show ${name}` : `Hide ${name}`,
+          onclick: () => {
+            const next = new Set(state.hidden);
+            if (!next.delete(id)) next.add(id);
+            choose({ hidden: next });
+            // What was drawn anew keeps the keyboard's place.
+            keys.querySelector(`[data-curve="${id}"]`)?.focus();
+          },
+          "data-curve": id,
+        },
+        svg(
+          "svg",
+          { width: 30, height: 12 },
+          svg("line", { x1: 1, x2: 29, y1: 6, y2: 6, stroke: colour, class: "curve", "stroke-dasharray": dash?.join(" ") }),
+          shape &&
+            svg("path", {
+              d: shape,
+              transform: "translate(15 6)",
+              fill: solved.model === "soft" ? "var(--paper)" : colour,
+              stroke: solved.model === "soft" ? colour : "var(--paper)",
+              class: "marker",
+            }),
+        ),
+        name,
+      );
+    });
+    const found = [...new Set(placed().map((finding) => finding.level))].reverse().map((level) =>
+      el(
         "span",
         { class: "key" },
         svg(
           "svg",
-          { width: 26, height: 10 },
-          svg("line", { x1: 1, x2: 25, y1: 5, y2: 5, stroke: colour, class: `curve${dashed ? " dashed" : ""}` }),
+          { width: 20, height: 12 },
+          svg("rect", { width: 20, height: 12, class: `found ${level}` }),
+          svg("rect", { x: 15, width: 5, height: 12, class: `found-bar ${level}` }),
         ),
-        curveName(report, solved),
-      );
-    });
+        `${LEVELS[level][0].toLowerCase()} here, ${spoken(state.operation)}`,
+      ),
+    );
     const band = report.runs.length
       ? [
           el(
@@ -363,7 +517,7 @@ export function tracks(report) {
             svg(
               "svg",
               { width: 26, height: 10 },
-              svg("rect", { width: 26, height: 10, fill: "var(--line-0)", class: "band" }),
+              svg("rect", { width: 26, height: 10, fill: "var(--muted)", class: "band" }),
             ),
             "5–95 % of the time",
           ),
@@ -377,7 +531,7 @@ export function tracks(report) {
         `on the ${name} side`,
       ),
     );
-    return [...curves, ...band, ...side];
+    return [...curves, ...band, ...side, ...found];
   }
 
   const keys = el("div", { class: "legend" });
@@ -385,10 +539,10 @@ export function tracks(report) {
     keys.replaceChildren(...legend());
     draw();
   };
-  on("units depths operation", redraw);
+  on("units depths operation hidden", redraw);
   on("pointer depth", point);
   new ResizeObserver(
     () => !isPrinting() && holder.clientWidth !== Number(rows[0]?.picture.getAttribute("width")) && draw(),
   ).observe(holder);
-  return { element: el("div", {}, keys, tools, holder), redraw, full };
+  return { element: el("div", {}, keys, tools, holder), redraw, full, zoomTo };
 }

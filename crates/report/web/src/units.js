@@ -1,12 +1,16 @@
 // Numbers in the reader's units.
 
-import { state } from "./state.js";
+import { remember, remembered } from "./memory.js";
+import { on, state } from "./state.js";
 
 const SETS = ["si", "metric", "field"];
 let dimensions = {};
 
-export function useDimensions(table) {
+/** Takes the units of a page: those that the reader chose last, or else its own. */
+export function useDimensions(table, own) {
   dimensions = table;
+  state.units = remembered("units", SETS) ?? own;
+  on("units", () => remember("units", state.units));
 }
 
 function unit(dimension) {
@@ -23,7 +27,10 @@ export function shownAll(values, dimension) {
   return Array.from(values, (value) => (Number.isFinite(value) ? value / factor : null));
 }
 
-/** A number in so many significant digits, its thousands apart, without exponents where that reads better. */
+/**
+ * A number in so many significant digits, its thousands apart, without exponents where that reads better: 27 953 ft·lbf in
+ * four digits is 27,950.
+ */
 export function digits(value, significant = 4) {
   if (!Number.isFinite(value)) return "–";
   if (value === 0) return "0";
@@ -34,7 +41,9 @@ export function digits(value, significant = 4) {
   }
   const whole = Math.floor(Math.log10(size)) + 1;
   const decimals = Math.min(Math.max(significant - whole, 0), 6);
-  return grouped(value.toFixed(decimals));
+  if (whole <= significant) return grouped(value.toFixed(decimals));
+  const unsaid = 10 ** (whole - significant);
+  return grouped(String(Math.round(value / unsaid) * unsaid));
 }
 
 function raised(number) {
@@ -44,10 +53,14 @@ function raised(number) {
 
 const minus = (text) => text.replace("-", "\u2212");
 
-/** Thousands apart by a thin space, from five digits on; a true minus. */
+/**
+ * Thousands apart as the reader's units have it, and a true minus: by a thin space from five digits on, in field units by a
+ * comma.
+ */
 export function grouped(text) {
   const [whole, part] = text.split(".");
-  const apart = whole.replace("-", "").length > 4 ? whole.replace(/\B(?=(\d{3})+$)/g, "\u202f") : whole;
+  const [least, mark] = state.units === "field" ? [4, ","] : [5, "\u202f"];
+  const apart = whole.replace("-", "").length >= least ? whole.replace(/\B(?=(\d{3})+$)/g, mark) : whole;
   return minus(part === undefined ? apart : `${apart}.${part}`);
 }
 

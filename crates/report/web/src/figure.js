@@ -1,0 +1,85 @@
+// A figure that the page holds in each set of units, alive: its legend hides curves, its points say what they show.
+
+import { el } from "./dom.js";
+import { svgFile } from "./downloads.js";
+import { on, state } from "./state.js";
+import { hideTip, showTip } from "./tip.js";
+
+/**
+ * The figure `name`; where there is none, `otherwise`. `tell` gives title, rows of text and an address for a row of the
+ * table that a point shows.
+ */
+export function figure(name, otherwise, tell = null) {
+  const holder = el("div", { class: "figure-holder" });
+  const hidden = new Set();
+
+  /** What belongs to a hidden key of the legend is hidden. */
+  function hide(picture) {
+    const keys = (element) => element.dataset.keys.split(" ").filter(Boolean);
+    for (const series of picture.querySelectorAll(".series"))
+      series.toggleAttribute("hidden", keys(series).some((key) => hidden.has(key)));
+    for (const key of picture.querySelectorAll(".legend-key")) {
+      const off = hidden.has(key.dataset.keys);
+      key.setAttribute("aria-pressed", String(!off));
+      key.classList.toggle("off", off);
+    }
+  }
+
+  function wake(picture) {
+    for (const key of picture.querySelectorAll(".legend-key")) {
+      const mine = [...picture.querySelectorAll(".series")];
+      if (!mine.some((series) => series.dataset.keys.split(" ").includes(key.dataset.keys))) continue;
+      const toggle = () => {
+        if (!hidden.delete(key.dataset.keys)) hidden.add(key.dataset.keys);
+        hide(picture);
+      };
+      const attributes = { tabindex: 0, role: "button", "aria-label": `Show or hide ${key.textContent.trim()}` };
+      for (const [attribute, value] of Object.entries(attributes)) key.setAttribute(attribute, value);
+      key.addEventListener("click", toggle);
+      key.addEventListener("keydown", (event) => {
+        if (event.key !== "Enter" && event.key !== " ") return;
+        event.preventDefault();
+        toggle();
+      });
+    }
+    if (tell) for (const spot of picture.querySelectorAll(".spot")) point(spot);
+    hide(picture);
+  }
+
+  function point(spot) {
+    const said = () => tell(Number(spot.dataset.row));
+    const { title, href } = said();
+    spot.setAttribute("aria-label", title);
+    if (href) {
+      spot.setAttribute("role", "link");
+      spot.setAttribute("tabindex", 0);
+      spot.classList.add("leads");
+      const go = () => location.assign(href);
+      spot.addEventListener("click", go);
+      spot.addEventListener("keydown", (event) => event.key === "Enter" && go());
+    }
+    const show = (event) => {
+      const { title, rows } = said();
+      const box = spot.getBoundingClientRect();
+      showTip({ clientX: event.clientX ?? box.right, clientY: event.clientY ?? box.bottom }, title, rows);
+    };
+    for (const kind of ["pointerenter", "pointermove", "focus"]) spot.addEventListener(kind, show);
+    for (const kind of ["pointerleave", "blur"]) spot.addEventListener(kind, hideTip);
+  }
+
+  function draw() {
+    const template = document.getElementById(`${name}-${state.units}`);
+    const copy = template?.content.cloneNode(true);
+    holder.replaceChildren(...(copy?.firstElementChild ? [copy] : [otherwise]));
+    const picture = holder.querySelector("svg");
+    if (picture) wake(picture);
+  }
+  on("units", draw);
+  draw();
+  return {
+    element: holder,
+    /** The figure as the text of an SVG file. */
+    file: () => svgFile([...holder.querySelectorAll("svg")]),
+    there: () => holder.querySelector("svg") !== null,
+  };
+}

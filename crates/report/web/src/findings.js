@@ -1,0 +1,119 @@
+// What an engineer must be told of the answers, the gravest first.
+
+import { el } from "./dom.js";
+import { byLevel, levelMark, LEVELS } from "./levels.js";
+import { cellText } from "./sheet.js";
+import { modelName, spoken } from "./solutions.js";
+import { choose, on, state } from "./state.js";
+import { quantity } from "./units.js";
+
+/** More notes than this are folded away. */
+const MOST_NOTES = 3;
+
+/** Every finding of a report with the answer that it is about, the gravest first. */
+export const allFindings = (report) =>
+  report.solved.flatMap((solved) => solved.findings.map((finding) => ({ ...finding, solved }))).sort(byLevel);
+
+/** The findings of an operation by all models. */
+export const findingsOf = (report, operation) =>
+  allFindings(report).filter((finding) => finding.solved.operation === operation);
+
+/** `hook_load_negative` as people write it, with a capital. */
+export const kindText = (kind) => kind.replaceAll("_", " ").replace(/^./, (letter) => letter.toUpperCase());
+
+/** Where a finding stands, in the reader's units; null where it has no place. */
+export function placeText({ md_m, to_md_m }) {
+  if (md_m === null) return null;
+  const at = quantity(md_m, "length");
+  return to_md_m === null ? `at ${at}` : `${at} to ${quantity(to_md_m, "length")}`;
+}
+
+/** What was found against its limit, in the reader's units; null where it is no number. */
+function numbers({ value, limit }) {
+  if (value === null) return null;
+  return limit === null ? cellText(value, 4) : `${cellText(value, 4)} against ${cellText(limit, 4)}`;
+}
+
+/** The list of all findings; `zoom` shows an interval of depths. */
+export function findingList(report, zoom) {
+  const holder = el("div", { class: "finding-list" });
+  const many = new Set(report.solved.map((solved) => solved.operation)).size > 1;
+  const models = new Set(report.solved.map((solved) => solved.model)).size > 1;
+
+  function item(finding) {
+    const { level, solved, message } = finding;
+    const [word] = LEVELS[level];
+    const place = placeText(finding);
+    const choosable = many && solved.operation !== state.operation;
+    const whose = [many && spoken(solved.operation), models && modelName(solved.model)].filter(Boolean).join(", ");
+    return el(
+      "li",
+      { class: `finding ${level}` },
+      el("span", { class: "level" }, levelMark(level), ` ${word}`),
+      el(
+        "span",
+        { class: "message" },
+        whose &&
+          (choosable
+            ? el(
+                "button",
+                {
+                  type: "button",
+                  class: "link",
+                  title: "Show this operation",
+                  onclick: () => choose({ operation: solved.operation, times: null, moment: null }),
+                },
+                whose,
+              )
+            : el("strong", {}, whose)),
+        whose && ": ",
+        message,
+        el(
+          "span",
+          { class: "note" },
+          numbers(finding) && ` ${numbers(finding)}`,
+          place && " ",
+          place &&
+            el(
+              "button",
+              {
+                type: "button",
+                class: "link noprint",
+                title: "Show these depths along the hole",
+                onclick: () => {
+                  choose({ operation: solved.operation, times: null, moment: null });
+                  zoom(finding);
+                },
+              },
+              place,
+            ),
+        ),
+      ),
+    );
+  }
+
+  function draw() {
+    const all = allFindings(report);
+    const notes = all.filter((of) => of.level === "note");
+    const grave = all.filter((of) => of.level !== "note");
+    const folded = notes.length > MOST_NOTES;
+    const open = holder.querySelector("details")?.open ?? false;
+    holder.replaceChildren(
+      ...(all.length
+        ? [
+            el("ul", { class: "findings" }, (folded ? grave : all).map(item)),
+            folded &&
+              el(
+                "details",
+                { class: "prints", open },
+                el("summary", {}, `${notes.length} notes`),
+                el("ul", { class: "findings" }, notes.map(item)),
+              ),
+          ].filter(Boolean)
+        : []),
+    );
+  }
+
+  on("units operation", draw);
+  return { element: holder, redraw: draw };
+}
