@@ -45,8 +45,10 @@ pub struct Surroundings {
     law: ContactLaw,
     /// Young's modulus and Poisson's ratio of each node's steel.
     steel: Vec<(f64, f64)>,
-    /// Contact radius of each node, m; none where the wall does not act (the ends).
+    /// Contact radius of each node, m; none where the wall does not act: at the top and where the bit is held.
     touches: Vec<Option<f64>>,
+    /// Contact radius of the nodes at the lower end that are held to the hole's axis, m.
+    held_radii_m: Vec<f64>,
     /// A node takes up a new anchor when it has slid this far, m.
     reach_m: f64,
     /// Whether the wall asks for all that a step can do: friction at rest above the kinetic one, friction
@@ -57,6 +59,9 @@ pub struct Surroundings {
 /// A bit with less clearance than this fills its hole, m: contact and friction of its body would be those
 /// of a pipe that whirls in half a millimetre.
 const SNUG_M: f64 = 2e-3;
+
+/// Length of a bit over its diameter, at most: as much is held of a string that names no bit.
+const BIT_DIAMETERS: f64 = 2.0;
 
 /// Lateral mass of each element, kg/m: steel, mud inside, and the mud that an accelerated cylinder
 /// carries along in an annulus, `ρ π r² (R² + r²)/(R² − r²)`.
@@ -78,6 +83,24 @@ pub fn lateral_mass_kg_per_m(model: &Model, mesh: &Mesh, bit_md_m: f64) -> Vec<f
         .collect()
 }
 
+/// Length of the lower end that is held to the hole's axis instead of touching the wall, m.
+///
+/// The lowest node always is. Where the first component fills the drilled hole, all of it is if it is a
+/// [bit](crate::string::Component::is_bit); of a motor or a collar without a bit no more than a bit's length, for its
+/// body is pressed against the wall like any other.
+fn held_length_m(model: &Model) -> f64 {
+    let lowest = &model.string.components()[0];
+    let drilled = 0.5 * model.well.hole.at(model.string.length_m()).diameter_m;
+    if drilled - 0.5 * lowest.od_m >= SNUG_M {
+        return f64::MIN_POSITIVE;
+    }
+    if lowest.is_bit() {
+        lowest.length_m
+    } else {
+        lowest.length_m.min(BIT_DIAMETERS * lowest.od_m)
+    }
+}
+
 impl Surroundings {
     /// The surroundings of a chain made of `mesh`.
     pub fn new(model: &Model, mesh: &Mesh, law: ContactLaw) -> Self {
@@ -92,20 +115,20 @@ impl Surroundings {
                 )
             })
             .collect();
-        // The top is clamped in the rotary; the bit is held by the hole that it cuts, with all of its length if
-        // it fills it.
-        let bit = &model.string.components()[0];
-        let drilled = 0.5 * model.well.hole.at(model.string.length_m()).diameter_m;
-        let held_m = if drilled - 0.5 * bit.od_m < SNUG_M {
-            bit.length_m
-        } else {
-            f64::MIN_POSITIVE
-        };
-        let touches = mesh
+        // The top is clamped in the rotary; the bit is held by the hole that it cuts.
+        let held_to_m = held_length_m(model);
+        let touches: Vec<Option<f64>> = mesh
             .nodes
             .iter()
             .enumerate()
-            .map(|(i, n)| (i != 0 && n.from_bit_m >= held_m).then_some(n.contact_radius_m))
+            .map(|(i, n)| (i != 0 && n.from_bit_m >= held_to_m).then_some(n.contact_radius_m))
+            .collect();
+        let held_radii_m = mesh
+            .nodes
+            .iter()
+            .skip(1)
+            .filter(|n| n.from_bit_m < held_to_m)
+            .map(|n| n.contact_radius_m)
             .collect();
         let bore = Bore::new(&model.well.hole);
         Self {
@@ -122,7 +145,36 @@ impl Surroundings {
             law,
             steel,
             touches,
+            held_radii_m,
         }
+    }
+
+    /// How deep the nodes lie in the wall that are held to the hole's axis and so do not feel it, m: the deepest, by their
+    /// offset and their clearance; negative where all of them are inside the hole. A bit that cuts sideways takes its
+    /// hole along: `cut` is how far.
+    pub fn held_penetration_m(
+        &self,
+        chain: &Chain<impl Real>,
+        anchors: &[Anchor],
+        cut: Vector<f64>,
+    ) -> f64 {
+        let first = chain.nodes() - self.held_radii_m.len();
+        let depths = self
+            .held_radii_m
+            .iter()
+            .zip(first..)
+            .map(|(radius, index)| {
+                let (tangent, u) = (chain.tangent(index), chain.displacement(index));
+                let z = u.dot(tangent);
+                let offset = u
+                    .minus(tangent, z)
+                    .minus(chain.curvature(index), 0.5 * z * z)
+                    .minus(cut, 1.0);
+                let wall = self.bore.at(&self.path, anchors[index].md_m + z);
+                // A hole that is tighter than the tool just holds it.
+                offset.dot(offset).sqrt() - (wall.radius_m - radius).max(0.0)
+            });
+        depths.fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// Diameter of the hole at a measured depth, m.

@@ -127,11 +127,12 @@ pub struct Numerics {
     pub steps: u64,
     /// Axial mass lent to short elements over that of the string.
     pub added_axial_mass_fraction: f64,
-    /// Deepest penetration of the wall at any sample, m.
+    /// Deepest penetration of the wall at any sample, m, by the geometry: of the nodes that touch it, and of the bit,
+    /// which is held to the axis of the hole that it cuts.
     pub max_penetration_m: f64,
     /// Work put in at top drive, hoist and bit less the change of energy and every loss, over the
-    /// largest of them and of the kinetic energy: what the integration itself gained or lost. From the
-    /// start of the window. 1, all of it, in a run that diverged.
+    /// largest of them, of the kinetic energy and of what lifts the string by a millimetre: what the integration itself
+    /// gained or lost. From the start of the window. 1, and no parts, in a run that diverged.
     pub energy_residual: f64,
     /// Its parts; none before the window began and in a run that diverged.
     pub energy: Option<EnergyBalance>,

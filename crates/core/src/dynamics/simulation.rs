@@ -253,7 +253,7 @@ impl<R: Real> Run<R> {
             dt,
         );
         self.clamp_top();
-        let after = self.state.body.follow(&mut self.chain, dt);
+        let after = self.state.body.follow(&mut self.chain, &input);
         let drive = self.state.top_drive.act(&mut self.chain, rotation, dt);
         let work = StepWork {
             top_drive: drive.work_J,
@@ -261,7 +261,8 @@ impl<R: Real> Run<R> {
             bit: bit.work_J,
             body: before.work_J,
         };
-        losses.damping += before.loss_J + after.loss_J;
+        losses.damping += before.damping_loss_J;
+        losses.mud += after.mud_loss_J;
         self.state.ledger.book(&work, &losses);
 
         let sum = &mut self.state.since_sample;

@@ -408,7 +408,7 @@ impl Laying<'_> {
             let grown = (step + 1) as f64 / (GROWING * steps as f64);
             self.body.push(&mut self.chain, input, grown.min(1.0));
             stepper.step(&mut self.chain, input);
-            self.body.follow(&mut self.chain, input.dt);
+            self.body.follow(&mut self.chain, input);
             if step % CALM_STEPS == 0 {
                 stepper.calm(&mut self.chain, &calming);
                 self.chain.find_drag(input.dt);

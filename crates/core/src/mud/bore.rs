@@ -8,8 +8,8 @@ use super::{Mud, Rheology, turbulence};
 /// zero without a rheology.
 ///
 /// Laminar by Rabinowitsch's integral: Hagen and Poiseuille, Buckingham and Reiner, Metzner and Reed.
-/// Turbulent where the friction correlation exceeds that, from a Reynolds number of some 1200
-/// on: up to 2100 it is up to 1.4 times too high. The pipe is smooth, without joints.
+/// Turbulent, and between the two, by API RP 13D: from a Reynolds number of 2100 on for a Newtonian mud.
+/// The pipe is smooth, without joints.
 pub fn gradient_Pa_per_m(mud: &Mud, bore_m2: f64, flow_m3_per_s: f64) -> f64 {
     let (Some(rheology), true) = (mud.rheology, bore_m2 > 0.0 && flow_m3_per_s > 0.0) else {
         return 0.0;
@@ -124,5 +124,61 @@ mod tests {
         let friction = 0.0791 / 2e5f64.powf(0.25);
         let expected = friction * 0.5 * 1000.0 * 4.0 * 4.0 / 0.1;
         assert!((found / expected - 1.0).abs() < 0.01, "{found} {expected}");
+    }
+
+    /// Where flow turns turbulent the gradient is API RP 13D's, whatever the mud: `2 f ρ v²/d` with its friction at Metzner
+    /// and Reed's Reynolds number, which all the muds are given by the speed.
+    #[test]
+    fn the_transition_is_that_of_api_rp_13d() {
+        let (radius, area) = (0.05, PI * 0.05f64.powi(2));
+        for rheology in [
+            Rheology::Newtonian {
+                viscosity_Pa_s: 0.01,
+            },
+            Rheology::Bingham {
+                plastic_viscosity_Pa_s: 0.01,
+                yield_point_Pa: 2.0,
+            },
+            Rheology::PowerLaw {
+                consistency_Pa_s_n: 0.2,
+                flow_index: 0.6,
+            },
+        ] {
+            let n: f64 = rheology.flow_index();
+            let (a, b) = ((n.log10() + 3.93) / 50.0, (1.75 - n.log10()) / 7.0);
+            let (first, last) = (3470.0 - 1370.0 * n, 4270.0 - 1370.0 * n);
+            for reynolds in [
+                0.5 * first,
+                0.95 * first,
+                first + 400.0,
+                1.1 * last,
+                3.0 * last,
+            ] {
+                // The speed that has this Reynolds number.
+                let (mut low, mut high) = (1e-3, 100.0);
+                for _ in 0..100 {
+                    let middle = 0.5 * (low + high);
+                    let wall = laminar_wall_stress_Pa(&rheology, radius, middle * area);
+                    if 8.0 * 1000.0 * middle * middle / wall < reynolds {
+                        low = middle;
+                    } else {
+                        high = middle;
+                    }
+                }
+                let friction = if reynolds < first {
+                    16.0 / reynolds
+                } else if reynolds < last {
+                    0.5 * (16.0 / first + a / last.powf(b))
+                } else {
+                    a / reynolds.powf(b)
+                };
+                let expected = 2.0 * friction * 1000.0 * low * low / (2.0 * radius);
+                let found = gradient_Pa_per_m(&mud(rheology), area, low * area);
+                assert!(
+                    (found / expected - 1.0).abs() < 1e-9,
+                    "{rheology:?} {reynolds}: {found} {expected}"
+                );
+            }
+        }
     }
 }

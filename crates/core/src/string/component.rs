@@ -137,6 +137,14 @@ impl Component {
         self.material.shear_modulus_Pa * self.polar_moment_m4()
     }
 
+    /// Whether the component is a bit: the last word of its name is "bit".
+    pub fn is_bit(&self) -> bool {
+        self.name
+            .split(|c: char| !c.is_alphanumeric())
+            .rfind(|word| !word.is_empty())
+            .is_some_and(|word| word.eq_ignore_ascii_case("bit"))
+    }
+
     /// Radius on which the component touches the wall, m: that of the blades or of the joints where it has
     /// either, the body's otherwise.
     pub fn contact_radius_m(&self) -> f64 {
@@ -167,5 +175,26 @@ impl Component {
     pub fn torsional_yield_N_m(&self) -> Option<f64> {
         let shear_yield_Pa = 0.577 * self.yield_strength_Pa?;
         Some(2.0 * self.polar_moment_m4() * shear_yield_Pa / self.od_m)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bit_is_known_by_the_last_word_of_its_name() {
+        let steel = Material {
+            density_kg_per_m3: 7860.0,
+            youngs_modulus_Pa: 210e9,
+            shear_modulus_Pa: 76.923e9,
+        };
+        let is_bit = |name: &str| Component::uniform(name, 0.2159, 0.06, 0.3, steel).is_bit();
+        for name in ["bit", "Bit", "PDC bit", "8-1/2 in bit (bit)", "core-bit"] {
+            assert!(is_bit(name), "{name}");
+        }
+        for name in ["bit sub", "near-bit stabiliser", "motor", "orbit", ""] {
+            assert!(!is_bit(name), "{name}");
+        }
     }
 }

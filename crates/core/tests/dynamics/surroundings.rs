@@ -203,6 +203,69 @@ fn a_long_bit_has_the_torque_of_any_mesh() {
     assert_close("torque", torques[0], torques[1], 0.01);
 }
 
+/// A motor of 9 m that all but fills its hole lies on the wall, whether or not a bit is listed below it: no node of it leaves
+/// the hole by more than the contact gives way, and the deepest penetration is what the nodes' offsets say.
+///
+/// Its clearance is 1.95 mm; without a wall its upper end followed the pipe 38 mm off the axis.
+#[test]
+fn a_snug_motor_touches_the_wall() {
+    let motor = tool("motor", ComponentLength::Metres(9.0), 0.212, 0.0714);
+    let pipe = tool("pipe", ComponentLength::ToSurface, 0.1397, 0.1186);
+    let bit = tool("bit", ComponentLength::Metres(0.3), 0.2159, 0.0714);
+    let strings = [vec![motor.clone(), pipe.clone()], vec![bit, motor, pipe]];
+    for outcome in each(&strings, |components| {
+        let mut case = Case::new(
+            straight(300.0, 0.25),
+            operation(OperationKind::TripIn, 300.0),
+        );
+        case.model.string = StringSpec {
+            components: components.clone(),
+        }
+        .assemble(300.0)
+        .expect("a sound string");
+        case.run()
+    }) {
+        let (nodes, deepest_m) = (&outcome.nodes, outcome.numerics.max_penetration_m);
+        let bit_m = nodes.md_m[nodes.md_m.len() - 1];
+        let motor = |md: f64| (0.4..9.0).contains(&(bit_m - md));
+        let mut touching = 0;
+        for (i, md) in nodes.md_m.iter().enumerate().filter(|(_, md)| motor(**md)) {
+            let past_m = nodes.lateral_offset_m[i] - 0.5 * (0.2159 - 0.212);
+            assert!(past_m < 5e-4, "{past_m} m in the wall at {md} m");
+            assert!(deepest_m >= past_m, "{deepest_m} {past_m}");
+            touching += usize::from(nodes.contact_fraction[i] > 0.99);
+        }
+        assert!(touching > 0, "nothing of the motor touches");
+        assert!(deepest_m < 1e-3, "{deepest_m}");
+    }
+}
+
+/// A bit that its spring lets off the axis is in the wall by as much as the geometry says, though no wall acts on it: it
+/// fills its hole, so by all of its offset.
+#[test]
+fn a_held_bit_shows_its_penetration() {
+    let mut case = Case::new(
+        straight(300.0, 0.25),
+        operation(OperationKind::TripIn, 300.0),
+    );
+    let components = vec![
+        tool("bit", ComponentLength::Metres(0.3), 0.2159, 0.0714),
+        tool("collar", ComponentLength::Metres(60.0), 0.165, 0.0714),
+        tool("pipe", ComponentLength::ToSurface, 0.1397, 0.1186),
+    ];
+    case.model.string = StringSpec { components }
+        .assemble(300.0)
+        .expect("a sound string");
+    case.settings.bit.lateral_stiffness_N_per_m = 1e6;
+    let outcome = case.run();
+    let offset_m = *outcome.nodes.lateral_offset_m.last().expect("a bit");
+    assert!(offset_m > 2e-3, "the bit hangs {offset_m} m off the axis");
+    let deepest_m = outcome.numerics.max_penetration_m;
+    // The largest of the samples is not below their mean.
+    assert!(deepest_m >= offset_m, "{deepest_m} {offset_m}");
+    assert!(deepest_m < 2.0 * offset_m, "{deepest_m} {offset_m}");
+}
+
 /// Elements of half a metre take six times as many steps a second: ten seconds after its start a drilling string has
 /// its weight on bit within 3 % all the same.
 ///

@@ -223,6 +223,11 @@ impl Bit {
         self.motor.pressure_Pa(torque_N_m)
     }
 
+    /// How far the bit has cut its hole off the axis, m.
+    pub fn side_cut_m(&self) -> Vector<f64> {
+        self.side.cut_m()
+    }
+
     /// Whether a motor turns the bit.
     pub fn has_motor(&self) -> bool {
         self.motor != Motor::Speed(0.0)

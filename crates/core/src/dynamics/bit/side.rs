@@ -34,6 +34,11 @@ impl Side {
         }
     }
 
+    /// How far the bit has cut its hole off the axis, m.
+    pub(super) fn cut_m(&self) -> Vector<f64> {
+        self.axis_m
+    }
+
     /// The bit's node at the step's end, from what the step gave it without this rock.
     pub(super) fn hold(
         &mut self,

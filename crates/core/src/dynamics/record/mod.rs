@@ -123,8 +123,13 @@ impl Record {
         .add();
         let totals = totals.sum();
         self.samples += 1;
-        self.max_penetration_m = self.max_penetration_m.max(totals.penetration_m);
+        self.note_penetration(totals.penetration_m);
         totals
+    }
+
+    /// Notes how deep a node lies in the wall, m; negative where it is off it.
+    pub fn note_penetration(&mut self, depth_m: f64) {
+        self.max_penetration_m = self.max_penetration_m.max(depth_m);
     }
 
     /// Presses the bodies, from the next sample on, by what the pressure inside has over that outside at each

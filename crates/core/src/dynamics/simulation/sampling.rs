@@ -49,6 +49,8 @@ impl<R: Real> Run<R> {
         if !opens {
             state.ledger.book_friction(rubbed_J);
         }
+        let cut = state.bit.side_cut_m();
+        record.note_penetration(self.surroundings.held_penetration_m(chain, anchors, cut));
         let totals = record.sample(chain, &state.high, &state.body, sums.steps);
         record.map_contact(anchors, time, run_samples);
         let last = chain.nodes() - 1;

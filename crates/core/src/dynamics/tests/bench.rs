@@ -282,9 +282,11 @@ impl Bench {
     /// Goes on by a step; what the rod lost in it.
     pub fn step(&mut self) -> StepLosses {
         self.chain.find_drag(self.input.dt);
-        self.body.push(&mut self.chain, &self.input, 1.0);
+        let before = self.body.push(&mut self.chain, &self.input, 1.0);
         let mut losses = self.stepper.step(&mut self.chain, &self.input);
-        self.body.follow(&mut self.chain, self.input.dt);
+        let after = self.body.follow(&mut self.chain, &self.input);
+        losses.damping += before.damping_loss_J;
+        losses.mud += after.mud_loss_J;
         let time_s = self.input.dt;
         let calming = Calming {
             time_s,

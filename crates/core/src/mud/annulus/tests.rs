@@ -283,3 +283,48 @@ fn turbulent_flow_takes_the_friction_factors_gradient() {
     let found = -GAP.drag(&water, &moving(0.0, spin, 0.0)).torque_N(spin);
     close("torque", found, wendt, 1e-9);
 }
+
+/// Where the flow up the hole turns turbulent, every mud's gradient is its laminar one times what API RP 13D has for a
+/// slot at Metzner and Reed's Reynolds number: laminar up to 3470 − 1370 n, turbulent from 4270 − 1370 n on, halfway
+/// the mean of the two frictions. Exact but for the root that finds the laminar gradient.
+#[test]
+fn the_transition_is_that_of_api_rp_13d() {
+    let newtonian = Rheology::Newtonian {
+        viscosity_Pa_s: 0.03,
+    };
+    let unit = weightless(Rheology::Newtonian {
+        viscosity_Pa_s: 1.0,
+    });
+    let area = PI * (HOLE_M * HOLE_M - PIPE_M * PIPE_M);
+    let motion = moving(0.0, 0.0, area);
+    for rheology in [newtonian, BINGHAM, POWER_LAW] {
+        let laminar = GAP.drag(&weightless(rheology), &motion).gradient_Pa_per_m;
+        // The viscosity of a Newtonian mud with this gradient.
+        let viscosity = laminar / GAP.drag(&unit, &motion).gradient_Pa_per_m;
+        let n: f64 = rheology.flow_index();
+        let (a, b) = ((n.log10() + 3.93) / 50.0, (1.75 - n.log10()) / 7.0);
+        let (first, last) = (3470.0 - 1370.0 * n, 4270.0 - 1370.0 * n);
+        for reynolds in [1195.0, 2000.0, first + 400.0, 1.05 * last, 2e4] {
+            let friction = if reynolds < first {
+                24.0 / reynolds
+            } else if reynolds < last {
+                0.5 * (24.0 / first + a / last.powf(b))
+            } else {
+                a / reynolds.powf(b)
+            };
+            let mud = Mud {
+                density_kg_per_m3: reynolds * viscosity / (2.0 * (HOLE_M - PIPE_M)),
+                ..weightless(rheology)
+            };
+            let found = GAP.drag(&mud, &motion).gradient_Pa_per_m / laminar;
+            // Of the thinner muds the turbulent law may stay below the laminar one.
+            let expected = (friction * reynolds / 24.0).max(1.0);
+            close(
+                &format!("{rheology:?} at {reynolds}"),
+                found,
+                expected,
+                1e-6,
+            );
+        }
+    }
+}
