@@ -50,6 +50,7 @@ impl<R: Real> Run<R> {
             state.ledger.book_friction(rubbed_J);
         }
         let totals = record.sample(chain, &state.high, &state.body, sums.steps);
+        record.squeeze(&state.squeezed.each_m);
         record.map_contact(anchors, time, run_samples);
         let last = chain.nodes() - 1;
         let neutral_point_m = record::neutral_point_m(chain, anchors, totals.tension_N);
@@ -85,7 +86,7 @@ impl<R: Real> Run<R> {
         series.motor_pressure_Pa.push(motor_pressure_Pa);
         series.twist_rad.push(-totals.twist_rad);
         series.stretch_m.push(
-            totals.longer_m - state.squeezed_m
+            totals.longer_m - state.squeezed.total_m
                 + state.viscous.as_ref().map_or(0.0, Viscous::stretch_m),
         );
         let block_now = state.hoist.velocity_m_per_s();
