@@ -179,6 +179,13 @@ pub struct NodeProfile {
     pub lateral_offset_m: Vec<f64>,
     /// Work of friction over the window per metre of string, J/m.
     pub wear_work_J_per_m: Vec<f64>,
+    /// Its mean rate, W/m.
+    pub wear_power_W_per_m: Vec<f64>,
+    /// Mean turn of the node against the bit, rad, positive where it leads; at the top the scalar's.
+    pub twist_rad: Vec<f64>,
+    /// Mean elongation of the string between the node and the bit, m, against the unloaded string; at the top the
+    /// scalar's.
+    pub stretch_m: Vec<f64>,
     /// Percentiles of tension, N.
     pub tension_percentiles_N: Percentiles,
     /// Percentiles of torque, N·m.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use super::{
-    assembly::{Anchor, Surroundings},
+    assembly::Surroundings,
     bit::Came,
     chain::{Chain, node},
     crew::{Crew, Lent},
@@ -25,7 +25,7 @@ use crate::{
     operation::Operation,
     rock::{Drilling, Executor, bit_face::BottomHole},
     rod::{
-        mesh::{Mesh, MeshElement, MeshNode},
+        mesh::{Mesh, MeshNode},
         number::Real,
         stability::StepPlan,
         vector::Vector,
@@ -38,10 +38,12 @@ mod laying;
 mod numbers;
 mod sampling;
 mod speed;
+mod squeezed;
 mod state;
 
 pub use checkpoint::{Checkpoint, ResumeError};
 pub use numbers::Diverged;
+use squeezed::Squeezed;
 use state::State;
 
 /// Extra damping of the first seconds of a prepared start, relative to the rigid motion, 1/s.
@@ -212,7 +214,7 @@ impl<R: Real> Run<R> {
             .surroundings
             .follow(chain, anchors, &mut self.state.high)
         {
-            self.state.squeezed_m = squeezed_m(&self.mesh, self.mud, anchors);
+            self.state.squeezed = Squeezed::of(&self.mesh, self.mud, anchors);
         }
         chain.find_drag(self.plan.dt_s);
         if let Some(mud) = &mut self.state.viscous {
@@ -403,18 +405,10 @@ impl<R: Real> Run<R> {
             diverged,
             hydraulics: self.state.viscous.as_ref().map(Viscous::mean),
             pressures: self.state.viscous.as_ref().map(Viscous::mean_pressures),
+            flow_stretches_m: self.state.viscous.as_ref().map(Viscous::mean_stretches_m),
             instructions: self.stepper.instructions,
         })
     }
-}
-
-/// What the pressure of mud at rest shortens a string with these anchors against the unloaded one, m.
-fn squeezed_m(mesh: &Mesh, mud: MudColumn, anchors: &[Anchor]) -> f64 {
-    let squeeze = |(i, e): (usize, &MeshElement)| {
-        let tvd = 0.5 * (anchors[i].position_m.z + anchors[i + 1].position_m.z);
-        e.length_m * e.section.pressure_strain_per_Pa * mud.pressure_Pa(tvd)
-    };
-    mesh.elements.iter().enumerate().map(squeeze).sum()
 }
 
 #[cfg(test)]

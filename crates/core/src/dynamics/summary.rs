@@ -11,13 +11,13 @@ use super::{
         DynamicOutcome, HoleWear, NodeProfile, Numerics, Percentiles, Statistic, TimeSeries,
     },
     record::{Quantity, Record, Spread},
-    wear::{HOLE_STEP_M, Wear},
+    wear::Wear,
 };
 use crate::{
     model::Model,
     mud::Hydraulics,
     operation::Operation,
-    outcome::Scalars,
+    outcome::{Scalars, hole_depths_m},
     rod::{mesh::Mesh, stability::StepPlan},
 };
 
@@ -36,6 +36,8 @@ pub struct Sources<'a> {
     pub diverged: bool,
     pub hydraulics: Option<Hydraulics>,
     pub pressures: Option<FlowPressures>,
+    /// What the flow's pressures lengthen each element by, on average, m.
+    pub flow_stretches_m: Option<Vec<f64>>,
     pub instructions: &'static str,
 }
 
@@ -205,6 +207,8 @@ fn profile(s: &Sources<'_>, from: usize) -> NodeProfile {
     p.axial_friction_N_per_m = carry::spread(&carries, n, |i| -record.axial(i));
     p.friction_torque_N_m_per_m = carry::spread(&carries, n, |i| record.rub(i));
     p.wear_work_J_per_m = carry::spread(&carries, n, |i| s.wear.string_J(i));
+    p.wear_power_W_per_m = rates(&p.wear_work_J_per_m, window_s(s, from));
+    (p.twist_rad, p.stretch_m) = deformed(s);
     load(s, &mut p);
     p
 }
@@ -212,20 +216,38 @@ fn profile(s: &Sources<'_>, from: usize) -> NodeProfile {
 /// What friction has done to the hole in the time since row `from` of the series.
 fn hole_wear(s: &Sources<'_>, from: usize) -> HoleWear {
     let work = s.wear.hole_J_per_m(|i| s.anchors[i].md_m);
+    HoleWear {
+        md_m: hole_depths_m(work.len()),
+        wear_power_W_per_m: rates(&work, window_s(s, from)),
+        wear_work_J_per_m: work,
+    }
+}
+
+/// Time that the samples from row `from` of the series on stand for, s.
+fn window_s(s: &Sources<'_>, from: usize) -> f64 {
     let times = &s.record.series.time_s;
     // The first sample of the window holds the steps before it, too.
     let begin = from.checked_sub(1).map_or(0.0, |row| times[row]);
-    let seconds = times.last().map_or(0.0, |end| end - begin);
-    HoleWear {
-        md_m: (0..work.len())
-            .map(|i| (i as f64 + 0.5) * HOLE_STEP_M)
-            .collect(),
-        wear_power_W_per_m: work
-            .iter()
-            .map(|w| if seconds > 0.0 { w / seconds } else { 0.0 })
-            .collect(),
-        wear_work_J_per_m: work,
+    times.last().map_or(0.0, |end| end - begin)
+}
+
+/// The mean rates of what was done in a time.
+fn rates(work: &[f64], seconds: f64) -> Vec<f64> {
+    let rate = |w: &f64| if seconds > 0.0 { w / seconds } else { 0.0 };
+    work.iter().map(rate).collect()
+}
+
+/// Mean turn of each node against the bit and mean elongation between them, summed from the bit up.
+fn deformed(s: &Sources<'_>) -> (Vec<f64>, Vec<f64>) {
+    let nodes = s.mesh.nodes.len();
+    let (mut twist_rad, mut stretch_m) = (vec![0.0; nodes], vec![0.0; nodes]);
+    for element in (0..nodes - 1).rev() {
+        // The chain's twist has the other sign.
+        twist_rad[element] = twist_rad[element + 1] - s.record.twist(element);
+        let by_flow_m = s.flow_stretches_m.as_ref().map_or(0.0, |of| of[element]);
+        stretch_m[element] = stretch_m[element + 1] + s.record.longer_m(element) + by_flow_m;
     }
+    (twist_rad, stretch_m)
 }
 
 /// What the metal and the joints bear.
@@ -237,20 +259,20 @@ fn load(s: &Sources<'_>, p: &mut NodeProfile) {
     for (i, node) in s.mesh.nodes.iter().enumerate() {
         let (_, component) = s.model.string.component_at(node.from_bit_m);
         let at_rest_Pa = mud.pressure_Pa(s.model.well.path.at(p.md_m[i]).position_m.z);
-        let (mut outside_Pa, mut inside_Pa, mut stream_N) = (at_rest_Pa, at_rest_Pa, 0.0);
-        let bore_m2 = component.inner_area_m2();
+        let (mut outside_Pa, mut inside_Pa, mut stream_N_m2) = (at_rest_Pa, at_rest_Pa, 0.0);
         if let Some(flow) = &s.pressures {
             outside_Pa += flow.outside_Pa[i];
             inside_Pa += flow.inside_Pa[i];
-            if bore_m2 > 0.0 {
-                stream_N = flow.stream_N_m2 / bore_m2;
-            }
+            stream_N_m2 = flow.stream_N_m2;
         }
-        // `p_o A_o − p_i A_i`: nothing is left of digits that cancel where the pressures are the same.
-        let pressed_N = outside_Pa * component.area_m2() + (outside_Pa - inside_Pa) * bore_m2;
         p.outside_pressure_Pa.push(outside_Pa);
         p.inside_pressure_Pa.push(inside_Pa);
-        p.true_tension_N.push(p.tension_N[i] - pressed_N + stream_N);
+        p.true_tension_N.push(component.true_tension_N(
+            p.tension_N[i],
+            outside_Pa,
+            inside_Pa,
+            stream_N_m2,
+        ));
         p.side_force_per_joint_N.push(
             component
                 .joints

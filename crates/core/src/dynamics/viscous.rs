@@ -310,13 +310,22 @@ impl Viscous {
 
     /// What the pressures that the flow added at the last sample lengthen the string by, m.
     pub fn stretch_m(&self) -> f64 {
+        self.stretches_m(&self.pressures).sum()
+    }
+
+    /// What the pressures that the flow added lengthen each element by, on average, m.
+    pub fn mean_stretches_m(&self) -> Vec<f64> {
+        self.stretches_m(&self.mean_pressures()).collect()
+    }
+
+    fn stretches_m<'a>(&'a self, pressures: &'a FlowPressures) -> impl Iterator<Item = f64> + 'a {
         let FlowPressures {
             outside_Pa,
             inside_Pa,
             ..
-        } = &self.pressures;
+        } = pressures;
         let middle = |of: &[f64], i: usize| 0.5 * (of[i] + of[i + 1]);
-        let strains = self.passages.iter().enumerate().map(|(i, passage)| {
+        self.passages.iter().enumerate().map(move |(i, passage)| {
             passage.length_m
                 * pressure_strain(
                     passage.pressure_strain_per_Pa,
@@ -326,8 +335,7 @@ impl Viscous {
                     ),
                     (middle(inside_Pa, i), passage.bore_m2),
                 )
-        });
-        strains.sum()
+        })
     }
 }
 

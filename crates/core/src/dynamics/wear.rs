@@ -1,10 +1,10 @@
 //! Where friction works: along the string and along the hole.
 
 use super::{carry::LONGEST_REACH_M, chain::Chain};
-use crate::rod::number::Real;
-
-/// Length of hole that one number of the profile stands for, m.
-pub const HOLE_STEP_M: f64 = 5.0;
+use crate::{
+    outcome::{HOLE_STEP_M, hole_steps, spread},
+    rod::number::Real,
+};
 
 /// Work of friction since the window began: force times sliding distance, J.
 ///
@@ -25,12 +25,11 @@ pub struct Wear {
 impl Wear {
     /// No wear yet of a string of `nodes` in a hole down to `hole_end_m`, its bit at `bit_md_m`.
     pub fn new(nodes: usize, hole_end_m: f64, bit_md_m: f64) -> Self {
-        let steps = (hole_end_m / HOLE_STEP_M).ceil().max(1.0) as usize;
         Self {
             string_J: vec![0.0; nodes],
             laid_J: vec![0.0; nodes],
             bit_md_m,
-            hole_J: vec![0.0; steps],
+            hole_J: vec![0.0; hole_steps(hole_end_m)],
         }
     }
 
@@ -85,30 +84,9 @@ impl Wear {
             };
             let above = half(index.checked_sub(1).and_then(|above| working.get(above)));
             let below = half(working.get(index + 1));
-            self.spread(md - above, md + below, work);
+            spread(&mut self.hole_J, md - above, md + below, work);
         }
         self.laid_J.copy_from_slice(&self.string_J);
-    }
-
-    /// Spreads work evenly over a stretch of the hole; what lies beyond either end counts there.
-    fn spread(&mut self, from_m: f64, to_m: f64, work_J: f64) {
-        let last = self.hole_J.len() - 1;
-        let place = |md: f64| ((md / HOLE_STEP_M).max(0.0) as usize).min(last);
-        let (first, end) = (place(from_m), place(to_m));
-        let per_m = work_J / (to_m - from_m);
-        for step in first..=end {
-            let top = if step == first {
-                from_m
-            } else {
-                step as f64 * HOLE_STEP_M
-            };
-            let bottom = if step == end {
-                to_m
-            } else {
-                (step + 1) as f64 * HOLE_STEP_M
-            };
-            self.hole_J[step] += per_m * (bottom - top);
-        }
     }
 }
 

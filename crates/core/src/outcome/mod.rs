@@ -1,7 +1,10 @@
 //! The scalars that every solver answers with, and how profiles along the string are read for them.
 
+mod hole_wear;
 mod profile;
 
+pub use hole_wear::HOLE_STEP_M;
+pub(crate) use hole_wear::{hole_depths_m, hole_steps, spread};
 pub(crate) use profile::{SLACK, neutral_point_among};
 pub use profile::{cutoff_depth_m, cutoff_in_build_m, neutral_point_m};
 

@@ -1,3 +1,4 @@
 //! Static torque and drag.
 
 pub mod soft;
+pub mod span;

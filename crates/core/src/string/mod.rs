@@ -5,8 +5,10 @@ pub mod catalogue;
 mod component;
 mod drill_string;
 mod spec;
+mod strength;
 
 pub use body::{BodyBend, Cavity, Eccentricity, MOST_ECCENTRIC, NEAREST_BEND_M};
 pub use component::{Blades, Component, Material, ToolJoints};
 pub use drill_string::{DrillString, Span};
 pub use spec::{AssemblyError, ComponentLength, ComponentSpec, StringSpec};
+pub use strength::BodySection;

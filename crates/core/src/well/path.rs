@@ -271,7 +271,11 @@ impl Path {
     /// between two inclined parts its bearing turns evenly with depth from one to the other, the
     /// short way. In a wholly vertical well it is north.
     pub fn high_side_at(&self, md_m: f64) -> Vector3<f64> {
-        let point = self.at(md_m);
+        self.high_side_of(md_m, &self.at(md_m))
+    }
+
+    /// [`Self::high_side_at`] where the point of the path is known already.
+    pub(crate) fn high_side_of(&self, md_m: f64, point: &PathPoint) -> Vector3<f64> {
         let bearing = match self.near_vertical.bearing_rad(md_m) {
             Some(bearing) => bearing,
             None => match point.high_side() {

@@ -9,15 +9,18 @@
 //! that bridges the place where the string changes sides.
 
 use wholestring::{
-    dynamics::{ContactLaw, DynamicOutcome, DynamicsSettings, FrictionLaw},
-    operation::OperationKind::{self, *},
+    dynamics::{ContactLaw, DynamicOutcome, DynamicsSettings, FrictionLaw, Precision},
+    operation::{
+        Operation,
+        OperationKind::{self, *},
+    },
     outcome::Scalars,
     statics::soft,
 };
 
 use crate::{
-    common::{assert_close, relative_error},
-    wells::{Case, each, moderate},
+    common::{assert_close, operation, relative_error},
+    wells::{Case, each, moderate, straight},
 };
 
 const MU: f64 = 0.25;
@@ -152,6 +155,82 @@ fn independent_friction_drags_as_a_sliding_string() {
             assert!(
                 torque < most && torque > 0.98 * most,
                 "{torque} for {most} N·m"
+            );
+        }
+    }
+}
+
+/// Twist and stretch of the nodes are summed from the bit up, sample by sample: at the bit they are nothing, at the top
+/// the scalars but for the rounding of the means (1e-9 of sums of some hundred samples). Friction works at its mean
+/// rate. In both kinds of number, and where the string moves so far that the hole is found anew.
+#[test]
+fn twist_and_stretch_of_the_nodes_end_in_the_scalars() {
+    let kinds = [
+        TripOut,
+        TripIn,
+        RotateOffBottom,
+        Drill,
+        Slide,
+        Ream,
+        BackReam,
+    ];
+    let cases = kinds.iter().flat_map(|kind| {
+        [Precision::Double, Precision::Single].map(|precision| {
+            let operation = Operation {
+                trip_speed_m_per_s: 5.0,
+                weight_on_bit_N: 10e3,
+                bit_torque_N_m: 500.0,
+                rate_of_penetration_m_per_s: 0.01,
+                ..operation(*kind, 300.0)
+            };
+            let mut case = Case::new(straight(300.0, 0.25), operation);
+            case.settings.precision = precision;
+            case.settings.settle_s = 0.3;
+            case.settings.duration_s = 0.4;
+            case
+        })
+    });
+    for case in cases {
+        let outcome = case.run();
+        let (nodes, scalars) = (&outcome.nodes, &outcome.scalars);
+        let name = format!("{:?} {:?}", case.operation.kind, case.settings.precision);
+        let last = nodes.md_m.len() - 1;
+        assert_eq!([nodes.twist_rad[last], nodes.stretch_m[last]], [0.0; 2]);
+        let close = |what: &str, found: f64, expected: f64, scale: f64| {
+            let error = (found - expected).abs();
+            assert!(
+                error <= 1e-9 * scale,
+                "{name}: {what} {found} for {expected}"
+            );
+        };
+        let size = |of: &[f64]| of.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        close(
+            "twist",
+            nodes.twist_rad[0],
+            scalars.twist_rad,
+            size(&nodes.twist_rad),
+        );
+        close(
+            "stretch",
+            nodes.stretch_m[0],
+            scalars.stretch_m,
+            size(&nodes.stretch_m),
+        );
+        assert!(size(&nodes.stretch_m) > 1e-4, "{name}");
+        assert!(size(&nodes.wear_work_J_per_m) > 0.0, "{name}");
+        let times_s = &outcome.series.time_s;
+        let first = times_s.partition_point(|time| *time < case.settings.settle_s);
+        let window_s = times_s[times_s.len() - 1] - times_s[first - 1];
+        for (work, power) in nodes
+            .wear_work_J_per_m
+            .iter()
+            .zip(&nodes.wear_power_W_per_m)
+        {
+            close(
+                "power",
+                window_s * power,
+                *work,
+                size(&nodes.wear_work_J_per_m),
             );
         }
     }

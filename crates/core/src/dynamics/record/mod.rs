@@ -59,6 +59,8 @@ pub struct Record {
     layout: Layout,
     strength: Strength,
     sums: Vec<SumBlock>,
+    /// Sums of what the pressure of the mud at rest shortens each element by, m.
+    squeezed_m: Vec<f64>,
     kept: Kept,
     sides: Sides,
     contact: MapKeeper,
@@ -78,6 +80,7 @@ impl Record {
             layout,
             strength: Strength::new(model, mesh, layout),
             sums: vec![SumBlock::EMPTY; layout.blocks()],
+            squeezed_m: vec![0.0; mesh.elements.len()],
             kept: Kept::new(layout.blocks(), samples),
             sides: Sides::new(mesh.nodes.len()),
             contact: MapKeeper::new(mesh),
@@ -91,6 +94,7 @@ impl Record {
     /// Begins the window: what was summed before it, in case it never began, goes.
     pub fn open_window(&mut self) {
         self.sums.fill(SumBlock::EMPTY);
+        self.squeezed_m.fill(0.0);
         self.kept.clear();
         self.sides.restart();
         self.contact.restart();
@@ -130,6 +134,13 @@ impl Record {
     /// Notes how deep a node lies in the wall, m; negative where it is off it.
     pub fn note_penetration(&mut self, depth_m: f64) {
         self.max_penetration_m = self.max_penetration_m.max(depth_m);
+    }
+
+    /// Adds what the pressure of the mud at rest shortens each element by at the sample, m.
+    pub fn squeeze(&mut self, each_m: &[f64]) {
+        for (sum, squeezed) in self.squeezed_m.iter_mut().zip(each_m) {
+            *sum += squeezed;
+        }
     }
 
     /// Presses the bodies, from the next sample on, by what the pressure inside has over that outside at each
@@ -182,6 +193,15 @@ impl Record {
     pub fn torque(&self, index: usize) -> Spread {
         let about = self.sum_of(index, |s| &s.about[1]);
         self.spread_of(index, about, |s| &s.torque)
+    }
+    /// Mean twist of an element, rad, in the sign of the chain.
+    pub fn twist(&self, index: usize) -> f64 {
+        self.mean_of(index, |s| &s.twist)
+    }
+    /// What its tension lengthens an element by, less what the mud at rest shortens it by, on average, m.
+    pub fn longer_m(&self, index: usize) -> f64 {
+        let pulled_m = self.tension(index).mean * self.strength.compliance_m_per_N(index);
+        pulled_m - self.squeezed_m[index] / self.samples.max(1) as f64
     }
     /// Contact force of a node, N.
     pub fn normal(&self, index: usize) -> Spread {

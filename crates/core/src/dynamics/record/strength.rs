@@ -7,6 +7,7 @@ use crate::{
     dynamics::layout::Layout,
     model::Model,
     rod::{lanes::DOUBLES, mesh::Mesh},
+    string::BodySection,
 };
 
 /// Of each node, the weakest body within half an element on either side: the one with the smallest
@@ -38,29 +39,16 @@ pub struct Metal {
 }
 
 impl Metal {
-    /// Von Mises stress, Pa, on the outside of the bend, at the outer or the inner surface, whichever bears more, of a
-    /// body that carries an effective tension `T`, N, a bending moment `M` and a torque `M_t`, N·m.
-    ///
-    /// Lamé's stresses of a thick tube with the pressures `p_o` and `p_i` leave, whatever their mean,
-    ///
-    /// ```text
-    /// σ² = (|T|/A + σ_b)² + 3τ² + 3 (A_o/A (p_i − p_o))²        inside,  A_i for A_o outside,
-    /// ```
-    ///
-    /// with `σ_b = M D/2I` and `τ = M_t D/4I` outside, the part `d/D` of both inside: the axial stress
-    /// `(T + p_i A_i − p_o A_o)/A` is `T/A` more than the mean of radial and hoop stress.
+    /// [`BodySection::von_mises_Pa`] of the body at a lane.
     #[inline(always)]
     pub fn stress_Pa(&self, lane: usize, tension_N: f64, bending_N_m: f64, torque_N_m: f64) -> f64 {
-        let pulled = tension_N.abs() * self.per_area[lane];
-        let bent = bending_N_m * self.per_modulus[lane];
-        let sheared = 0.5 * torque_N_m * self.per_modulus[lane];
-        let square = |part: f64, area: f64| {
-            let (normal, shear) = (pulled + part * bent, part * sheared);
-            normal * normal + 3.0 * (shear * shear + area * area * self.burst_square[lane])
+        let section = BodySection {
+            per_area_m2: self.per_area[lane],
+            per_modulus_m3: self.per_modulus[lane],
+            bore_part: self.bore_part[lane],
+            bore_per_area: self.bore_per_area[lane],
         };
-        let bore = self.bore_per_area[lane];
-        let (outer, inner) = (square(1.0, bore), square(self.bore_part[lane], 1.0 + bore));
-        if inner > outer { inner } else { outer }.sqrt()
+        section.von_mises_Pa(tension_N, bending_N_m, torque_N_m, self.burst_square[lane])
     }
 }
 
@@ -90,17 +78,18 @@ impl Strength {
             let above = node.from_bit_m + half(index.checked_sub(1));
             let (first, _) = model.string.component_at(below);
             let (last, _) = model.string.component_at(above);
-            let modulus = |c: usize| components[c].second_moment_m4() / (0.5 * components[c].od_m);
+            let modulus = |c: usize| components[c].section_modulus_m3();
             let weakest = (first..=last)
                 .min_by(|a, b| modulus(*a).total_cmp(&modulus(*b)))
                 .unwrap_or(first);
             let (block, lane) = layout.place(index);
             let metal = &mut blocks[block];
             let component = &components[weakest];
-            metal.per_area[lane] = 1.0 / component.area_m2();
-            metal.per_modulus[lane] = 1.0 / modulus(weakest);
-            metal.bore_part[lane] = component.id_m / component.od_m;
-            metal.bore_per_area[lane] = component.inner_area_m2() / component.area_m2();
+            let section = BodySection::of(component);
+            metal.per_area[lane] = section.per_area_m2;
+            metal.per_modulus[lane] = section.per_modulus_m3;
+            metal.bore_part[lane] = section.bore_part;
+            metal.bore_per_area[lane] = section.bore_per_area;
             if let Some(element) = mesh.elements.get(index) {
                 metal.per_length[lane] = 1.0 / element.length_m;
                 metal.compliance[lane] = element.length_m / element.section.axial_stiffness_N;
@@ -132,6 +121,12 @@ impl Strength {
     pub fn per_modulus_m3(&self, index: usize) -> f64 {
         let (block, lane) = self.layout.place(index);
         self.blocks[block].per_modulus[lane]
+    }
+
+    /// What a newton lengthens the element below a node by, m/N; zero below the bit.
+    pub fn compliance_m_per_N(&self, index: usize) -> f64 {
+        let (block, lane) = self.layout.place(index);
+        self.blocks[block].compliance[lane]
     }
 
     /// Minimum yield strength at a node, Pa, where it is known.

@@ -40,6 +40,7 @@ pub struct SumBlock {
     pub bending_max: Lane,
     pub stress: Lane,
     pub stress_max: Lane,
+    pub twist: Lane,
 }
 
 const NONE: Lane = [0.0; DOUBLES];
@@ -65,6 +66,7 @@ impl SumBlock {
         bending_max: NONE,
         stress: NONE,
         stress_max: NONE,
+        twist: NONE,
     };
 
     #[inline(always)]
@@ -97,6 +99,7 @@ impl SumBlock {
             self.bending_max[lane] = larger(self.bending_max[lane], look.bending[lane]);
             self.stress[lane] += look.stress[lane];
             self.stress_max[lane] = larger(self.stress_max[lane], look.stress[lane]);
+            self.twist[lane] += look.twist[lane];
         }
     }
 }

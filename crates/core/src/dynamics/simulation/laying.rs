@@ -1,6 +1,6 @@
 //! The beginning of a run.
 
-use super::{Run, sampling::SinceSample, squeezed_m, state::State};
+use super::{Run, sampling::SinceSample, squeezed::Squeezed, state::State};
 use crate::{
     dynamics::{
         assembly,
@@ -149,7 +149,7 @@ impl<R: Real> Run<R> {
             assembly::note_high_side(&mut high, layout.place(index), anchor);
         }
         let state = State {
-            squeezed_m: squeezed_m(mesh, model.mud_column(), &anchors),
+            squeezed: Squeezed::of(mesh, model.mud_column(), &anchors),
             anchors,
             set_points: SetPoints::new(&first, &settings.schedule),
             top_drive,

@@ -52,6 +52,7 @@ impl<R: Real> Run<R> {
         let cut = state.bit.side_cut_m();
         record.note_penetration(self.surroundings.held_penetration_m(chain, anchors, cut));
         let totals = record.sample(chain, &state.high, &state.body, sums.steps);
+        record.squeeze(&state.squeezed.each_m);
         record.map_contact(anchors, time, run_samples);
         let last = chain.nodes() - 1;
         let neutral_point_m = record::neutral_point_m(chain, anchors, totals.tension_N);
@@ -87,7 +88,7 @@ impl<R: Real> Run<R> {
         series.motor_pressure_Pa.push(motor_pressure_Pa);
         series.twist_rad.push(-totals.twist_rad);
         series.stretch_m.push(
-            totals.longer_m - state.squeezed_m
+            totals.longer_m - state.squeezed.total_m
                 + state.viscous.as_ref().map_or(0.0, Viscous::stretch_m),
         );
         let block_now = state.hoist.velocity_m_per_s();

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::sampling::SinceSample;
+use super::{sampling::SinceSample, squeezed::Squeezed};
 use crate::dynamics::{
     assembly::Anchor, bit::Bit, body::Body, chain::Rows, energy::Ledger, hoist::Hoist,
     record::Record, schedule::SetPoints, top_drive::TopDrive, viscous::Viscous, wear::Wear,
@@ -19,8 +19,8 @@ pub(super) struct State {
     pub(super) body: Body,
     pub(super) bit: Bit,
     pub(super) viscous: Option<Viscous>,
-    /// What the pressure of mud at rest shortens the string against the unloaded one, by `(1 − 2ν)p/E`, m.
-    pub(super) squeezed_m: f64,
+    /// What the pressure of mud at rest shortens the string by.
+    pub(super) squeezed: Squeezed,
     /// What the pumps deliver, m³/s.
     pub(super) flow_m3_per_s: f64,
     pub(super) rigid_velocity_m_per_s: f64,

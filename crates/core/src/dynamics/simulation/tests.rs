@@ -212,7 +212,7 @@ fn wear_is_laid_on_the_hole() {
             .sum();
         assert!(lost > 1000.0, "{lost}");
         assert!((nodes / lost - 1.0).abs() < 1e-12, "{nodes} {lost}");
-        let hole = hole * super::super::wear::HOLE_STEP_M;
+        let hole = hole * crate::outcome::HOLE_STEP_M;
         assert!((hole / lost - 1.0).abs() < 1e-12, "{hole} {lost}");
     }
 }

@@ -27,6 +27,12 @@ pub(super) struct Circulating {
     pub(super) torque_N_m_per_m: f64,
     /// Strain by the pressures that flow adds, the mean of the stretch.
     pub(super) strain: f64,
+    /// What the flow adds to the pressure in the annulus at the lower end, Pa, and what of it a metre upwards takes.
+    pub(super) outer_Pa: f64,
+    pub(super) outer_fall_Pa_per_m: f64,
+    /// What it adds to the pressure in the bore at the lower end, Pa, and what a metre upwards adds.
+    pub(super) inner_Pa: f64,
+    pub(super) inner_rise_Pa_per_m: f64,
 }
 
 /// What the mud does to stretches, from the bit up, and to the whole string; nothing without a rheology.
@@ -66,13 +72,15 @@ pub(super) fn along(
     // From the bit up the pressure falls outside and rises inside.
     let (mut outer_Pa, mut inner_Pa) = (annulus_loss_Pa, annulus_loss_Pa + below_Pa);
     let circulating = stretches.iter().zip(&drags).map(|(s, drag)| {
-        let rise = s.length_m * bore::gradient_Pa_per_m(&model.mud, s.bore_m2, flow_m3_per_s);
+        let inner_rise_Pa_per_m = bore::gradient_Pa_per_m(&model.mud, s.bore_m2, flow_m3_per_s);
+        let rise = s.length_m * inner_rise_Pa_per_m;
         let fall = s.length_m * drag.gradient_Pa_per_m;
         let strain = pressure_strain(
             s.pressure_strain_per_Pa,
             (outer_Pa - 0.5 * fall, FRAC_PI_4 * s.od_m * s.od_m),
             (inner_Pa + 0.5 * rise, s.bore_m2),
         );
+        let lower_end_Pa = (outer_Pa, inner_Pa);
         (outer_Pa, inner_Pa) = (outer_Pa - fall, inner_Pa + rise);
         let pull_N_per_m = drag.axial_N_per_m(motion.axial_m_per_s);
         let torque_N_m_per_m = -drag.torque_N(motion.spin_rad_per_s);
@@ -83,6 +91,10 @@ pub(super) fn along(
             pull_N_per_m,
             torque_N_m_per_m,
             strain,
+            outer_Pa: lower_end_Pa.0,
+            outer_fall_Pa_per_m: drag.gradient_Pa_per_m,
+            inner_Pa: lower_end_Pa.1,
+            inner_rise_Pa_per_m,
         }
     });
     let circulating = circulating.collect();

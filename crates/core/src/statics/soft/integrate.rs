@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 
 use super::{
     SoftError, SoftSettings,
+    bearing::{Bearing, Carrier},
     circulation::{self, Circulating, Passage},
     motion::Sliding,
 };
@@ -13,6 +14,7 @@ use crate::{
     model::{Model, MudColumn},
     mud::Hydraulics,
     operation::Operation,
+    outcome::{hole_steps, spread},
     string::Component,
     well::{Path, PathPoint},
 };
@@ -57,7 +59,7 @@ impl Mul<f64> for Totals {
 }
 
 /// A stretch of hole on which everything but the path's direction is constant.
-struct Stretch {
+struct Stretch<'a> {
     /// Upper and lower end, m.
     from_md_m: f64,
     to_md_m: f64,
@@ -76,6 +78,7 @@ struct Stretch {
     bore_m2: f64,
     hole_diameter_m: f64,
     circulating: Circulating,
+    carrier: Carrier<'a>,
 }
 
 /// Load on the wall at one point.
@@ -92,9 +95,10 @@ pub(super) struct Row {
     pub(super) totals: Totals,
     pub(super) load: Load,
     pub(super) high_side: Vector3<f64>,
+    pub(super) bearing: Bearing,
 }
 
-impl Stretch {
+impl Stretch<'_> {
     fn load(&self, point: &PathPoint, tension_N: f64) -> Load {
         let down = Vector3::z();
         let across = down - point.tangent * point.tangent.z;
@@ -132,11 +136,30 @@ impl Stretch {
     }
 
     fn row(&self, path: &Path, md_m: f64, point: &PathPoint, totals: &Totals) -> Row {
+        let high_side = path.high_side_of(md_m, point);
+        let load = self.load(point, totals.tension_N);
+        let at_rest_Pa = self.mud.pressure_Pa(point.position_m.z);
+        let up_m = self.to_md_m - md_m;
+        let Circulating {
+            outer_Pa,
+            outer_fall_Pa_per_m,
+            inner_Pa,
+            inner_rise_Pa_per_m,
+            ..
+        } = self.circulating;
+        let pressures_Pa = [
+            at_rest_Pa + outer_Pa - outer_fall_Pa_per_m * up_m,
+            at_rest_Pa + inner_Pa + inner_rise_Pa_per_m * up_m,
+        ];
+        let bearing = self
+            .carrier
+            .bears(point, &high_side, &load, totals, pressures_Pa);
         Row {
             md_m,
             totals: *totals,
-            load: self.load(point, totals.tension_N),
-            high_side: path.high_side_at(md_m),
+            load,
+            high_side,
+            bearing,
         }
     }
 }
@@ -171,15 +194,16 @@ fn ends(model: &Model, bit_depth_m: f64) -> Vec<f64> {
 /// Boundaries that lie closer together than this are one, m.
 const SHORTEST_STRETCH_M: f64 = 1e-6;
 
-fn stretch(
-    model: &Model,
+fn stretch<'a>(
+    model: &'a Model,
+    operation: &Operation,
     sliding: Sliding,
-    bit_depth_m: f64,
     to_md_m: f64,
     from_md_m: f64,
-) -> Stretch {
+) -> Stretch<'a> {
     let middle_m = 0.5 * (from_md_m + to_md_m);
-    let (_, component): (_, &Component) = model.string.component_at(bit_depth_m - middle_m);
+    let (_, component): (_, &Component) =
+        model.string.component_at(operation.bit_depth_m - middle_m);
     let friction = model.well.hole.at(middle_m).friction;
     let mud_density = model.mud.density_kg_per_m3;
     let contact_radius_m = component.contact_radius_m();
@@ -200,10 +224,11 @@ fn stretch(
         bore_m2: component.inner_area_m2(),
         hole_diameter_m: hole.diameter_m,
         circulating: Circulating::default(),
+        carrier: Carrier::new(model, operation, component, hole.diameter_m),
     }
 }
 
-impl Stretch {
+impl Stretch<'_> {
     fn passage(&self) -> Passage {
         Passage {
             length_m: self.to_md_m - self.from_md_m,
@@ -216,7 +241,7 @@ impl Stretch {
 }
 
 /// One step of the classical Runge-Kutta method, up by `step_m`, through three points of the path.
-fn step(stretch: &Stretch, points: [&PathPoint; 3], step_m: f64, at: Totals) -> Totals {
+fn step(stretch: &Stretch<'_>, points: [&PathPoint; 3], step_m: f64, at: Totals) -> Totals {
     let [lower, middle, upper] = points;
     let k1 = stretch.rate(lower, &at);
     let k2 = stretch.rate(middle, &(at + k1 * (0.5 * step_m)));
@@ -225,18 +250,30 @@ fn step(stretch: &Stretch, points: [&PathPoint; 3], step_m: f64, at: Totals) -> 
     at + (k1 + (k2 + k3) * 2.0 + k4) * (step_m / 6.0)
 }
 
-/// The rows from the bit up, at least two, the totals at the surface, and what the mud does if it flows.
+/// What the integration found.
+pub(super) struct Integral {
+    /// Rows from the bit up, at least two.
+    pub(super) rows: Vec<Row>,
+    /// What has accumulated at the surface.
+    pub(super) totals: Totals,
+    /// Power of friction on each stretch of the hole, W.
+    pub(super) hole_W: Vec<f64>,
+    /// What the mud does, if it flows.
+    pub(super) hydraulics: Option<Hydraulics>,
+}
+
+/// Integrates from the bit to the surface.
 pub(super) fn from_bit(
     model: &Model,
     operation: &Operation,
     sliding: Sliding,
     settings: &SoftSettings,
-) -> Result<(Vec<Row>, Totals, Option<Hydraulics>), SoftError> {
+) -> Result<Integral, SoftError> {
     let bit_depth_m = operation.bit_depth_m;
     let path = &model.well.path;
-    let mut stretches: Vec<Stretch> = ends(model, bit_depth_m)
+    let mut stretches: Vec<Stretch<'_>> = ends(model, bit_depth_m)
         .windows(2)
-        .map(|pair| stretch(model, sliding, bit_depth_m, pair[0], pair[1]))
+        .map(|pair| stretch(model, operation, sliding, pair[0], pair[1]))
         .collect();
     let passages: Vec<Passage> = stretches.iter().map(Stretch::passage).collect();
     let (circulating, hydraulics) = circulation::along(model, operation, &passages);
@@ -252,6 +289,9 @@ pub(super) fn from_bit(
         stretch_m: 0.0,
         twist_rad: 0.0,
     };
+    let axial_m_per_s = operation.axial_velocity_m_per_s();
+    let rotation_rad_per_s = operation.rotation_rad_per_s();
+    let mut hole_W = vec![0.0; hole_steps(bit_depth_m)];
     let mut rows = Vec::new();
     for stretch in &stretches {
         let length_m = stretch.to_md_m - stretch.from_md_m;
@@ -269,6 +309,7 @@ pub(super) fn from_bit(
             rows.push(stretch.row(path, lower_md_m, &lower, &totals));
             let middle = path.at(0.5 * (lower_md_m + upper_md_m));
             let upper = path.at(upper_md_m);
+            let before = totals;
             totals = step(stretch, [&lower, &middle, &upper], step_m, totals);
             if !(totals.tension_N.is_finite()
                 && totals.torque_N_m.is_finite()
@@ -277,11 +318,21 @@ pub(super) fn from_bit(
             {
                 return Err(SoftError::NotFinite { md_m: upper_md_m });
             }
+            let mud_N_m = stretch.circulating.torque_N_m_per_m * step_m;
+            let rubbed_N_m = totals.torque_N_m - before.torque_N_m - mud_N_m;
+            let rubbed_W = rotation_rad_per_s * rubbed_N_m
+                - axial_m_per_s * (totals.axial_friction_N - before.axial_friction_N);
+            spread(&mut hole_W, upper_md_m, lower_md_m, rubbed_W);
             (lower_md_m, lower) = (upper_md_m, upper);
         }
         if stretch.from_md_m == 0.0 {
             rows.push(stretch.row(path, 0.0, &lower, &totals));
         }
     }
-    Ok((rows, totals, hydraulics))
+    Ok(Integral {
+        rows,
+        totals,
+        hole_W,
+        hydraulics,
+    })
 }

@@ -38,10 +38,16 @@
 //! torque at the operation's speeds and flow rate, the bit's jets lift with their thrust, and `p` becomes two
 //! pressures, with the losses of the annulus outside and those of annulus, bit and bore inside.
 //!
+//! What it bears follows: the metal's true force and von Mises stress from tension, torque, pressures and bending
+//! ([`crate::string::BodySection`]); bending from the hole's curvature and, where tool joints hold the body off the wall,
+//! from what the span between them adds ([`crate::statics::span`]), the larger of that at the joints and half-way; the
+//! power of friction, force times sliding speed, `μ N V`.
+//!
 //! The model was introduced by Johancsik, Friesen and Dawson, *Torque and Drag in Directional Wells:
 //! Prediction and Measurement*, Journal of Petroleum Technology 36 (1984); the effective tension and
 //! the vector form are standard.
 
+mod bearing;
 mod circulation;
 mod error;
 mod integrate;
@@ -52,7 +58,7 @@ use crate::{model::Model, operation::Operation};
 
 pub use error::SoftError;
 use motion::Sliding;
-pub use profile::SoftProfile;
+pub use profile::{SoftHoleWear, SoftProfile};
 
 /// How the soft string is integrated.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,8 +89,6 @@ pub fn solve(
 ) -> Result<SoftProfile, SoftError> {
     error::check(model, operation, settings)?;
     let sliding = Sliding::of(operation);
-    let (rows, totals, hydraulics) = integrate::from_bit(model, operation, sliding, settings)?;
-    Ok(SoftProfile::new(
-        model, operation, rows, &totals, hydraulics,
-    ))
+    let integral = integrate::from_bit(model, operation, sliding, settings)?;
+    Ok(SoftProfile::new(model, operation, integral))
 }

@@ -2,12 +2,12 @@
 
 use nalgebra::Vector3;
 
-use super::integrate::{Row, Totals};
+use super::integrate::{Integral, Row};
 use crate::{
     model::Model,
     mud::Hydraulics,
     operation::Operation,
-    outcome::{Scalars, cutoff_in_build_m, neutral_point_m},
+    outcome::{HOLE_STEP_M, Scalars, cutoff_in_build_m, hole_depths_m, neutral_point_m},
 };
 
 /// Loads along the string, from the surface to the bit, and their scalars.
@@ -37,24 +37,60 @@ pub struct SoftProfile {
     pub stretch_m: Vec<f64>,
     /// Turn of the string at this depth against the bit, rad, positive when the top leads.
     pub twist_rad: Vec<f64>,
+    /// Angle of the load from the low side, rad, from −π to π, positive to the right looking down the hole; none
+    /// without a load.
+    pub climb_rad: Vec<Option<f64>>,
+    /// Distance of the string's axis from the hole's, m: it lies on the wall.
+    pub lateral_offset_m: Vec<f64>,
+    /// Side force that a tool joint carries, N, that per length times the joints' spacing, positive on the high side;
+    /// none where the string has no joints.
+    pub side_force_per_joint_N: Vec<Option<f64>>,
+    /// Pressure of the mud outside, Pa: its weight and what its flow adds.
+    pub outside_pressure_Pa: Vec<f64>,
+    /// Pressure of the mud inside, Pa.
+    pub inside_pressure_Pa: Vec<f64>,
+    /// Force in the metal, N: [`crate::string::Component::true_tension_N`].
+    pub true_tension_N: Vec<f64>,
+    /// Largest bending moment near the place, N·m: of the hole's curvature, or of a span between tool joints at
+    /// the joints or half-way ([`crate::statics::span`]).
+    pub bending_moment_N_m: Vec<f64>,
+    /// Stress that alternates at the surface of the body as it turns, Pa: that moment over the section modulus.
+    pub bending_stress_Pa: Vec<f64>,
+    /// Von Mises stress where the body's surface bears most, Pa: [`crate::string::BodySection::von_mises_Pa`].
+    pub von_mises_stress_Pa: Vec<f64>,
+    /// That stress over the minimum yield strength, where it is known.
+    pub yield_use: Vec<Option<f64>>,
+    /// Power of friction per metre of string, W/m: force times sliding speed.
+    pub wear_power_W_per_m: Vec<f64>,
+    /// The same along the hole.
+    pub wear: SoftHoleWear,
     /// The operation's scalars.
     pub scalars: Scalars,
     /// What the mud does; none without a rheology.
     pub hydraulics: Option<Hydraulics>,
 }
 
+/// Power of friction on the hole, from the surface to the bit, one row per [`HOLE_STEP_M`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct SoftHoleWear {
+    /// Measured depth of the middle of the stretch, m.
+    pub md_m: Vec<f64>,
+    /// Power per metre of hole, W/m: friction force times sliding speed.
+    pub wear_power_W_per_m: Vec<f64>,
+}
+
 impl SoftProfile {
-    /// `rows` run from the bit up and are at least two.
-    pub(super) fn new(
-        model: &Model,
-        operation: &Operation,
-        mut rows: Vec<Row>,
-        totals: &Totals,
-        hydraulics: Option<Hydraulics>,
-    ) -> Self {
+    pub(super) fn new(model: &Model, operation: &Operation, integral: Integral) -> Self {
+        let Integral {
+            mut rows,
+            totals,
+            hole_W,
+            hydraulics,
+        } = integral;
         rows.reverse();
         let column = |of: fn(&Row) -> f64| rows.iter().map(of).collect::<Vec<f64>>();
         let md_m = column(|row| row.md_m);
+        let maybe = |of: fn(&Row) -> Option<f64>| rows.iter().map(of).collect::<Vec<_>>();
         let tension_N = column(|row| row.totals.tension_N);
         let side_force_N_per_m = column(|row| {
             let side = row.load.q_N_per_m.dot(&row.high_side);
@@ -94,6 +130,21 @@ impl SoftProfile {
             friction_torque_N_m_per_m: column(|row| row.load.friction_torque_N_m_per_m),
             stretch_m: column(|row| row.totals.stretch_m),
             twist_rad: column(|row| row.totals.twist_rad),
+            climb_rad: maybe(|row| row.bearing.climb_rad),
+            lateral_offset_m: column(|row| row.bearing.lateral_offset_m),
+            side_force_per_joint_N: maybe(|row| row.bearing.side_force_per_joint_N),
+            outside_pressure_Pa: column(|row| row.bearing.outside_pressure_Pa),
+            inside_pressure_Pa: column(|row| row.bearing.inside_pressure_Pa),
+            true_tension_N: column(|row| row.bearing.true_tension_N),
+            bending_moment_N_m: column(|row| row.bearing.bending_moment_N_m),
+            bending_stress_Pa: column(|row| row.bearing.bending_stress_Pa),
+            von_mises_stress_Pa: column(|row| row.bearing.von_mises_stress_Pa),
+            yield_use: maybe(|row| row.bearing.yield_use),
+            wear_power_W_per_m: column(|row| row.bearing.wear_power_W_per_m),
+            wear: SoftHoleWear {
+                md_m: hole_depths_m(hole_W.len()),
+                wear_power_W_per_m: hole_W.iter().map(|power| power / HOLE_STEP_M).collect(),
+            },
             md_m,
             tension_N,
             side_force_N_per_m,

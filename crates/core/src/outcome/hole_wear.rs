@@ -1,0 +1,35 @@
+//! What friction does along the hole, stretch by stretch.
+
+/// Length of hole that one number of a profile along the hole stands for, m.
+pub const HOLE_STEP_M: f64 = 5.0;
+
+/// Numbers that a hole down to a depth, m, takes; at least one.
+pub(crate) fn hole_steps(to_md_m: f64) -> usize {
+    (to_md_m / HOLE_STEP_M).ceil().max(1.0) as usize
+}
+
+/// Measured depths of the middles of so many stretches, m.
+pub(crate) fn hole_depths_m(steps: usize) -> Vec<f64> {
+    (0..steps).map(|i| (i as f64 + 0.5) * HOLE_STEP_M).collect()
+}
+
+/// Spreads an amount evenly over a stretch of the hole; what lies beyond either end counts there.
+pub(crate) fn spread(hole: &mut [f64], from_m: f64, to_m: f64, amount: f64) {
+    let last = hole.len() - 1;
+    let place = |md: f64| ((md / HOLE_STEP_M).max(0.0) as usize).min(last);
+    let (first, end) = (place(from_m), place(to_m));
+    let per_m = amount / (to_m - from_m);
+    for (step, sum) in hole.iter_mut().enumerate().take(end + 1).skip(first) {
+        let top = if step == first {
+            from_m
+        } else {
+            step as f64 * HOLE_STEP_M
+        };
+        let bottom = if step == end {
+            to_m
+        } else {
+            (step + 1) as f64 * HOLE_STEP_M
+        };
+        *sum += per_m * (bottom - top);
+    }
+}

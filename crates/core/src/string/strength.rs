@@ -1,0 +1,88 @@
+//! What the metal of a component's body bears.
+
+use super::Component;
+
+/// The section of a body, as its stresses need it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BodySection {
+    /// Inverse of the metal's area, 1/m².
+    pub per_area_m2: f64,
+    /// Inverse of the section modulus `I/(D/2)`, 1/m³.
+    pub per_modulus_m3: f64,
+    /// Inner over outer diameter.
+    pub bore_part: f64,
+    /// Area of the bore over that of the metal.
+    pub bore_per_area: f64,
+}
+
+impl BodySection {
+    /// The section of a component's body; tool joints, upsets and blades are not counted.
+    pub fn of(component: &Component) -> Self {
+        Self {
+            per_area_m2: 1.0 / component.area_m2(),
+            per_modulus_m3: 1.0 / component.section_modulus_m3(),
+            bore_part: component.id_m / component.od_m,
+            bore_per_area: component.inner_area_m2() / component.area_m2(),
+        }
+    }
+
+    /// Von Mises stress, Pa, on the outside of the bend, at the outer or the inner surface, whichever bears more, of a
+    /// body that carries an effective tension `T`, N, a bending moment `M` and a torque `M_t`, N·m. `burst_square_Pa2`
+    /// is the square of what the pressure inside has over that outside, Pa².
+    ///
+    /// Lamé's stresses of a thick tube with the pressures `p_o` and `p_i` leave, whatever their mean,
+    ///
+    /// ```text
+    /// σ² = (|T|/A + σ_b)² + 3τ² + 3 (A_o/A (p_i − p_o))²        inside,  A_i for A_o outside,
+    /// ```
+    ///
+    /// with `σ_b = M D/2I` and `τ = M_t D/4I` outside, the part `d/D` of both inside: the axial stress
+    /// `(T + p_i A_i − p_o A_o)/A` is `T/A` more than the mean of radial and hoop stress.
+    #[inline(always)]
+    pub fn von_mises_Pa(
+        &self,
+        tension_N: f64,
+        bending_N_m: f64,
+        torque_N_m: f64,
+        burst_square_Pa2: f64,
+    ) -> f64 {
+        let pulled = tension_N.abs() * self.per_area_m2;
+        let bent = bending_N_m * self.per_modulus_m3;
+        let sheared = 0.5 * torque_N_m * self.per_modulus_m3;
+        let square = |part: f64, area: f64| {
+            let (normal, shear) = (pulled + part * bent, part * sheared);
+            normal * normal + 3.0 * (shear * shear + area * area * burst_square_Pa2)
+        };
+        let bore = self.bore_per_area;
+        let (outer, inner) = (square(1.0, bore), square(self.bore_part, 1.0 + bore));
+        if inner > outer { inner } else { outer }.sqrt()
+    }
+}
+
+impl Component {
+    /// Section modulus of the body, `I/(D/2)`, m³.
+    pub fn section_modulus_m3(&self) -> f64 {
+        self.second_moment_m4() / (0.5 * self.od_m)
+    }
+
+    /// Force in the metal, N, `T + p_i A_i − p_o A_o + ρ Q²/A_i`: effective tension `T`, what the mud's pressures
+    /// outside and inside pull and press the metal with, and the momentum of the stream in the bore. `stream_N_m2` is
+    /// `ρ Q²`, N·m²; without a bore there is no stream.
+    pub fn true_tension_N(
+        &self,
+        effective_N: f64,
+        outside_Pa: f64,
+        inside_Pa: f64,
+        stream_N_m2: f64,
+    ) -> f64 {
+        let bore_m2 = self.inner_area_m2();
+        let stream_N = if bore_m2 > 0.0 {
+            stream_N_m2 / bore_m2
+        } else {
+            0.0
+        };
+        // `p_o A_o − p_i A_i`: nothing is left of digits that cancel where the pressures are the same.
+        let pressed_N = outside_Pa * self.area_m2() + (outside_Pa - inside_Pa) * bore_m2;
+        effective_N - pressed_N + stream_N
+    }
+}
