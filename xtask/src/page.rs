@@ -82,7 +82,7 @@ fn page(
     run(
         cargo()
             .args(["run", "--quiet", "--package", "wholestring-cli", "--"])
-            .args([command, file, "--quiet"])
+            .args([command, file, "--quiet", "--overwrite"])
             .args(more)
             .arg("-o")
             .arg(&results),

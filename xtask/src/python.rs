@@ -35,7 +35,7 @@ pub(crate) fn example() -> Result<Finding, Failure> {
                 "run",
             ])
             .arg("crates/cli/tests/data/slant.toml")
-            .args(["--quiet", "-o"])
+            .args(["--quiet", "--overwrite", "-o"])
             .arg(&results),
         "the example needs its results",
     )?;

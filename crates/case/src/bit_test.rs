@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use serde::Serialize;
 use serde_json::{Value as Json, json};
 use wholestring::{
     GRAVITY_M_PER_S2,
@@ -91,7 +92,7 @@ fn number(from: f64, to: f64) -> Number {
 }
 
 /// A bit alone on its rock, under every weight at every speed.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BitTest {
     /// Bit, rock, bricks and contact.
     pub drilling: DrillingSpec,

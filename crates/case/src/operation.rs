@@ -22,20 +22,16 @@ use crate::{
     table::{Field, default, optional, required, table},
 };
 
-const KINDS: &[(&str, OperationKind)] = {
-    const fn word(kind: OperationKind) -> (&'static str, OperationKind) {
-        (kind.name(), kind)
+/// Every operation that there is.
+const KINDS: &[(&str, OperationKind)] = &{
+    const ALL: [OperationKind; OperationKind::ALL.len()] = OperationKind::ALL;
+    let mut words = [("", ALL[0]); ALL.len()];
+    let mut i = 0;
+    while i < ALL.len() {
+        words[i] = (ALL[i].name(), ALL[i]);
+        i += 1;
     }
-    let all = OperationKind::ALL;
-    &[
-        word(all[0]),
-        word(all[1]),
-        word(all[2]),
-        word(all[3]),
-        word(all[4]),
-        word(all[5]),
-        word(all[6]),
-    ]
+    words
 };
 
 /// What `trip_speed` is where the case does not say, m/s: a stand of 28 m in a minute and a half.

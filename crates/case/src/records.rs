@@ -1,5 +1,6 @@
 //! `[records]`: what a dynamic run keeps beside its tables.
 
+use serde::Serialize;
 use serde_json::{Value as Json, json};
 use wholestring::dynamics::{Channel, DynamicsSettings, NodeSignal, Probe, Signal};
 use wholestring_units::Dimension;
@@ -136,7 +137,7 @@ table! {
 }
 
 /// What a dynamic run keeps beside its tables.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Records {
     /// Time between two frames, s; none where none are kept.
     pub frame_interval_s: Option<f64>,

@@ -72,12 +72,15 @@ pub(crate) enum Control {
     TunedLift,
 }
 
+/// The word of the control that is found before the run.
+pub(crate) const TUNED_LIFT: &str = "tuned-lift";
+
 impl Control {
     const WORDS: &[(&str, Self)] = &[
         ("autodriller", Self::Autodriller),
         ("block-velocity", Self::BlockVelocity),
         ("hook-load", Self::HookLoad),
-        ("tuned-lift", Self::TunedLift),
+        (TUNED_LIFT, Self::TunedLift),
     ];
 }
 

@@ -4,19 +4,22 @@ use serde_json::{Value as Json, json};
 use wholestring::{
     dynamics::{
         Band, BitLaw, BitTable, ContactLaw, Cutters, DynamicsSettings, Excitation, FrictionLaw,
-        HoistSetPoint, Motor, Precision, Schedule, ScheduleStep, SpeedController, Start,
-        StartTension, TablePoint, TopDriveSettings,
+        HoistControl, HoistSetPoint, Motor, Precision, Schedule, ScheduleStep, SpeedController,
+        Start, StartTension, TablePoint, TopDriveSettings,
     },
     model::Model,
     mud::Rheology,
     operation::Operation,
     outcome::ModelKind,
-    string::Component,
+    string::{Cavity, Component},
     well::{HoleKind, HoleSection, Interpolation, Well},
 };
 use wholestring_units::UnitSet;
 
-use crate::{case::CaseTable, rig::HoistTable};
+use crate::{
+    case::CaseTable,
+    rig::{HoistTable, TUNED_LIFT},
+};
 
 /// What the solvers were given, in SI, with units in the names of the keys.
 pub(crate) fn settings(
@@ -47,7 +50,7 @@ pub(crate) fn settings(
             "hoist_capacity_N": model.rig.hoist_capacity_N,
             "top_drive_torque_N_m": model.rig.top_drive_torque_N_m,
         },
-        "hoist": hoist(dynamics, case.hoist.get()),
+        "hoist": hoist(dynamics, operations, case.hoist.get()),
         "top_drive": top_drive(&dynamics.top_drive),
         "operation": operation(operations, &dynamics.schedule),
         "mesh": { "element_length_m": dynamics.element_length_m },
@@ -141,6 +144,15 @@ fn component(component: &Component) -> Json {
         "youngs_modulus_Pa": component.material.youngs_modulus_Pa,
         "shear_modulus_Pa": component.material.shear_modulus_Pa,
         "yield_strength_Pa": component.yield_strength_Pa,
+        "bend_rad": component.bend.map(|bend| bend.angle_rad),
+        "bend_at_m": component.bend.map(|bend| bend.from_lower_end_m),
+        "bend_toolface_rad": component.bend.map(|bend| bend.toolface_rad),
+        "eccentricity_m": component.eccentricity.map(|of| of.offset_m),
+        "eccentricity_phase_rad": component.eccentricity.map(|of| of.phase_rad),
+        "eccentricity_cavity": component.eccentricity.map(|of| match of.cavity {
+            Cavity::Mud => "mud",
+            Cavity::Sealed => "sealed",
+        }),
     })
 }
 
@@ -244,19 +256,37 @@ fn points(table: &BitTable) -> Json {
     })
 }
 
-/// The control as chosen; `null` leaves it to the operation. The autodriller's numbers stand also
-/// where it is not the control that was chosen: an operation on bottom takes it.
-fn hoist(dynamics: &DynamicsSettings, table: Option<&HoistTable>) -> Json {
-    let number = |value: Option<&f64>| value.copied();
+/// The control as chosen; `null` leaves it to the operation. The numbers of a control that nothing puts in control are
+/// `null`.
+fn hoist(
+    dynamics: &DynamicsSettings,
+    operations: &[Operation],
+    table: Option<&HoistTable>,
+) -> Json {
+    let control = table.and_then(HoistTable::control_word);
+    let tuned = control == Some(TUNED_LIFT);
+    let on_bottom = operations.iter().any(|one| one.kind.on_bottom());
+    let by_itself = dynamics.hoist_control.is_none() && !tuned && on_bottom;
+    let automatic = by_itself
+        || dynamics.hoist_control == Some(HoistControl::Autodriller)
+        || dynamics.schedule.holds_a_weight();
+    let autodriller = automatic.then_some(dynamics.autodriller);
     json!({
-        "control": table.and_then(HoistTable::control_word),
-        "gain_m_per_s_per_N": number(table.and_then(|table| table.gain.get())),
-        "integral_time_s": number(table.and_then(|table| table.integral_time.get())),
-        "filter_s": number(table.and_then(|table| table.filter.get())),
-        "min_speed_m_per_s": number(table.and_then(|table| table.min_speed.get())),
-        "max_speed_m_per_s": number(table.and_then(|table| table.max_speed.get())),
-        "block_velocity_m_per_s": number(table.and_then(|table| table.block_velocity.get())),
-        "hook_load_N": number(table.and_then(|table| table.hook_load.get())),
+        "control": control,
+        "gain_m_per_s_per_N": autodriller.map(|of| of.gain_m_per_s_per_N),
+        "integral_time_s": autodriller.map(|of| of.integral_time_s),
+        "filter_s": autodriller.map(|of| of.filter_s),
+        "min_speed_m_per_s": autodriller.map(|of| of.min_speed_m_per_s),
+        "max_speed_m_per_s": autodriller.map(|of| of.max_speed_m_per_s),
+        "block_velocity_m_per_s": match dynamics.hoist_control {
+            Some(HoistControl::BlockVelocity(velocity)) => Some(velocity),
+            _ => None,
+        },
+        "hook_load_N": match dynamics.hoist_control {
+            Some(HoistControl::HookLoad(load)) => Some(load),
+            _ => None,
+        },
+        "tolerance": tuned.then_some(dynamics.lift_tolerance),
         "stiffness_N_per_m": dynamics.hoist_line.stiffness_N_per_m,
         "damping_N_s_per_m": dynamics.hoist_line.damping_N_s_per_m,
         "mass_kg": dynamics.hoist_line.block_mass_kg,

@@ -40,6 +40,10 @@ pub(crate) enum Command {
     Bench(BenchArgs),
     /// Print the JSON schema of the case file
     Schema,
+    /// Print a script that completes commands and options in a shell
+    Completions(CompletionsArgs),
+    /// Print the manual page
+    Man,
 }
 
 #[derive(Debug, Args)]
@@ -75,8 +79,12 @@ pub(crate) struct RunArgs {
     pub(crate) output: Option<PathBuf>,
 
     /// Go on with the run in this folder from its checkpoint
-    #[arg(long, value_name = "DIR", conflicts_with = "output")]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["output", "overwrite"])]
     pub(crate) resume: Option<PathBuf>,
+
+    /// Replace what lies in the folder: the results of another case, or an unfinished run
+    #[arg(long)]
+    pub(crate) overwrite: bool,
 
     /// Time on the clock between checkpoints, such as 5min [default: the case's, 30 s]
     #[arg(long, value_name = "TIME", value_parser = interval)]
@@ -93,6 +101,10 @@ pub(crate) struct RunArgs {
     /// Write the tables as CSV too
     #[arg(long)]
     pub(crate) csv: bool,
+
+    /// Print the summary as JSON in place of the table
+    #[arg(long)]
+    pub(crate) json: bool,
 
     /// Print nothing but errors
     #[arg(short, long)]
@@ -190,6 +202,10 @@ pub(crate) struct BatchArgs {
     #[arg(long)]
     pub(crate) resume: bool,
 
+    /// Replace what lies in the folder: the results of other cases, or what was not finished
+    #[arg(long, conflicts_with = "resume")]
+    pub(crate) overwrite: bool,
+
     // Not a doc comment, which would read `<case name>` as HTML.
     #[arg(
         short,
@@ -286,6 +302,13 @@ pub(crate) struct BenchArgs {
     /// Write the numbers to this file too
     #[arg(long, value_name = "FILE")]
     pub(crate) json: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CompletionsArgs {
+    /// The shell
+    #[arg(value_enum, value_name = "SHELL")]
+    pub(crate) shell: clap_complete::Shell,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -14,7 +14,7 @@ use wholestring::{
     operation::Operation,
 };
 use wholestring_case::Case;
-use wholestring_results::{ResultsError, ResultsFolder};
+use wholestring_results::{ENGINE_VERSION, ResultsError, ResultsFolder, Summary, digest};
 
 use crate::{
     failure::Failure,
@@ -56,16 +56,19 @@ impl<'a> UnderWay<'a> {
 /// A run that was laid aside.
 #[derive(Serialize, Deserialize)]
 pub(crate) struct Laid<'a> {
-    /// The case's settings, as JSON.
+    /// All that the case's answers depend on, as JSON.
+    identity: String,
+    /// The case's settings, as JSON: the same in words that people know.
     settings: String,
-    pub(crate) solved: Solved,
+    pub(crate) solved: Solved<'a>,
     pub(crate) under_way: Option<UnderWay<'a>>,
 }
 
 impl<'a> Laid<'a> {
     /// What a run knows.
-    pub(crate) fn new(record: &Record, under_way: Option<UnderWay<'a>>) -> Self {
+    pub(crate) fn new(record: &'a Record, under_way: Option<UnderWay<'a>>) -> Self {
         Self {
+            identity: record.identity.to_string(),
             settings: record.summary.settings.to_string(),
             solved: record.solved_so_far(),
             under_way,
@@ -79,14 +82,42 @@ impl<'a> Laid<'a> {
     pub(crate) fn read(folder: &ResultsFolder, case: &Case) -> Result<Option<Self>, String> {
         let laid: Option<Self> = folder.read_checkpoint().map_err(|e| e.to_string())?;
         let Some(laid) = laid else { return Ok(None) };
-        let settings: Value = serde_json::from_str(&laid.settings).map_err(|e| e.to_string())?;
-        match difference(&settings, &case.settings) {
-            None => Ok(Some(laid)),
-            Some(difference) => Err(format!(
-                "the checkpoint in {} is of another case: {difference}",
-                folder.path().display()
-            )),
+        let read = |text: &str| serde_json::from_str(text).map_err(|e| e.to_string());
+        let (identity, settings): (Value, Value) = (read(&laid.identity)?, read(&laid.settings)?);
+        let here = case.identity();
+        if identity == here {
+            return Ok(Some(laid));
         }
+        // In the words of the settings where they tell it.
+        let difference = difference(&settings, &case.settings);
+        let difference = difference.or_else(|| self::difference(&identity, &here));
+        Err(format!(
+            "the checkpoint in {} is of another case: {}",
+            folder.path().display(),
+            difference.unwrap_or_default()
+        ))
+    }
+}
+
+/// Whether a summary's answers are those of the case.
+///
+/// # Errors
+/// Why they are not: of another case, of another version of the program, or of one that did not say of which case.
+pub(crate) fn is_of(summary: &Summary, case: &Case) -> Result<(), String> {
+    match &summary.identity {
+        None => Err("it is of an earlier version, which did not say of which case".to_owned()),
+        Some(identity) if *identity != digest(&case.identity()) => Err(format!(
+            "it is of another case: {}",
+            difference(&summary.settings, &case.settings)
+                .unwrap_or_else(|| "it differs in what its settings do not tell".to_owned())
+        )),
+        Some(_) => match summary.engine_version.as_deref() {
+            Some(ENGINE_VERSION) => Ok(()),
+            version => Err(format!(
+                "wholestring {} computed it, this is {ENGINE_VERSION}",
+                version.unwrap_or("of an unknown version")
+            )),
+        },
     }
 }
 
@@ -126,7 +157,12 @@ impl<'a> Keeper<'a> {
 }
 
 /// Settings that leave the answer as it is.
-const WITHOUT_EFFECT: &[&str] = &["dynamics.checkpoint_interval_s"];
+const WITHOUT_EFFECT: &[&str] = &[
+    "name",
+    "units",
+    "well.survey",
+    "dynamics.checkpoint_interval_s",
+];
 
 /// The first difference between the settings of the run in a folder and those of the case.
 pub(crate) fn difference(there: &Value, here: &Value) -> Option<String> {

@@ -6,8 +6,13 @@ use rayon::{
     ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder,
     iter::{IntoParallelIterator, ParallelIterator},
 };
-use wholestring::{dynamics::BitLaw, rock::Executor};
+use wholestring::{
+    dynamics::BitLaw,
+    rock::{Alone, Executor},
+};
 use wholestring_case::Case;
+
+use crate::interrupt::Interrupt;
 
 /// Who may be lent to a simulation.
 pub(crate) type Lent = Arc<dyn Executor + Send + Sync>;
@@ -22,15 +27,51 @@ impl Cores {
         builder.use_current_thread().build().map(Self)
     }
 
-    /// So many threads for the rock of a case, one per core where nothing is said; nobody where it has no rock, or is to be worked on
-    /// alone.
-    pub(crate) fn for_rock(case: &Case, threads: Option<NonZeroUsize>) -> Option<Lent> {
+    /// So many threads for the rock of a case, one per core where nothing is said; none where it has no rock, or is to be worked
+    /// on alone.
+    fn of_case(case: &Case, threads: Option<NonZeroUsize>) -> Option<Self> {
         let threads = threads.or_else(|| thread::available_parallelism().ok())?;
         if threads.get() == 1 || !matches!(case.dynamics.bit.law, BitLaw::Rock(_)) {
             return None;
         }
         // Without threads the rock is worked on alone, to the same bits.
-        Some(Arc::new(Self::new(threads).ok()?))
+        Self::new(threads).ok()
+    }
+}
+
+/// Who works on the rock of a run: its own thread, and others where there are any. The user's Ctrl-C stops what has nothing to
+/// keep.
+struct Workers {
+    cores: Option<Cores>,
+    interrupt: Interrupt,
+}
+
+/// So many threads for the rock of a case, one per core where nothing is said.
+pub(crate) fn for_rock(case: &Case, threads: Option<NonZeroUsize>, interrupt: &Interrupt) -> Lent {
+    Arc::new(Workers {
+        cores: Cores::of_case(case, threads),
+        interrupt: interrupt.clone(),
+    })
+}
+
+/// The thread that solves, alone.
+pub(crate) fn alone(interrupt: &Interrupt) -> Lent {
+    Arc::new(Workers {
+        cores: None,
+        interrupt: interrupt.clone(),
+    })
+}
+
+impl Executor for Workers {
+    fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
+        match &self.cores {
+            Some(cores) => cores.each(count, work),
+            None => Alone.each(count, work),
+        }
+    }
+
+    fn stopped(&self) -> bool {
+        self.interrupt.asked()
     }
 }
 

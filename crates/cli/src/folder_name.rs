@@ -10,7 +10,9 @@ pub(crate) fn default_output(name: &str) -> PathBuf {
 /// The name without what some system does not take in a file's name.
 pub(crate) fn file_name(name: &str) -> String {
     const LONGEST: usize = 100;
-    let sound: String = name
+    // Most systems take 255 bytes, and a letter may be four: this leaves room for a number after it.
+    const MOST_BYTES: usize = 240;
+    let mut sound: String = name
         .chars()
         .map(|letter| match letter {
             '<' | '>' | ':' | '"' | '/' | '\\' | '|' | '?' | '*' => '-',
@@ -19,6 +21,9 @@ pub(crate) fn file_name(name: &str) -> String {
         })
         .take(LONGEST)
         .collect();
+    while sound.len() > MOST_BYTES {
+        sound.pop();
+    }
     // Windows drops dots and blanks at the end, and `.` and `..` are folders already.
     let mut folder = sound.trim_start().trim_end_matches(['.', ' ']).to_owned();
     if folder.is_empty() || is_device(&folder) {
@@ -45,6 +50,17 @@ fn is_device(name: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A hundred letters of four bytes each were a name that no system takes.
+    #[test]
+    fn names_are_cut_by_their_bytes_too() {
+        let name = file_name(&"𐍈".repeat(150));
+        assert_eq!(name, "𐍈".repeat(60));
+        let place = tempfile::tempdir().expect("a folder");
+        std::fs::create_dir(place.path().join(format!("{name}-1000"))).expect("a folder");
+        assert_eq!(file_name(&"a".repeat(150)), "a".repeat(100));
+        assert_eq!(file_name(&format!("a{}", "ü".repeat(150))).len(), 199);
+    }
 
     #[test]
     fn case_names_make_folders_on_every_system() {

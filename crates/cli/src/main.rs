@@ -6,6 +6,7 @@ mod bit_table;
 mod bit_test;
 mod check;
 mod checkpoint;
+mod claim;
 mod column;
 mod comparison;
 mod conclusion;
@@ -24,6 +25,7 @@ mod report;
 mod rig;
 mod run;
 mod screen_table;
+mod shell;
 mod solve;
 mod study;
 mod survey;
@@ -52,6 +54,8 @@ fn main() -> ExitCode {
         Command::Survey(args) => survey::survey(&args),
         Command::Bench(args) => bench::bench(&args),
         Command::Schema => schema(),
+        Command::Completions(args) => shell::completions(&args),
+        Command::Man => shell::man(),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

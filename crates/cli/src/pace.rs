@@ -1,4 +1,6 @@
-//! How fast a simulation is, in words.
+//! How fast a simulation is and how long it takes, in words.
+
+use std::time::Duration;
 
 /// Simulated over real time, as a reader has it at a glance.
 pub(crate) fn pace(times: f64) -> String {
@@ -11,9 +13,33 @@ pub(crate) fn pace(times: f64) -> String {
     }
 }
 
+/// A time that is still to come, as exact as anybody can say.
+pub(crate) fn duration(time: Duration) -> String {
+    let seconds = time.as_secs();
+    match seconds {
+        0..120 => format!("{seconds} s"),
+        120..7200 => format!("{} min", (seconds + 30) / 60),
+        _ => format!("{:.1} h", seconds as f64 / 3600.0),
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::pace;
+    use super::*;
+
+    #[test]
+    fn a_time_to_come_is_no_more_exact_than_it_is_known() {
+        for (seconds, words) in [
+            (0, "0 s"),
+            (119, "119 s"),
+            (120, "2 min"),
+            (3629, "60 min"),
+            (7199, "120 min"),
+            (9000, "2.5 h"),
+        ] {
+            assert_eq!(duration(Duration::from_secs(seconds)), words);
+        }
+    }
 
     #[test]
     fn slow_runs_have_a_pace_too() {

@@ -2,12 +2,13 @@
 
 use std::{
     cell::Cell,
+    fmt,
     time::{Duration, Instant},
 };
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
-use crate::pace::pace;
+use crate::pace::{duration, pace};
 
 /// Who watches a run.
 #[derive(Debug, Clone)]
@@ -105,8 +106,16 @@ fn screen(quiet: bool) -> ProgressDrawTarget {
 /// A bar on the screen.
 pub(crate) fn bar(length: u64, quiet: bool) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(length), screen(quiet));
-    let style = ProgressStyle::with_template("{prefix} {bar:32} {msg}");
-    bar.set_style(style.expect("the template is sound").progress_chars("━╸─"));
+    let style = ProgressStyle::with_template("{prefix} {bar:32} {msg}{left}");
+    let style = style.expect("the template is sound");
+    let left = |state: &ProgressState, to: &mut dyn fmt::Write| {
+        // Nobody knows before something is done.
+        let (done, all) = (state.pos(), state.len().unwrap_or(0));
+        if done > 0 && done < all {
+            let _ = write!(to, ", {} left", duration(state.eta()));
+        }
+    };
+    bar.set_style(style.with_key("left", left).progress_chars("━╸─"));
     bar
 }
 

@@ -4,8 +4,8 @@ use std::time::{Duration, Instant};
 
 use wholestring::{
     dynamics::{
-        BitLaw, DynamicsSettings, HoistControl, LiftError, MOST_LIFT_RUNS, Simulation, TunedLift,
-        tune_lift,
+        BitLaw, DynamicsSettings, HoistControl, LiftError, MOST_LIFT_RUNS, SetupError, Simulation,
+        TunedLift, tune_lift,
     },
     operation::Operation,
     outcome::ModelKind,
@@ -32,8 +32,8 @@ pub(crate) struct Way<'a> {
     /// Who watches its progress.
     pub(crate) watch: Watch,
     pub(crate) interrupt: &'a Interrupt,
-    /// Who works on solid rock; the thread that solves alone where nobody is named.
-    pub(crate) crew: Option<Lent>,
+    /// Who works on solid rock.
+    pub(crate) crew: Lent,
 }
 
 /// What the case says about the time between checkpoints.
@@ -199,12 +199,13 @@ fn solve_dynamic(
         (None, None) => {
             let what = preparation(&settings, operation);
             let _shown = way.watch.preparing(operation.kind.name(), what);
-            let laid = match &way.crew {
-                Some(crew) => Simulation::lent(&case.model, operation, &settings, crew.clone()),
-                None => Simulation::new(&case.model, operation, &settings),
-            };
-            match laid {
+            let crew = way.crew.clone();
+            match Simulation::lent(&case.model, operation, &settings, crew) {
                 Ok(simulation) => simulation,
+                Err(SetupError::Stopped) => {
+                    lay_aside(keeper, record, None, &way.watch);
+                    return Status::Interrupted;
+                }
                 Err(error) => return unsolvable("dynamic model", &error),
             }
         }
@@ -224,10 +225,8 @@ fn solve_dynamic(
             }
         }
     };
-    // One that was resumed, or tuned, has not got them yet.
-    if let Some(crew) = &way.crew {
-        simulation.lend(crew.clone());
-    }
+    // One that was resumed has not got them yet.
+    simulation.lend(way.crew.clone());
     let took = || before + start.elapsed();
     // Laying the string takes seconds. Whoever has asked by now has nothing of this operation to keep.
     if way.interrupt.asked() && simulation.time_s() == 0.0 {
@@ -314,7 +313,8 @@ fn tune(
         ..
     } = case.dynamics;
     let mut bar: Option<(usize, OwnBar)> = None;
-    let found = tune_lift(&case.model, operation, &case.dynamics, |run, time_s| {
+    let (model, settings) = (&case.model, &case.dynamics);
+    let found = tune_lift(model, operation, settings, &way.crew, |run, time_s| {
         if bar.as_ref().is_none_or(|(of, _)| *of != run) {
             let name = format!(
                 "{}, lift {run} of at most {MOST_LIFT_RUNS}",
@@ -350,6 +350,7 @@ mod tests {
     use wholestring_units::UnitSet;
 
     use super::*;
+    use crate::cores;
 
     /// A model that the CLI's own test data describe.
     fn slant() -> Case {
@@ -426,7 +427,7 @@ mod tests {
             checkpoint_every: Duration::MAX,
             watch: Watch::Screen { quiet: true },
             interrupt,
-            crew: None,
+            crew: cores::alone(interrupt),
         }
     }
 }

@@ -1,49 +1,48 @@
 //! What the driller is doing.
 
-/// The operations that torque and drag are computed for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum OperationKind {
+use serde::Serialize;
+
+/// Declares the kinds of operation: each once, so that none can be missing from the list of all.
+macro_rules! operation_kinds {
+    ($($(#[$meaning:meta])* $kind:ident = $name:literal,)+) => {
+        /// The operations that torque and drag are computed for.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+        pub enum OperationKind {
+            $($(#[$meaning])* $kind,)+
+        }
+
+        impl OperationKind {
+            /// Every operation, in the order in which reports list them.
+            pub const ALL: [Self; [$($name),+].len()] = [$(Self::$kind),+];
+
+            /// Name in case files and results: `trip_out`, `rotate_off_bottom`, ...
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$kind => $name,)+
+                }
+            }
+        }
+    };
+}
+
+operation_kinds! {
     /// Pulling the string out of the hole without rotation.
-    TripOut,
+    TripOut = "trip_out",
     /// Running the string into the hole without rotation.
-    TripIn,
+    TripIn = "trip_in",
     /// Rotating with the bit off bottom and no axial motion.
-    RotateOffBottom,
+    RotateOffBottom = "rotate_off_bottom",
     /// Rotary drilling: rotating and advancing with weight on the bit.
-    Drill,
+    Drill = "drill",
     /// Advancing with weight on the bit without rotating the string (mud motor).
-    Slide,
+    Slide = "slide",
     /// Rotating while running in, off bottom.
-    Ream,
+    Ream = "ream",
     /// Rotating while pulling out, off bottom.
-    BackReam,
+    BackReam = "back_ream",
 }
 
 impl OperationKind {
-    /// Every operation, in the order in which reports list them.
-    pub const ALL: [Self; 7] = [
-        Self::TripOut,
-        Self::TripIn,
-        Self::RotateOffBottom,
-        Self::Drill,
-        Self::Slide,
-        Self::Ream,
-        Self::BackReam,
-    ];
-
-    /// Name in case files and results: `trip_out`, `rotate_off_bottom`, ...
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::TripOut => "trip_out",
-            Self::TripIn => "trip_in",
-            Self::RotateOffBottom => "rotate_off_bottom",
-            Self::Drill => "drill",
-            Self::Slide => "slide",
-            Self::Ream => "ream",
-            Self::BackReam => "back_ream",
-        }
-    }
-
     /// The operation of that name, if there is one.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| kind.name() == name)
@@ -67,7 +66,7 @@ impl OperationKind {
 ///
 /// Every set point is kept whatever the kind; the accessors below say what the kind makes of them
 /// (a tripping string does not turn, whatever `rotary_speed_rad_per_s` says).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Operation {
     /// What is being done.
     pub kind: OperationKind,

@@ -1,7 +1,9 @@
 //! The rig: hoist and top drive.
 
+use serde::Serialize;
+
 /// What the rig can carry and turn. `None` means that no limit was given.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Rig {
     /// Weight of travelling block and top drive, N. Never part of the reported hook load.
     pub block_weight_N: Option<f64>,

@@ -63,6 +63,7 @@ fn test() -> BitTest {
         ],
         strength_Pa: STRENGTH_PA,
         radius_m: RADIUS_M,
+        torque_by_weight: Some([0.55 * RADIUS_M, 60.0]),
         points,
         message: Some("interrupted: 6 of 9 points".into()),
         sheets: Vec::new(),

@@ -8,11 +8,13 @@
 mod bit_test;
 mod checkpoint;
 mod columns;
+mod digest;
 mod error;
 mod file;
 mod finding;
 mod folder;
 mod frames;
+mod hold;
 mod json;
 mod parquet_file;
 mod spectrum;
@@ -21,12 +23,15 @@ mod table;
 
 pub use bit_test::{BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
 pub use columns::{BIT_TEST, BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
+pub use digest::digest;
 pub use error::ResultsError;
 pub use finding::{Finding, Level};
 pub use folder::ResultsFolder;
 pub use frames::{FrameWriter, FramesSoFar};
+pub use hold::{Hold, Holding, Occupant};
 pub use spectrum::Spectrum;
 pub use summary::{
-    Friction, Numerics, OperationSummary, SCHEMA_VERSION, Statistic, Status, Summary,
+    ENGINE_VERSION, Friction, Numerics, OperationSummary, SCHEMA_VERSION, Statistic, Status,
+    Summary,
 };
 pub use table::{Column, Data, Table};

@@ -22,8 +22,15 @@ pub const SCHEMA_VERSION: u32 = 1;
 pub struct Summary {
     /// [`SCHEMA_VERSION`] of the program that wrote it.
     pub schema_version: u32,
+    /// Version of the engine that solved it, such as `0.1.0`; none in files of versions that did not say.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub engine_version: Option<String>,
     /// Name of the case.
     pub case: String,
+    /// [Digest](crate::digest) of all that the answers depend on, which `settings` tells: cases with the same one have the
+    /// same answers. None in files of versions that did not say.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub identity: Option<String>,
     /// The case's settings with all defaults filled in.
     pub settings: serde_json::Value,
     /// One entry per model and operation solved, in the order they were solved.
@@ -208,7 +215,18 @@ mod finite {
     }
 }
 
+/// Version of the engine; all crates of the program share it.
+pub const ENGINE_VERSION: &str = env!("CARGO_PKG_VERSION");
+
 impl Summary {
+    /// The summary as indented JSON, as the file has it.
+    ///
+    /// # Errors
+    /// None that a summary gives.
+    pub fn json(&self) -> Result<String, serde_json::Error> {
+        serde_json::to_string_pretty(self)
+    }
+
     /// Writes the summary as indented JSON.
     pub fn write(&self, path: &Path) -> Result<(), ResultsError> {
         write_json(self, path)

@@ -9,7 +9,8 @@ use wholestring::{
     outcome::{ModelKind, Scalars},
 };
 use wholestring_results::{
-    Friction, Numerics, OperationSummary, SCHEMA_VERSION, Statistic, Status, Summary,
+    ENGINE_VERSION, Friction, Numerics, OperationSummary, SCHEMA_VERSION, Statistic, Status,
+    Summary, digest,
 };
 
 const SCALARS: Scalars = Scalars {
@@ -124,7 +125,9 @@ fn dynamic() -> OperationSummary {
 fn summary(operations: Vec<OperationSummary>) -> Summary {
     Summary {
         schema_version: SCHEMA_VERSION,
+        engine_version: Some(ENGINE_VERSION.into()),
         case: "NP13-X1042 at total depth".into(),
+        identity: Some(digest(&json!({"mesh": 3.2}))),
         settings: json!({"mesh": {"element_length": "3.2 m"}}),
         operations,
     }
@@ -143,7 +146,9 @@ fn the_keys_are_the_contract() {
     let file = written(&summary(vec![soft(), dynamic()]));
     let mut expected = json!({
         "schema_version": 1,
+        "engine_version": env!("CARGO_PKG_VERSION"),
         "case": "NP13-X1042 at total depth",
+        "identity": digest(&json!({"mesh": 3.2})),
         "settings": {"mesh": {"element_length": "3.2 m"}},
         "operations": [
             {

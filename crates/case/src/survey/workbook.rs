@@ -2,13 +2,13 @@
 
 use std::collections::BTreeMap;
 use std::io::Cursor;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use calamine::{Data, Reader, SheetType, Xls, Xlsx};
 
 use super::compound;
 use super::error::SurveyErrorKind;
 use super::table::{Cell, Position, Row};
+use crate::caught::caught;
 
 /// A sheet with its rows, empty ones above the last included.
 #[derive(Debug, Clone)]
@@ -33,13 +33,13 @@ pub(super) fn sheets(bytes: &[u8]) -> Result<Vec<Sheet>, SurveyErrorKind> {
         return Err(SurveyErrorKind::Empty);
     }
     // The reader of workbooks is not ours, and a damaged file may make it panic.
-    let sheets = catch_unwind(AssertUnwindSafe(|| {
+    let sheets = caught(|| {
         if bytes.starts_with(b"PK") {
             xlsx(bytes)
         } else {
             xls(bytes)
         }
-    }));
+    });
     match sheets {
         Ok(Ok(sheets)) => Ok(sheets),
         Ok(Err(reason)) => Err(SurveyErrorKind::NotAWorkbook { reason }),

@@ -14,7 +14,8 @@ use crate::failure::Failure;
 pub(crate) fn start(arguments: &[&str], changes: &[Override]) -> Result<Child, Failure> {
     let program = env::current_exe().map_err(|error| failed(&error))?;
     let mut command = Command::new(program);
-    command.args(arguments).arg("--quiet");
+    // One measurement after the other goes to the same folder.
+    command.args(arguments).args(["--quiet", "--overwrite"]);
     for Override { key, value, .. } in changes {
         command.arg("--set").arg(format!("{key}={value}"));
     }

@@ -10,12 +10,16 @@ mod trials;
 use std::path::Path;
 
 use wholestring_case::Case;
-use wholestring_results::{BitTestSummary, ResultsFolder};
+use wholestring_results::{BitTestSummary, Occupant, digest};
 
 use self::{points::common, trials::Trials};
 use crate::{
-    args::BitTestArgs, checkpoint::difference, failure::Failure, folder_name::default_output, load,
-    say,
+    args::{BitTestArgs, Shard},
+    checkpoint::difference,
+    claim::Claim,
+    failure::Failure,
+    folder_name::default_output,
+    load, say,
 };
 
 pub(crate) fn bit_test(args: &BitTestArgs) -> Result<(), Failure> {
@@ -26,17 +30,36 @@ pub(crate) fn bit_test(args: &BitTestArgs) -> Result<(), Failure> {
         ));
     };
     let points = points::points(test, &case.settings)?;
-    let output = args
-        .batch
-        .output
-        .clone()
-        .unwrap_or_else(|| default_output(&format!("{} bit test", case.name)));
-    if args.batch.resume {
-        check_same(&output, &case)?;
-    }
+    let name = format!("{} bit test", case.name);
+    let shard = args.batch.shard.unwrap_or(Shard::ALL);
+    let parts: Vec<_> = points.iter().map(|of| (&of.name, &of.settings)).collect();
     // Before anything is drilled, so that a long test does not end on a folder it may not write to.
-    let folder = ResultsFolder::create(output)?;
-    let trials = Trials::new(&args.batch, &case, test, points, folder)?;
+    let claimed = Claim {
+        occupant: Occupant {
+            kind: "bit test".into(),
+            name: name.clone(),
+            identity: digest(&parts),
+        },
+        output: args.batch.output.as_deref(),
+        default: default_output(&name),
+        shared: shard != Shard::ALL,
+        resume: args.batch.resume,
+        overwrite: args.batch.overwrite,
+        quiet: args.batch.quiet,
+        is_unfinished: &|path| {
+            let mine = (0..points.len()).filter(|point| shard.has(*point));
+            let mut places = mine.map(|point| path.join(&points[point].name));
+            places.any(|place| place.join("checkpoint.bin").is_file())
+        },
+        is_part: &|_| true,
+        go_on: &|_| "add --resume".to_owned(),
+        refuse: &|path| match args.batch.resume {
+            true => check_same(path, &case),
+            false => Ok(()),
+        },
+    }
+    .folder()?;
+    let trials = Trials::new(&args.batch, &case, test, points, claimed.folder.clone())?;
     trials.solve_all()?;
     let units = args.units.unwrap_or(case.units);
     if !args.batch.quiet {

@@ -70,6 +70,11 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<BitTest, R
         asked: asked(&summary),
         strength_Pa: summary.rock_strength_Pa,
         radius_m: summary.bit_radius_m,
+        torque_by_weight: summary
+            .response
+            .torque_over_weight_m
+            .zip(summary.response.torque_at_no_weight_N_m)
+            .map(|(slope_m, offset_N_m)| [slope_m, offset_N_m]),
         points,
         message,
         sheets: inputs(settings),
@@ -133,5 +138,12 @@ fn asked(summary: &BitTestSummary) -> Vec<Fact> {
             )),
         ),
         fact("Points", Cell::Text(summary.points.len().to_string())),
+        fact(
+            "Torque over weight",
+            match summary.response.torque_over_weight_and_radius {
+                Some(slope) => Cell::Text(format!("{slope:.2} of the bit's radius")),
+                None => Cell::Text("no slope: it takes two weights".into()),
+            },
+        ),
     ]
 }

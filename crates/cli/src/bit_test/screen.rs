@@ -82,9 +82,13 @@ pub(super) fn text(summary: &BitTestSummary, units: UnitSet) -> String {
 fn common(summary: &BitTestSummary) -> String {
     let response = &summary.response;
     let mut text = String::new();
-    if let Some(slope) = response.torque_over_weight_and_radius {
-        text += &format!("Torque over weight times radius, slope of all points: {slope:.2}\n");
-    }
+    text += &match response.torque_over_weight_and_radius {
+        Some(slope) => {
+            format!("Torque over weight times radius, slope of all points: {slope:.2}\n")
+        }
+        None => "Torque over weight times radius: one weight has no slope, give two under wob of [bit_test]\n"
+            .to_owned(),
+    };
     if let Some(ratio) = response.specific_energy_over_strength {
         text += &format!("Specific energy over the rock's strength, all points: {ratio:.2}\n");
     }

@@ -1,9 +1,6 @@
 //! The trials of a bit test: all cores, one progress bar.
 
-use std::{
-    sync::Mutex,
-    time::{Duration, Instant},
-};
+use std::{sync::Mutex, time::Instant};
 
 use indicatif::ProgressBar;
 use wholestring::rock::{Alone, DrillingResponse, Stepper, Trial, TrialOutcome};
@@ -200,18 +197,12 @@ impl<'a> Trials<'a> {
         }
     }
 
-    /// Points that are finished, and the time that the others may take.
+    /// Points that are finished.
     fn message(&self) -> String {
         let endings = lock(&self.endings);
         let done = self.mine.iter().filter(|point| endings[**point].is_some());
         let (done, all) = (done.count(), self.mine.len());
-        let left = self.bar.eta();
-        let left = if left < Duration::from_secs(120) {
-            format!("{} s", left.as_secs())
-        } else {
-            format!("{} min", left.as_secs() / 60)
-        };
-        format!("{done} of {all} points, {left} left")
+        format!("{done} of {all} points")
     }
 
     /// How far the test has come.

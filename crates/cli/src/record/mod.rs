@@ -4,7 +4,10 @@ mod rows;
 
 pub(crate) use rows::{Effort, bottom_rows};
 
+use std::borrow::Cow;
+
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use wholestring::{
     dynamics::ScheduleStep,
     operation::Operation,
@@ -14,31 +17,34 @@ use wholestring::{
 use wholestring_case::{Case, Records};
 use wholestring_report::profile;
 use wholestring_results::{
-    BOTTOM_HOLE, CONTACT, FramesSoFar, Friction, NODES, OperationSummary, ResultsError,
-    ResultsFolder, SCHEMA_VERSION, SPECTRA, Status, Summary, TIME, Table, WEAR,
+    BOTTOM_HOLE, CONTACT, ENGINE_VERSION, FramesSoFar, Friction, NODES, OperationSummary,
+    ResultsError, ResultsFolder, SCHEMA_VERSION, SPECTRA, Status, Summary, TIME, Table, WEAR,
+    digest,
 };
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::{failure::Failure, frames::Frames, report::along_the_hole};
 
-/// What a run has solved to its end, as a checkpoint keeps it.
+/// What a run has solved to its end, as a checkpoint keeps it. The tables are not copied for it: they are large.
 #[derive(Serialize, Deserialize)]
-pub(crate) struct Solved {
+pub(crate) struct Solved<'a> {
     /// The operations of the summary, as JSON.
     operations: String,
-    nodes: Table,
-    time: Table,
-    wear: Table,
-    contact: Table,
-    bottom_hole: Table,
-    spectra: Table,
+    nodes: Cow<'a, Table>,
+    time: Cow<'a, Table>,
+    wear: Cow<'a, Table>,
+    contact: Cow<'a, Table>,
+    bottom_hole: Cow<'a, Table>,
+    spectra: Cow<'a, Table>,
     /// Frames up to the checkpoint, of the operation under way too.
-    frames: Option<FramesSoFar>,
+    frames: Option<Cow<'a, FramesSoFar>>,
 }
 
 /// Everything that a run leaves.
 pub(crate) struct Record {
     pub(crate) summary: Summary,
+    /// All that the case's answers depend on.
+    pub(crate) identity: Value,
     nodes: Table,
     time: Table,
     /// Lines of the case's schedule.
@@ -72,29 +78,34 @@ impl Record {
         case: &Case,
         units: UnitSet,
         folder: &ResultsFolder,
-        solved: Solved,
+        solved: Solved<'_>,
     ) -> Result<Self, String> {
-        let frames = Frames::begin(case, folder, solved.frames).map_err(|e| e.to_string())?;
+        let frames = solved.frames.map(Cow::into_owned);
+        let frames = Frames::begin(case, folder, frames).map_err(|e| e.to_string())?;
         let mut record = Self::empty(case, units, frames);
         let operations = serde_json::from_str(&solved.operations);
         record.summary.operations = operations.map_err(|e| e.to_string())?;
-        record.nodes = solved.nodes;
-        record.time = solved.time;
-        record.wear = solved.wear;
-        record.contact = solved.contact;
-        record.bottom_hole = solved.bottom_hole;
-        record.spectra = solved.spectra;
+        record.nodes = solved.nodes.into_owned();
+        record.time = solved.time.into_owned();
+        record.wear = solved.wear.into_owned();
+        record.contact = solved.contact.into_owned();
+        record.bottom_hole = solved.bottom_hole.into_owned();
+        record.spectra = solved.spectra.into_owned();
         Ok(record)
     }
 
     fn empty(case: &Case, units: UnitSet, frames: Option<Frames>) -> Self {
+        let identity = case.identity();
         Self {
             summary: Summary {
                 schema_version: SCHEMA_VERSION,
+                engine_version: Some(ENGINE_VERSION.to_owned()),
                 case: case.name.clone(),
+                identity: Some(digest(&identity)),
                 settings: case.settings.clone(),
                 operations: Vec::new(),
             },
+            identity,
             nodes: Table::with_columns(NODES),
             time: Table::with_columns(TIME),
             schedule: case.dynamics.schedule.steps.clone(),
@@ -111,10 +122,11 @@ impl Record {
     }
 
     /// What was solved so far; nothing that was only begun is in it.
-    pub(crate) fn solved_so_far(&self) -> Solved {
+    pub(crate) fn solved_so_far(&self) -> Solved<'_> {
         // Every field is named: a new one is either found anew or kept.
         let Self {
             summary,
+            identity: _,
             nodes,
             time,
             wear,
@@ -130,13 +142,13 @@ impl Record {
         } = self;
         Solved {
             operations: serde_json::to_string(&summary.operations).expect("numbers and words"),
-            nodes: nodes.clone(),
-            time: time.clone(),
-            wear: wear.clone(),
-            contact: contact.clone(),
-            bottom_hole: bottom_hole.clone(),
-            spectra: spectra.clone(),
-            frames: frames.as_ref().map(|frames| frames.so_far().clone()),
+            nodes: Cow::Borrowed(nodes),
+            time: Cow::Borrowed(time),
+            wear: Cow::Borrowed(wear),
+            contact: Cow::Borrowed(contact),
+            bottom_hole: Cow::Borrowed(bottom_hole),
+            spectra: Cow::Borrowed(spectra),
+            frames: frames.as_ref().map(|frames| Cow::Borrowed(frames.so_far())),
         }
     }
 

@@ -21,7 +21,7 @@ use crate::{
     args::StudyArgs,
     color,
     failure::Failure,
-    folder_name::{default_output, file_name},
+    folder_name::file_name,
     plot::write_picture,
     report::{FILE, PROGRAM},
     sweep::{Batch, Ending, Set, Sound},
@@ -36,8 +36,9 @@ pub(crate) fn study(args: &StudyArgs) -> Result<(), Failure> {
     }
     let templates = Templates::read(&study, &args.study)?;
     let sound = Sound::check(templates.points(&study, &args.overrides)?, &args.batch)?;
-    let output = args.batch.output.clone();
-    let folder = ResultsFolder::create(output.unwrap_or_else(|| default_output(&study.name)))?;
+    let of_set = |path: &Path, set: usize| path.join(file_name(&study.sweeps[set].name));
+    let claimed = sound.claim("study", &study.name, &args.batch, &of_set)?;
+    let folder = &claimed.folder;
     let sets = study.sweeps.iter().map(|sweep| {
         Ok(Set {
             prefix: format!("{}/", sweep.name),
@@ -60,7 +61,7 @@ pub(crate) fn study(args: &StudyArgs) -> Result<(), Failure> {
             );
         }
     }
-    show(&study, &answers, &folder, args.png)?;
+    show(&study, &answers, folder, args.png)?;
     batch.conclude(folder.path())
 }
 

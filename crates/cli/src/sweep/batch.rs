@@ -7,8 +7,8 @@ use std::{
 };
 
 use indicatif::ProgressBar;
-use wholestring_case::Case;
-use wholestring_results::{OperationSummary, ResultsFolder, Status, Summary};
+use wholestring_case::{Case, caught};
+use wholestring_results::{Occupant, OperationSummary, ResultsFolder, Status, Summary, digest};
 
 use super::{
     checked::{Checked, check},
@@ -18,9 +18,12 @@ use super::{
 };
 use crate::{
     args::{BatchArgs, Shard},
-    checkpoint::{Laid, UnderWay, difference},
+    checkpoint::{Laid, UnderWay, is_of},
+    claim::{Claim, Claimed},
     conclusion::Conclusion,
+    cores,
     failure::Failure,
+    folder_name::default_output,
     interrupt::Interrupt,
     pace::pace,
     parallel::{in_parallel, lock},
@@ -90,6 +93,49 @@ impl<'a> Sound<'a> {
     pub(crate) fn first_name(&self) -> &str {
         self.checked.first().map_or("", |case| &case.name)
     }
+
+    /// Digest of all that the answers depend on: those of all cases, by set and name.
+    fn identity(&self) -> String {
+        let cases = self.points.iter().zip(&self.checked);
+        let cases = cases.map(|(point, case)| (point.set, &point.name, &case.identity));
+        digest(&cases.collect::<Vec<_>>())
+    }
+
+    /// The folder for a batch, which is called so; a case of the numbered set goes to what `within` makes of the batch's folder.
+    pub(crate) fn claim(
+        &self,
+        kind: &str,
+        name: &str,
+        args: &BatchArgs,
+        within: &dyn Fn(&Path, usize) -> PathBuf,
+    ) -> Result<Claimed, Failure> {
+        let shard = args.shard.unwrap_or(Shard::ALL);
+        let mine = || {
+            let cases = self.points.iter().enumerate();
+            cases.filter_map(|(case, point)| shard.has(case).then_some(point))
+        };
+        let case = |path: &Path, point: &Point<'_>| within(path, point.set).join(&point.name);
+        Claim {
+            occupant: Occupant {
+                kind: kind.to_owned(),
+                name: name.to_owned(),
+                identity: self.identity(),
+            },
+            output: args.output.as_deref(),
+            default: default_output(name),
+            shared: shard != Shard::ALL,
+            resume: args.resume,
+            overwrite: args.overwrite,
+            quiet: args.quiet,
+            is_unfinished: &|path| {
+                mine().any(|point| case(path, point).join("checkpoint.bin").is_file())
+            },
+            is_part: &|path| self.points.iter().any(|point| case(path, point).is_dir()),
+            go_on: &|_| "add --resume".to_owned(),
+            refuse: &|_| Ok(()),
+        }
+        .folder()
+    }
 }
 
 impl<'a> Batch<'a> {
@@ -157,8 +203,14 @@ impl<'a> Batch<'a> {
         if self.interrupt.asked() {
             return;
         }
-        let ending = self
-            .ending(&self.points[case])
+        let simulated_s = self.checked[case].simulated_s;
+        // A mistake of the program in one case is no reason to lose the others.
+        let ending = caught(|| self.ending(&self.points[case], simulated_s))
+            .unwrap_or_else(|mistake| {
+                Err(Stop::Unsolved(format!(
+                    "a mistake of the program, please report it: {mistake}"
+                )))
+            })
             .unwrap_or_else(|why| Ending {
                 solved: Vec::new(),
                 why: Some(why),
@@ -182,7 +234,7 @@ impl<'a> Batch<'a> {
         }
     }
 
-    fn ending(&self, point: &Point) -> Result<Ending, Stop> {
+    fn ending(&self, point: &Point, simulated_s: f64) -> Result<Ending, Stop> {
         let case = point
             .template
             .case(&point.changes)
@@ -190,14 +242,16 @@ impl<'a> Batch<'a> {
         let folder = ResultsFolder::create(self.folder(point))?;
         let mut begun = None;
         if self.args.resume {
-            if let Some(solved) = finished(folder.path(), &case) {
-                // Killed between its last result and its end, a run may leave one.
-                folder.remove_checkpoint()?;
-                let simulated_s = Checked::of(&case).simulated_s;
-                self.bar.inc(milliseconds(simulated_s));
-                return Ok(Ending { solved, why: None });
+            match finished(folder.path(), &case) {
+                Ok(Some(solved)) => {
+                    // Killed between its last result and its end, a run may leave one.
+                    folder.remove_checkpoint()?;
+                    self.bar.inc(milliseconds(simulated_s));
+                    return Ok(Ending { solved, why: None });
+                }
+                Ok(None) => begun = self.begun(point, &case, &folder),
+                Err(reason) => self.warn_of(point, &reason),
             }
-            begun = self.begun(point, &case, &folder);
         }
         let (mut record, under_way) = match begun {
             Some(begun) => begun,
@@ -212,7 +266,7 @@ impl<'a> Batch<'a> {
             watch: Watch::Sweep(self.bar.clone()),
             interrupt: &self.interrupt,
             // Cases are what the cores share.
-            crew: None,
+            crew: cores::alone(&self.interrupt),
         };
         let why = solve(&case, &way, &mut record, &folder, under_way).err();
         Ok(Ending {
@@ -228,18 +282,22 @@ impl<'a> Batch<'a> {
         case: &Case,
         folder: &ResultsFolder,
     ) -> Option<(Record, Option<UnderWay<'static>>)> {
-        let begun = Laid::read(folder, case).and_then(|laid| {
+        let begun = Laid::<'static>::read(folder, case).and_then(|laid| {
             let Some(laid) = laid else { return Ok(None) };
             let record = Record::resume(case, case.units, folder, laid.solved)?;
             Ok(Some((record, laid.under_way)))
         });
         begun.unwrap_or_else(|reason| {
-            Watch::Sweep(self.bar.clone()).tell(&format!(
-                "warning: {}: {reason}; it begins anew\n",
-                self.label(point)
-            ));
+            self.warn_of(point, &reason);
             None
         })
+    }
+
+    /// Tells why a case does not go on from what lies in its folder.
+    fn warn_of(&self, point: &Point<'_>, reason: &str) {
+        let label = self.label(point);
+        let warning = format!("warning: {label}: {reason}; it begins anew\n");
+        Watch::Sweep(self.bar.clone()).tell(&warning);
     }
 
     /// The folder of a case.
@@ -300,15 +358,20 @@ impl<'a> Batch<'a> {
     }
 }
 
-/// What a finished run of the case left in the folder; nothing if it is not finished, or of another case.
-fn finished(folder: &Path, case: &Case) -> Option<Vec<OperationSummary>> {
-    let summary = Summary::read(&folder.join("summary.json")).ok()?;
+/// What a finished run of the case left in the folder; nothing if there is none or it is not finished.
+///
+/// # Errors
+/// Why what lies there is not the case's.
+fn finished(folder: &Path, case: &Case) -> Result<Option<Vec<OperationSummary>>, String> {
+    let Ok(summary) = Summary::read(&folder.join("summary.json")) else {
+        return Ok(None);
+    };
+    is_of(&summary, case)?;
     let all = case.operations.len() * case.models.len();
     let complete = summary.operations.len() == all
         && summary
             .operations
             .iter()
             .all(|of| of.status == Status::Complete);
-    (complete && difference(&summary.settings, &case.settings).is_none())
-        .then_some(summary.operations)
+    Ok(complete.then_some(summary.operations))
 }

@@ -7,6 +7,7 @@ use std::{
 
 use wholestring::{dynamics::Effort, outcome::ModelKind};
 use wholestring_case::{Case, Report};
+use wholestring_results::digest;
 
 use super::points::Point;
 use crate::{
@@ -19,6 +20,8 @@ use crate::{
 /// What is known of a case before it is solved.
 pub(super) struct Checked {
     pub(super) name: String,
+    /// Digest of all that its answers depend on.
+    pub(super) identity: String,
     /// Element-steps of its dynamic runs.
     pub(super) cost: f64,
     /// Simulated time of its dynamic runs, s.
@@ -39,6 +42,7 @@ impl Checked {
         let each_s = case.dynamics.settle_s + case.dynamics.duration_s;
         Self {
             name: case.name.clone(),
+            identity: digest(&case.identity()),
             cost: cost.sum(),
             lift: dynamic && case.tunes_lift,
             simulated_s: operations.len() as f64 * each_s,

@@ -7,14 +7,13 @@ pub(crate) mod report;
 mod table;
 
 use wholestring_case::{Report, Template, Variation};
-use wholestring_results::ResultsFolder;
 
 pub(crate) use self::{
     batch::{Batch, Ending, Set, Sound},
     points::{Point, points},
     table::SCALARS,
 };
-use crate::{args::SweepArgs, color, failure::Failure, folder_name::default_output};
+use crate::{args::SweepArgs, color, failure::Failure};
 
 pub(crate) fn sweep(args: &SweepArgs) -> Result<(), Failure> {
     let refused = |report: Report| Failure::BadInput(report.render(color()));
@@ -22,13 +21,11 @@ pub(crate) fn sweep(args: &SweepArgs) -> Result<(), Failure> {
     let template = Template::read(&args.case.case).map_err(refused)?;
     let points = points(&template, &args.case.overrides, &variations)?;
     let sound = Sound::check(points, &args.batch)?;
-    let output = args.batch.output.clone().unwrap_or_else(|| {
-        let name = format!("{} sweep", sound.first_name());
-        default_output(&name)
-    });
+    let name = format!("{} sweep", sound.first_name());
+    let claimed = sound.claim("sweep", &name, &args.batch, &|path, _| path.to_owned())?;
     let set = Set {
         prefix: String::new(),
-        folder: ResultsFolder::create(output)?,
+        folder: claimed.folder.clone(),
         keys: variations.into_iter().map(|of| of.key).collect(),
     };
     let place = set.folder.path().to_owned();

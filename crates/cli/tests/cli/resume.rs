@@ -234,9 +234,15 @@ fn what_cannot_be_resumed_is_refused() {
     assert!(resume(&[]).contains("it does not begin like one"));
     assert_snapshot!("resume_into_another_folder", resume(&["-o", "elsewhere"]));
 
-    // A fresh run does not take the remains for its own.
+    // A fresh run does not take the remains for its own, nor does it remove them unasked.
     put(&checkpoint);
-    let output = desk.run(&[&["run", "slant.toml", "-o", "results"], &soft[..]].concat());
+    let anew = [&["run", "slant.toml", "-o", "results"], &soft[..]].concat();
+    assert_eq!(desk.run(&anew).status.code(), Some(2));
+    assert_eq!(
+        fs::read(desk.path("results/checkpoint.bin")).unwrap(),
+        checkpoint
+    );
+    let output = desk.run(&[&anew[..], &["--overwrite"]].concat());
     assert!(output.status.success());
     assert!(!desk.path("results/checkpoint.bin").exists());
 }

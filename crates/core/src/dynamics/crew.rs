@@ -31,6 +31,10 @@ impl Executor for Lent {
     fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
         self.0.each(count, work);
     }
+
+    fn stopped(&self) -> bool {
+        self.0.stopped()
+    }
 }
 
 /// Who works on the rock, with which instructions.

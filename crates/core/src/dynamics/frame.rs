@@ -1,5 +1,7 @@
 //! The whole string at one moment.
 
+use serde::Serialize;
+
 use super::{
     assembly::Anchor,
     body::Body,
@@ -10,7 +12,7 @@ use super::{
 use crate::rod::{number::Real, vector::Vector};
 
 /// A group of quantities that a frame holds of every node.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
 pub enum Channel {
     /// Offset from the hole's axis towards the high side and to the right of it.
     Position,

@@ -1,5 +1,7 @@
 //! A constant lift on the top of the string, found so that the mean weight on bit is what the operation asks for.
 
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 
 use super::{
@@ -11,6 +13,7 @@ use super::{
 use crate::{
     model::Model,
     operation::{Operation, OperationKind},
+    rock::Executor,
     statics::soft::{self, SoftError, SoftSettings},
 };
 
@@ -78,7 +81,7 @@ pub enum LiftError {
 /// is the one that this finds: the same on every run.
 ///
 /// `watch` is told the number of the try, from one, and its time, s, a few times each simulated second; the search stops where it
-/// answers `false`.
+/// answers `false`, or where the `executor`, which works on solid rock under the bit, asks to stop.
 ///
 /// # Errors
 /// An operation without weight on bit, a run that cannot begin or diverges, and a weight that no lift gives.
@@ -86,6 +89,7 @@ pub fn tune_lift(
     model: &Model,
     operation: &Operation,
     settings: &DynamicsSettings,
+    executor: &Arc<dyn Executor + Send + Sync>,
     mut watch: impl FnMut(usize, f64) -> bool,
 ) -> Result<(TunedLift, Simulation), LiftError> {
     let target_N = operation.weight_on_bit_now_N();
@@ -99,7 +103,11 @@ pub fn tune_lift(
             hoist_control: Some(HoistControl::HookLoad(search.lift_N)),
             ..settings.clone()
         };
-        let mut simulation = Simulation::new(model, operation, &settings)?;
+        let mut simulation =
+            match Simulation::lent(model, operation, &settings, Arc::clone(executor)) {
+                Err(SetupError::Stopped) => return Err(LiftError::Stopped),
+                laid => laid?,
+            };
         let end_s = simulation.end_time_s() - 0.5 * simulation.sample_interval_s();
         while simulation.time_s() < end_s {
             if !watch(run, simulation.time_s()) {

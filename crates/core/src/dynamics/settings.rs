@@ -6,7 +6,7 @@ use super::{bit::BitSettings, lift::LIFT_TOLERANCE, schedule::Schedule, signal::
 use crate::wall::friction::STRIBECK_SPEED_M_PER_S;
 
 /// How the string lies at time zero.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Start {
     /// Laid on its contact side with the tension and torque of the soft string, then settled.
     Prepared,
@@ -15,7 +15,7 @@ pub enum Start {
 }
 
 /// How a centred start begins.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct CentredStart {
     /// Tension in the string at time zero.
     pub tension: StartTension,
@@ -35,7 +35,7 @@ impl Default for CentredStart {
 }
 
 /// Tension of a string that starts centred.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum StartTension {
     /// What it has hanging in its hole without friction, its weight on the bit included: nothing moves along the
     /// hole but for what friction and the hoist then do.
@@ -45,7 +45,7 @@ pub enum StartTension {
 }
 
 /// Kind of number that the time loop computes with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub enum Precision {
     /// Sixteen digits.
     #[default]
@@ -55,7 +55,7 @@ pub enum Precision {
 }
 
 /// How wall friction combines its axial and circumferential parts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum FrictionLaw {
     /// Coulomb's cone: the friction opposes the resultant sliding velocity.
     Vector,
@@ -66,7 +66,7 @@ pub enum FrictionLaw {
 }
 
 /// How the wall answers penetration.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub enum ContactLaw {
     /// `N = K_h α^1.5 (1 + d α')`, `K_h` from the elastic constants and radii of pipe and hole.
     Hertz {
@@ -195,7 +195,7 @@ pub enum TopDriveSettings {
 }
 
 /// Rayleigh damping of the rod, mesh-independent.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct RodDamping {
     /// Proportional to mass, 1/s, on velocities relative to the rigid motion of the string.
     pub mass_per_s: f64,
@@ -205,7 +205,7 @@ pub struct RodDamping {
 }
 
 /// Everything that a dynamic run needs beside the model and the operation.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DynamicsSettings {
     /// Length of the elements, m. A node stands on tool joints and stabilisers; between them the
     /// elements are as near to this as whole numbers allow, rather longer than shorter.

@@ -68,6 +68,9 @@ pub enum SetupError {
         /// What is wrong with it.
         fault: ScheduleFault,
     },
+    /// The [executor](crate::rock::Executor::stopped) asked to stop while the bit was run in.
+    #[error("stopped while the bit was run in")]
+    Stopped,
 }
 
 /// Refuses settings that no run can use.

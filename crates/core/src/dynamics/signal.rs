@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::outcome::TimeSeries;
 
 /// A scalar against time.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
 pub enum Signal {
     /// Hook load.
     HookLoad,

@@ -8,8 +8,10 @@ pub(crate) use hole_wear::{hole_depths_m, hole_steps, spread};
 pub(crate) use profile::{SLACK, neutral_point_among};
 pub use profile::{cutoff_depth_m, cutoff_in_build_m, neutral_point_m};
 
+use serde::Serialize;
+
 /// The models that answer with [`Scalars`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
 pub enum ModelKind {
     /// Soft string: statics without bending stiffness.
     Soft,

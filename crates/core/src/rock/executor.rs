@@ -6,6 +6,12 @@ use std::sync::{Mutex, PoisonError};
 pub trait Executor: Sync {
     /// Calls `work` once with each number below `count`, and returns when all is done.
     fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync));
+
+    /// Whether what the work is for is no longer wanted. Work of many steps that leaves nothing behind, such as the
+    /// run-in of a bit before the first step of a string, asks between them; never by default.
+    fn stopped(&self) -> bool {
+        false
+    }
 }
 
 /// The thread that asks, alone.

@@ -1,9 +1,11 @@
 //! What a component has that is fixed in its body and turns with it.
 
+use serde::Serialize;
+
 use super::Material;
 
 /// A bend of the body: of a motor's housing, of a bent sub.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct BodyBend {
     /// Angle between the axes above and below, rad.
     pub angle_rad: f64,
@@ -19,7 +21,7 @@ pub struct BodyBend {
 pub const NEAREST_BEND_M: f64 = 0.3;
 
 /// What is in the place of the steel that an eccentric component lacks on one side.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub enum Cavity {
     /// The mud: a bore off the axis, a slot, a worn side. It makes up for part of the missing steel.
     #[default]
@@ -29,7 +31,7 @@ pub enum Cavity {
 }
 
 /// A component whose steel has its centre of mass beside the axis of the pipe.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Eccentricity {
     /// Distance of the steel's centre of mass from the axis, m.
     pub offset_m: f64,

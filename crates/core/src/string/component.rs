@@ -2,13 +2,15 @@
 
 use std::f64::consts::PI;
 
+use serde::Serialize;
+
 use super::{BodyBend, Eccentricity};
 use crate::GRAVITY_M_PER_S2;
 
 /// Elastic and inertial properties of a component's metal.
 ///
 /// `E` and `G` are independent inputs: published models do not always keep them consistent.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Material {
     /// Density, kg/m³.
     pub density_kg_per_m3: f64,
@@ -27,7 +29,7 @@ impl Material {
 }
 
 /// Tool joints: the thick, short ends of a pipe, the only part of it that usually touches the wall.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ToolJoints {
     /// Outside diameter of the joint, m.
     pub od_m: f64,
@@ -37,7 +39,7 @@ pub struct ToolJoints {
 
 /// Blades of a stabiliser, a reamer, a centraliser: a short stretch at the middle of its component that
 /// stands out, and the only part of it that usually touches the wall.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Blades {
     /// Diameter over the blades, m: the gauge.
     pub od_m: f64,
@@ -46,7 +48,7 @@ pub struct Blades {
 }
 
 /// A uniform stretch of the string.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Component {
     /// What the user calls it.
     pub name: String,

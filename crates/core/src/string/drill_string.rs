@@ -1,14 +1,17 @@
 //! The assembled string.
 
+use serde::Serialize;
+
 use super::Component;
 
 /// The whole string, from the bit up, exactly as long as the bit is deep.
 ///
 /// Made by [`StringSpec::assemble`](super::StringSpec::assemble), which checks every dimension.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DrillString {
     components: Vec<Component>,
     /// Distance from the bit to the top of each component, m.
+    #[serde(skip)]
     tops_m: Vec<f64>,
 }
 

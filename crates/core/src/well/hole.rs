@@ -1,9 +1,11 @@
 //! Sections of the hole: casing and open hole.
 
+use serde::Serialize;
+
 use super::Roughness;
 
 /// What the wall is made of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum HoleKind {
     /// Steel casing or liner.
     Casing,
@@ -15,7 +17,7 @@ pub enum HoleKind {
 ///
 /// Along the hole and around it the coefficient may differ: a pipe that turns rolls over cuttings that it
 /// ploughs when it slides.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Friction {
     /// Coefficient while sliding along the hole.
     pub kinetic: f64,
@@ -37,7 +39,7 @@ impl Friction {
 }
 
 /// One stretch of hole with the same diameter, wall and friction.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct HoleSection {
     /// Casing or rock.
     pub kind: HoleKind,
@@ -58,7 +60,7 @@ pub struct HoleSection {
 }
 
 /// The hole's sections, from the surface down, without gaps or overlaps.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Hole {
     sections: Vec<HoleSection>,
     roughness: Option<Roughness>,

@@ -13,8 +13,10 @@ pub use path::{Interpolation, Path, PathError, PathPoint, TieIn};
 pub use roughness::{Relief, ReliefPoint, Roughness};
 pub use station::Station;
 
+use serde::Serialize;
+
 /// A well: where the hole runs and how wide it is and how it rubs.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize)]
 pub struct Well {
     /// Axis of the hole.
     pub path: Path,

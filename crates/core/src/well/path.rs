@@ -1,6 +1,7 @@
 //! The hole's axis as a curve through survey stations.
 
 use nalgebra::Vector3;
+use serde::{Serialize, Serializer, ser::SerializeStruct};
 
 use super::{
     Station,
@@ -20,7 +21,7 @@ const REVERSAL: f64 = 1e-6;
 const VERTICAL: f64 = 1e-9;
 
 /// How the curve runs between stations.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Interpolation {
     /// Circular arcs: the industry's standard. The curvature jumps at stations.
     MinimumCurvature,
@@ -29,7 +30,7 @@ pub enum Interpolation {
 }
 
 /// Where the first station lies.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct TieIn {
     /// North of the first station, m.
     pub north_m: f64,
@@ -174,6 +175,33 @@ pub struct Path {
     pieces: Vec<Piece>,
     end: PathPoint,
     near_vertical: NearVertical,
+}
+
+/// What a path is made from: stations, interpolation and tie-in. The rest follows from them.
+impl Serialize for Path {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        // Every field is named: a new one either follows from these or is written.
+        let Self {
+            stations,
+            interpolation,
+            pieces,
+            end: _,
+            near_vertical: _,
+        } = self;
+        let start_m = pieces[0].position_m(0.0);
+        let mut path = to.serialize_struct("Path", 3)?;
+        path.serialize_field("stations", stations)?;
+        path.serialize_field("interpolation", interpolation)?;
+        path.serialize_field(
+            "tie_in",
+            &TieIn {
+                north_m: start_m.x,
+                east_m: start_m.y,
+                tvd_m: start_m.z,
+            },
+        )?;
+        path.end()
+    }
 }
 
 impl Path {

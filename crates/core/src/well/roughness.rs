@@ -3,11 +3,12 @@
 use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
+use serde::Serialize;
 
 use crate::random::Random;
 
 /// What a wall departs from the smooth one by, as statistics and a seed.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Roughness {
     /// Root mean square departure of the hole's radius, m.
     pub radius_rms_m: f64,

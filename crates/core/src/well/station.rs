@@ -1,9 +1,10 @@
 //! Survey stations.
 
 use nalgebra::Vector3;
+use serde::Serialize;
 
 /// One survey station.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Station {
     /// Measured depth along the hole, m.
     pub md_m: f64,

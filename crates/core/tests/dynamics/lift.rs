@@ -1,8 +1,11 @@
 //! A constant lift that is found for a mean weight on bit.
 
+use std::sync::Arc;
+
 use wholestring::{
     dynamics::{FrictionLaw, HoistControl, LIFT_TOLERANCE, LiftError, Start, tune_lift},
     operation::{Operation, OperationKind},
+    rock::{Alone, Executor},
 };
 
 use crate::{
@@ -12,6 +15,11 @@ use crate::{
 
 const LENGTH_M: f64 = 600.0;
 const WEIGHT_N: f64 = 20e3;
+
+/// Nobody to help.
+fn alone() -> Arc<dyn Executor + Send + Sync> {
+    Arc::new(Alone)
+}
 
 /// A straight hole, drilled for 5 s after 2 s.
 fn drilling(mu: f64) -> Case {
@@ -32,8 +40,14 @@ fn drilling(mu: f64) -> Case {
 #[test]
 fn without_friction_it_is_the_weight_that_the_bit_does_not_bear() {
     let case = drilling(0.0);
-    let (lift, _) = tune_lift(&case.model, &case.operation, &case.settings, |_, _| true)
-        .unwrap_or_else(|error| panic!("{error}"));
+    let (lift, _) = tune_lift(
+        &case.model,
+        &case.operation,
+        &case.settings,
+        &alone(),
+        |_, _| true,
+    )
+    .unwrap_or_else(|error| panic!("{error}"));
     let pipe = &case.model.string.components()[0];
     let hanging = LENGTH_M
         * pipe.buoyed_weight_per_length_N_per_m(mud().density_kg_per_m3)
@@ -61,12 +75,18 @@ fn with_friction_it_is_found_and_holds() {
     case.settings.settle_s = 0.0;
     case.settings.friction_law = FrictionLaw::Independent;
     let mut tries = Vec::new();
-    let (lift, simulation) = tune_lift(&case.model, &case.operation, &case.settings, |run, _| {
-        if tries.last() != Some(&run) {
-            tries.push(run);
-        }
-        true
-    })
+    let (lift, simulation) = tune_lift(
+        &case.model,
+        &case.operation,
+        &case.settings,
+        &alone(),
+        |run, _| {
+            if tries.last() != Some(&run) {
+                tries.push(run);
+            }
+            true
+        },
+    )
     .unwrap_or_else(|error| panic!("{error}"));
     assert_close(
         "weight on bit",
@@ -93,7 +113,10 @@ fn what_cannot_be_tuned_says_so() {
     let case = drilling(0.0);
     let off = operation(OperationKind::RotateOffBottom, LENGTH_M);
     let tuned = |operation: &Operation, goes_on: bool| {
-        tune_lift(&case.model, operation, &case.settings, |_, _| goes_on).map(|(lift, _)| lift)
+        tune_lift(&case.model, operation, &case.settings, &alone(), |_, _| {
+            goes_on
+        })
+        .map(|(lift, _)| lift)
     };
     assert!(matches!(
         tuned(&off, true),

@@ -1,6 +1,9 @@
 //! A string that drills solid rock.
 
-use std::sync::Arc;
+use std::sync::{
+    Arc,
+    atomic::{AtomicUsize, Ordering},
+};
 
 use wholestring::{
     dynamics::{
@@ -262,4 +265,38 @@ fn a_bit_that_is_lighter_than_what_it_touches_is_refused() {
     case.settings.bit.law = BitLaw::Rock(Box::new(law));
     let error = Simulation::new(&case.model, &case.operation, &case.settings).unwrap_err();
     assert!(matches!(error, SetupError::LightBit { .. }), "{error}");
+}
+
+/// Has had enough after so many questions.
+struct Impatient {
+    answers: AtomicUsize,
+    works: AtomicUsize,
+}
+
+impl Executor for Impatient {
+    fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
+        self.works.fetch_add(1, Ordering::Relaxed);
+        (0..count).for_each(work);
+    }
+
+    fn stopped(&self) -> bool {
+        self.answers.fetch_add(1, Ordering::Relaxed) >= 5
+    }
+}
+
+/// A run-in takes minutes on small bricks: it is asked for between any two of its steps whether to go on.
+#[test]
+fn a_run_in_stops_within_a_step() {
+    let case = case();
+    let impatient = Arc::new(Impatient {
+        answers: AtomicUsize::new(0),
+        works: AtomicUsize::new(0),
+    });
+    let settings = &case.settings;
+    let laid = Simulation::lent(&case.model, &case.operation, settings, impatient.clone());
+    assert!(matches!(laid, Err(SetupError::Stopped)));
+    assert_eq!(impatient.answers.load(Ordering::Relaxed), 6);
+    // Five steps of 0.2 ms, each of some dozens of the rock's own; the whole run-in has hundreds.
+    let works = impatient.works.load(Ordering::Relaxed);
+    assert!((5..5000).contains(&works), "{works}");
 }

@@ -181,7 +181,7 @@ impl Drawing<'_> {
     fn drill_off(&self) -> Figure {
         let mut torque = self.panel(&WEIGHT, &TORQUE);
         let mut keys = self.keys();
-        if let Some((slope_m, offset_N_m)) = self.test.torque_fit() {
+        if let Some([slope_m, offset_N_m]) = self.test.torque_by_weight {
             let weights = || self.points.iter().map(|of| of.weight_N);
             let ends = [0.0, weights().fold(0.0, f64::max)];
             let line = |weight_N: f64| {

@@ -23,6 +23,8 @@ pub struct BitTest {
     pub strength_Pa: f64,
     /// Radius of the bit, m.
     pub radius_m: f64,
+    /// Slope (m) and offset (N·m) of the straight line of torque over weight through all points; none of fewer than two weights.
+    pub torque_by_weight: Option<[f64; 2]>,
     /// What was measured, in any order.
     pub points: Vec<BitTestPoint>,
     /// Why points are missing; nothing where none is.
@@ -69,25 +71,6 @@ impl BitTest {
             speeds.then(a.weight_N.total_cmp(&b.weight_N))
         });
         points
-    }
-
-    /// Slope and offset, m and N·m, of the straight line through torque over weight that leaves the least squares; none of
-    /// fewer than two weights.
-    fn torque_fit(&self) -> Option<(f64, f64)> {
-        let points = self.points.iter().map(|of| (of.weight_N, of.torque_N_m));
-        let points: Vec<(f64, f64)> = points.filter(|(x, y)| (x + y).is_finite()).collect();
-        let count = points.len() as f64;
-        let mean_x = points.iter().map(|(x, _)| x).sum::<f64>() / count;
-        let mean_y = points.iter().map(|(_, y)| y).sum::<f64>() / count;
-        let (mut xx, mut xy) = (0.0, 0.0);
-        for (x, y) in &points {
-            xx += (x - mean_x).powi(2);
-            xy += (x - mean_x) * (y - mean_y);
-        }
-        // Weights that differ by rounding make no slope.
-        let apart = xx > count * (1e-6 * mean_x).powi(2);
-        let slope = xy / xx;
-        apart.then_some((slope, mean_y - slope * mean_x))
     }
 
     /// All numbers, a row for each point.

@@ -12,7 +12,7 @@ use crate::rock::drilling::BitShape;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct DrillingResponse {
     /// Slope of the line `T = s W + t` with the least squares of the torque, m, `W` the weight that the rock bore; none where
-    /// there is but one weight.
+    /// but one weight was put on the bit.
     pub torque_over_weight_m: Option<f64>,
     /// The same over the bit's radius.
     pub torque_over_weight_and_radius: Option<f64>,
@@ -36,8 +36,13 @@ impl DrillingResponse {
         let [weight, torque] = [mean(&|one| one.weight_borne_N), mean(&|one| one.torque_N_m)];
         let spread = mean(&|one| (one.weight_borne_N - weight).powi(2));
         let together = mean(&|one| (one.weight_borne_N - weight) * (one.torque_N_m - torque));
-        // Weights of one value leave rounding.
-        let slope = (spread.sqrt() > 1e-9 * weight).then(|| together / spread);
+        // What the rock bore scatters about one weight: a line through that says nothing.
+        let put_on = outcomes.iter().map(|one| one.weight_on_bit_N);
+        let [least, most] = [
+            put_on.clone().fold(f64::INFINITY, f64::min),
+            put_on.fold(f64::NEG_INFINITY, f64::max),
+        ];
+        let slope = (most - least > 1e-6 * most).then(|| together / spread);
         // Every brick is as large as the others, so that their number is as good as their volume.
         let broken: f64 = outcomes.iter().map(|one| one.bricks_broken as f64).sum();
         let work: f64 = outcomes
@@ -142,5 +147,25 @@ mod tests {
             }
         );
         assert_eq!(DrillingResponse::of(&[], &bit, 50e6), of);
+    }
+
+    /// Under one weight at three speeds the rock bears it but for some newtons: a line through these had a slope of hundreds of
+    /// radii.
+    #[test]
+    fn what_scatters_about_one_weight_is_no_second_weight() {
+        let trial = |weight_borne_N: f64, torque_N_m: f64| TrialOutcome {
+            weight_on_bit_N: 6e4,
+            ..outcome(weight_borne_N, torque_N_m, None)
+        };
+        let outcomes = [
+            trial(59_990.0, 3100.0),
+            trial(60_004.0, 2900.0),
+            trial(59_998.0, 3050.0),
+        ];
+        let bit = BitShape::Pdc(PdcBit::for_diameter(0.2));
+        let of = DrillingResponse::of(&outcomes, &bit, 50e6);
+        assert_eq!(of.torque_over_weight_m, None);
+        assert_eq!(of.torque_at_no_weight_N_m, None);
+        assert_eq!(of.torque_over_weight_and_radius, None);
     }
 }

@@ -10,9 +10,10 @@ use crate::{
     dynamics::{
         bit::{BitLaw, BitSettings, motor::Drive},
         crew::Crew,
+        setup::SetupError,
     },
     operation::Operation,
-    rock::{Advance, BitMotion, Drilling, DrillingError, Driver, Inertia},
+    rock::{Advance, BitMotion, Drilling, Driver, Executor, Inertia},
 };
 
 /// Revolutions on its bottom before the start: one in which each blade meets what it has left itself and the bricks begin to go, and
@@ -60,13 +61,13 @@ impl RunIn {
     /// Runs the bit in; none where no solid rock is drilled. A motor turns it as fast as under the torque that `first` expects.
     ///
     /// # Errors
-    /// A bit or a block of rock that cannot be.
+    /// A bit or a block of rock that cannot be, and an executor that asks to stop.
     pub fn new(
         settings: &BitSettings,
         first: &Operation,
         standing: Standing,
         crew: &Crew,
-    ) -> Result<Option<Self>, DrillingError> {
+    ) -> Result<Option<Self>, SetupError> {
         let BitLaw::Rock(law) = &settings.law else {
             return Ok(None);
         };
@@ -81,11 +82,11 @@ impl RunIn {
             let motor = Drive::new(settings.motor, flow, first.bit_torque_now_N_m());
             let turning_rad_per_s = standing.string_rad_per_s + motor.speed_rad_per_s();
             if turning_rad_per_s >= SLOWEST_RAD_PER_S {
-                let last = turn(&mut run_in.drilling, standing, turning_rad_per_s, crew);
+                let last = turn(&mut run_in.drilling, standing, turning_rad_per_s, crew)?;
                 run_in.torque_N_m = (-last.moment_N_m.z).min(settings.motor.most_torque_N_m());
                 run_in.depth_of_cut_m = standing.rate_m_per_s * TAU / turning_rad_per_s;
             } else {
-                press(&mut run_in.drilling, standing, crew);
+                press(&mut run_in.drilling, standing, crew)?;
             }
         }
         Ok(Some(run_in))
@@ -115,7 +116,7 @@ fn turn(
     standing: Standing,
     rotary_rad_per_s: f64,
     crew: &Crew,
-) -> Advance {
+) -> Result<Advance, SetupError> {
     let driver = Driver::Weight {
         weight_N: standing.weight_N,
         mass_kg: standing.mass_kg.max(standing.weight_N / GRAVITY_M_PER_S2),
@@ -130,16 +131,26 @@ fn turn(
     for _ in 0..REVOLUTIONS {
         last = Advance::default();
         for _ in 0..steps as usize {
+            go_on(crew)?;
             last.join(&driver.drive(drilling, turn_s / steps, &crew.stepper, &crew.lent));
         }
     }
-    last
+    Ok(last)
+}
+
+/// Refuses to go on where the executor asks to stop.
+fn go_on(crew: &Crew) -> Result<(), SetupError> {
+    if crew.lent.stopped() {
+        return Err(SetupError::Stopped);
+    }
+    Ok(())
 }
 
 /// Lets a bit that only goes along the hole sink until the rock bears it.
-fn press(drilling: &mut Drilling, standing: Standing, crew: &Crew) {
+fn press(drilling: &mut Drilling, standing: Standing, crew: &Crew) -> Result<(), SetupError> {
     let left = (-PRESSING_DAMPING_PER_S * STEP_S).exp();
     for step in 1..=(PRESSING_S / STEP_S) as usize {
+        go_on(crew)?;
         let weight_N = standing.weight_N * (step as f64 * STEP_S / GROWING_S).min(1.0);
         let motion = BitMotion {
             velocity_m_per_s: Vector3::z() * (left * drilling.pose().velocity_m_per_s.z),
@@ -153,7 +164,8 @@ fn press(drilling: &mut Drilling, standing: Standing, crew: &Crew) {
         };
         let advance = drilling.advance(STEP_S, &motion, &crew.stepper, &crew.lent);
         if (-advance.force_N.z / standing.weight_N - 1.0).abs() < RESTS {
-            return;
+            break;
         }
     }
+    Ok(())
 }

@@ -1,0 +1,161 @@
+//! What an earlier command left in a folder.
+
+use std::{
+    fs, io,
+    path::{Path, PathBuf},
+};
+
+use wholestring_results::{Occupant, ResultsError, ResultsFolder, Summary};
+
+/// Files by which a folder is known to hold results, whatever wrote them.
+const KNOWN: [&str; 4] = ["summary.json", "checkpoint.bin", "sweep.csv", "point.json"];
+
+/// Other files that commands write beside them.
+const OTHERS: [&str; 4] = [
+    "profile.svg",
+    "report.html",
+    "bit-table.csv",
+    "checkpoint.bin.partial",
+];
+
+/// Tables, written as Parquet and as CSV.
+const TABLES: [&str; 8] = [
+    "nodes",
+    "time",
+    "wear",
+    "contact",
+    "spectra",
+    "bottom_hole",
+    "frames",
+    "bit-test",
+];
+
+/// Folders that commands make in the folder of their results, and the endings of what they put there.
+const MADE: [&str; 4] = ["plots", "figures", "tables", "frames.parts"];
+const PUT_THERE: [&str; 5] = [".svg", ".png", ".csv", ".md", ".parquet"];
+
+/// Whether a command wrote a file of that name into the folder of its results.
+fn is_written(name: &str) -> bool {
+    let table = name
+        .strip_suffix(".parquet")
+        .or_else(|| name.strip_suffix(".csv"));
+    KNOWN.contains(&name)
+        || OTHERS.contains(&name)
+        || table.is_some_and(|table| TABLES.contains(&table))
+}
+
+fn holds_results(path: &Path) -> bool {
+    KNOWN.iter().any(|known| path.join(known).is_file())
+}
+
+/// What the results in the folder are of: nothing where there are none, and nothing known where they do not say.
+///
+/// What the folder itself says goes before what its files say; files of an earlier version say nothing.
+pub(super) fn occupant(
+    folder: &ResultsFolder,
+    says: Option<&Occupant>,
+) -> Option<Option<Occupant>> {
+    if let Some(says) = says {
+        return Some(Some(says.clone()));
+    }
+    let path = folder.path();
+    if !holds_results(path) {
+        return None;
+    }
+    let summary = Summary::read(&path.join("summary.json")).ok();
+    let run = summary.and_then(|summary| {
+        Some(Occupant {
+            kind: "run".into(),
+            name: summary.case,
+            identity: summary.identity?,
+        })
+    });
+    Some(run)
+}
+
+/// Removes what commands left in a folder: the results of a run, and the folders of the cases of a sweep or a study. What
+/// is not theirs stays.
+pub(super) fn remove(path: &Path) -> Result<(), ResultsError> {
+    remove_within(path, 0)
+}
+
+/// Study, sweep, case, plots.
+const DEEPEST: usize = 4;
+
+fn remove_within(path: &Path, depth: usize) -> Result<(), ResultsError> {
+    let made = path.file_name().and_then(|name| name.to_str());
+    let made = depth > 0 && made.is_some_and(|name| MADE.contains(&name));
+    for (name, path, is_folder) in entries(path)? {
+        if is_folder {
+            let known = holds_results(&path) || MADE.contains(&&*name);
+            // A sweep of a study that was killed early has nothing but the folders of its cases.
+            let known = known
+                || entries(&path)?
+                    .iter()
+                    .any(|(_, path, _)| holds_results(path));
+            if known && depth < DEEPEST {
+                remove_within(&path, depth + 1)?;
+                // It stays where something that is not ours is in it.
+                let _ = fs::remove_dir(&path);
+            }
+        } else if is_written(&name) || made && PUT_THERE.iter().any(|end| name.ends_with(end)) {
+            fs::remove_file(&path).map_err(|source| ResultsError::Write { path, source })?;
+        }
+    }
+    Ok(())
+}
+
+/// Names, paths, and whether they are folders; a link is none.
+fn entries(path: &Path) -> Result<Vec<(String, PathBuf, bool)>, ResultsError> {
+    let read = || -> io::Result<Vec<_>> {
+        let all = fs::read_dir(path)?.map(|entry| {
+            let entry = entry?;
+            let name = entry.file_name().to_string_lossy().into_owned();
+            Ok((name, entry.path(), entry.file_type()?.is_dir()))
+        });
+        all.collect()
+    };
+    read().map_err(|source| ResultsError::Read {
+        path: path.to_owned(),
+        source,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_not_a_result_stays() {
+        let place = tempfile::tempdir().expect("a folder");
+        let put = |name: &str| {
+            let path = place.path().join(name);
+            fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+            fs::write(path, "").expect("a file");
+        };
+        let results = [
+            "summary.json",
+            "nodes.parquet",
+            "time.csv",
+            "plots/tracks.svg",
+            "plots/tracks.png",
+            "frames.parts/000001.parquet",
+            "friction=0.1/summary.json",
+            "friction=0.1/nodes.parquet",
+            "sweep/friction=0.1/checkpoint.bin",
+        ];
+        let others = [
+            "survey.csv",
+            "my-well.toml",
+            "notes/summary.txt",
+            "plots/mine.xcf",
+            "friction=0.1/notes.txt",
+        ];
+        results.iter().chain(&others).for_each(|name| put(name));
+        remove(place.path()).expect("removed");
+        let is_there = |name: &&str| place.path().join(name).exists();
+        assert!(!results.iter().any(|name| is_there(&name)));
+        assert!(others.iter().all(|name| is_there(&name)));
+        assert!(!is_there(&"sweep") && !is_there(&"frames.parts"));
+    }
+}

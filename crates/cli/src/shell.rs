@@ -1,0 +1,63 @@
+//! `wholestring completions` and `wholestring man`: what a shell and a manual know of the command line, made from its own
+//! declaration.
+
+use std::io;
+
+use clap::{Command, CommandFactory};
+
+use crate::{
+    args::{Cli, CompletionsArgs},
+    failure::Failure,
+    say,
+};
+
+/// Prints the script that completes commands and options in a shell.
+pub(crate) fn completions(args: &CompletionsArgs) -> Result<(), Failure> {
+    let mut command = Cli::command();
+    let name = command.get_name().to_owned();
+    let mut script = Vec::new();
+    clap_complete::generate(args.shell, &mut command, name, &mut script);
+    say(&String::from_utf8_lossy(&script))
+}
+
+/// Prints the manual page, its commands below it.
+pub(crate) fn man() -> Result<(), Failure> {
+    let page = page().map_err(|error| {
+        Failure::Failed(format!("error: the manual page cannot be made: {error}"))
+    })?;
+    say(&String::from_utf8_lossy(&page))
+}
+
+fn page() -> io::Result<Vec<u8>> {
+    let mut command = Cli::command();
+    command.build();
+    let mut page = Vec::new();
+    clap_mangen::Man::new(command.clone()).render(&mut page)?;
+    let name = command.get_name().to_owned();
+    let commands = command.get_subcommands().filter(|of| !of.is_hide_set());
+    for of in commands.filter(|of| of.get_name() != "help") {
+        section(&name, of, &mut page)?;
+    }
+    Ok(page)
+}
+
+/// One command, as a section of the page.
+fn section(program: &str, command: &Command, page: &mut Vec<u8>) -> io::Result<()> {
+    use io::Write;
+
+    let title = format!("{program} {}", command.get_name());
+    writeln!(page, ".SH \"{}\"", title.to_uppercase())?;
+    let mut own = Vec::new();
+    let man = clap_mangen::Man::new(command.clone());
+    man.render_description_section(&mut own)?;
+    man.render_options_section(&mut own)?;
+    // Its own headings go one level down.
+    for line in String::from_utf8_lossy(&own).lines() {
+        match line.strip_prefix(".SH ") {
+            Some("DESCRIPTION") => {}
+            Some(heading) => writeln!(page, ".SS \"{heading}\"")?,
+            None => writeln!(page, "{line}")?,
+        }
+    }
+    Ok(())
+}

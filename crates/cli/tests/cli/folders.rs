@@ -1,0 +1,369 @@
+//! Whose a folder is: results are not replaced by those of another case, and no two programs write to one folder.
+
+use std::{
+    fs,
+    process::{Child, Output, Stdio},
+    thread::sleep,
+    time::{Duration, Instant},
+};
+
+use crate::desk::Desk;
+
+const SOFT: [&str; 2] = ["--set", "model=soft"];
+
+fn words(output: &Output) -> (i32, String, String) {
+    let text = |bytes: &[u8]| {
+        String::from_utf8(bytes.to_vec())
+            .unwrap()
+            .replace('\\', "/")
+    };
+    let status = output.status.code().unwrap();
+    (status, text(&output.stdout), text(&output.stderr))
+}
+
+fn soft(desk: &Desk, more: &[&str]) -> (i32, String, String) {
+    words(&desk.run(&[&["run", "slant.toml"], &SOFT[..], more].concat()))
+}
+
+fn begin(desk: &Desk, arguments: &[&str]) -> Child {
+    desk.command(arguments)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap()
+}
+
+fn wait_for(desk: &Desk, name: &str) {
+    let begin = Instant::now();
+    while !desk.path(name).exists() {
+        assert!(begin.elapsed() < Duration::from_secs(120), "no {name}");
+        sleep(Duration::from_millis(1));
+    }
+}
+
+#[test]
+fn another_case_goes_to_a_folder_of_its_own() {
+    let desk = Desk::new();
+    let friction =
+        |folder: &str| desk.summary(folder).settings["well"]["hole"][0]["friction"].clone();
+    let (status, _, said) = soft(&desk, &[]);
+    assert_eq!((status, said.as_str()), (0, ""));
+    let first = fs::read(desk.path("out/Straight slant/summary.json")).unwrap();
+    let (status, told, said) = soft(&desk, &["--set", "friction=0.4"]);
+    assert_eq!(status, 0);
+    assert_eq!(
+        said,
+        "note: out/Straight slant holds other results, and is left alone: these go to out/Straight slant-2\n"
+    );
+    assert!(
+        told.ends_with("Results in out/Straight slant-2\n"),
+        "{told}"
+    );
+    assert_eq!(friction("out/Straight slant-2")["kinetic"], 0.4);
+    assert_eq!(
+        fs::read(desk.path("out/Straight slant/summary.json")).unwrap(),
+        first
+    );
+    // Each again: into its own, whatever it is called and shown in.
+    assert_eq!(soft(&desk, &["--set", "friction=0.4"]).0, 0);
+    let (status, told, said) = soft(&desk, &["--set", "units=field"]);
+    assert_eq!((status, said.as_str()), (0, ""));
+    assert!(told.ends_with("Results in out/Straight slant\n"), "{told}");
+    assert!(!desk.path("out/Straight slant-3").exists());
+    // Where it may replace what is there, it does.
+    let (status, told, _) = soft(&desk, &["--set", "friction=0.5", "--overwrite"]);
+    assert_eq!(status, 0);
+    assert!(told.ends_with("Results in out/Straight slant\n"), "{told}");
+    assert_eq!(friction("out/Straight slant")["kinetic"], 0.5);
+}
+
+#[test]
+fn a_named_folder_with_another_case_is_refused() {
+    let desk = Desk::new();
+    let records = [
+        "-o",
+        "results",
+        "--csv",
+        "--set",
+        "records.spectra=hook_load",
+    ];
+    let output = desk.run(&[&["run", "slant.toml", "--quiet"], &records[..]].concat());
+    assert!(output.status.success());
+    assert!(desk.run(&["plot", "results"]).status.success());
+    fs::write(desk.path("results/notes.txt"), "mine").unwrap();
+    let other = ["-o", "results", "--set", "friction=0.4"];
+    let (status, told, said) = soft(&desk, &other);
+    assert_eq!((status, told.as_str()), (2, ""));
+    assert_eq!(
+        said,
+        "error: results holds the run of another case, \"Straight slant\"\n\
+         name another folder with -o, or add --overwrite to replace what lies there\n"
+    );
+    assert!(desk.path("results/time.csv").exists());
+    // What it left goes with it, and nothing else.
+    assert_eq!(soft(&desk, &[&other[..], &["--overwrite"]].concat()).0, 0);
+    assert_eq!(desk.summary("results").operations.len(), 2);
+    for gone in ["time.csv", "spectra.parquet", "spectra.csv", "plots"] {
+        assert!(!desk.path("results").join(gone).exists(), "{gone}");
+    }
+    assert!(desk.path("results/notes.txt").exists());
+    // A run is no sweep.
+    let sweep = [
+        "sweep",
+        "slant.toml",
+        "--vary",
+        "friction=0.1",
+        "-o",
+        "results",
+    ];
+    let (status, _, said) = words(&desk.run(&[&sweep[..], &SOFT].concat()));
+    assert_eq!(status, 2);
+    assert!(
+        said.contains("results holds the run of another case"),
+        "{said}"
+    );
+    // Results of a version that did not say of which case they are.
+    let path = desk.path("results/summary.json");
+    let mut summary: serde_json::Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    summary.as_object_mut().unwrap().remove("identity");
+    fs::write(&path, summary.to_string()).unwrap();
+    fs::remove_file(desk.path("results/.wholestring")).unwrap();
+    let (status, _, said) = soft(&desk, &other);
+    assert_eq!(status, 2);
+    assert!(said.contains("an earlier version"), "{said}");
+}
+
+#[test]
+fn sweeps_are_not_replaced_by_other_sweeps() {
+    let desk = Desk::new();
+    let sweep = |more: &[&str]| {
+        let arguments = [&["sweep", "slant.toml", "--quiet"], &SOFT[..], more].concat();
+        words(&desk.run(&arguments))
+    };
+    let two = ["--vary", "friction=0.1,0.2"];
+    let other = ["--vary", "friction=0.1,0.3"];
+    assert_eq!(sweep(&two).0, 0);
+    assert_eq!(sweep(&two).0, 0);
+    let table = desk.path("out/Straight slant sweep/sweep.csv");
+    let first = fs::read(&table).unwrap();
+    assert_eq!(sweep(&other).0, 0);
+    assert_eq!(fs::read(&table).unwrap(), first);
+    assert!(
+        desk.path("out/Straight slant sweep-2/friction=0.3")
+            .exists()
+    );
+    let into = ["-o", "out/Straight slant sweep"];
+    assert_eq!(sweep(&[&other[..], &into].concat()).0, 2);
+    assert_eq!(sweep(&[&other[..], &into, &["--overwrite"]].concat()).0, 0);
+    assert_ne!(fs::read(&table).unwrap(), first);
+    // The case that is in both was written anew, the other is gone.
+    assert!(desk.path("out/Straight slant sweep/friction=0.1").exists());
+    assert!(!desk.path("out/Straight slant sweep/friction=0.2").exists());
+}
+
+/// What is finished is so for the same case alone: a bend, an eccentricity and the tolerance of the lift were none of the
+/// settings that were compared.
+#[test]
+fn a_resumed_sweep_does_not_take_the_answers_of_another_case() {
+    let desk = Desk::new();
+    let with = |more: &[&str]| {
+        let sweep = [
+            "sweep",
+            "slant.toml",
+            "--vary",
+            "friction=0.1",
+            "-o",
+            "swept",
+        ];
+        words(&desk.run(&[&sweep[..], &SOFT, more].concat()))
+    };
+    assert_eq!(with(&[]).0, 0);
+    let path = desk.path("swept/friction=0.1/nodes.parquet");
+    let written = || fs::metadata(&path).unwrap().modified().unwrap();
+    let first = written();
+    let (status, _, said) = with(&["--resume"]);
+    assert_eq!((status, said.as_str()), (0, ""));
+    assert_eq!(written(), first);
+    let mut before = first;
+    for change in [
+        "string.0.bend=1 deg",
+        "string.0.eccentricity=2 mm",
+        "hoist.tolerance=0.02",
+    ] {
+        // A bend of the only component stands where it is told to; with no bend it stands nowhere.
+        let place = ["--set", "string.0.bend_at=20 m"];
+        let place = if change.contains("bend") {
+            &place[..]
+        } else {
+            &[]
+        };
+        let (status, _, said) = with(&[&["--resume", "--set", change], place].concat());
+        assert_eq!(status, 0, "{said}");
+        assert!(said.contains("it is of another case"), "{change}: {said}");
+        assert!(said.contains("it begins anew"), "{change}: {said}");
+        assert_ne!(written(), before, "{change}");
+        before = written();
+    }
+}
+
+/// The soft string of the first operation is on the disk, and nothing else: the run was killed before its first checkpoint.
+#[test]
+fn a_run_that_ended_before_its_first_checkpoint_is_not_finished() {
+    let desk = Desk::new();
+    let output = desk.run(&["run", "slant.toml", "-o", "results", "--quiet"]);
+    assert!(output.status.success());
+    let path = desk.path("results/summary.json");
+    let mut summary: serde_json::Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    let resume = || words(&desk.run(&["run", "slant.toml", "--resume", "results"]));
+    let (status, _, said) = resume();
+    assert_eq!(status, 2);
+    assert!(
+        said.contains("is finished: nothing is left to do"),
+        "{said}"
+    );
+    summary["operations"].as_array_mut().unwrap().truncate(1);
+    assert_eq!(summary["operations"][0]["status"], "complete");
+    fs::write(&path, summary.to_string()).unwrap();
+    let (status, _, said) = resume();
+    assert_eq!(status, 2);
+    assert_eq!(
+        said,
+        "error: there is no checkpoint in results: the run ended before its first one, with 1 of 4 answers\n\
+         run the case without --resume to begin anew\n"
+    );
+    let (status, _, said) = words(&desk.run(&[
+        "run",
+        "slant.toml",
+        "--resume",
+        "results",
+        "--set",
+        "string.0.bend=1 deg",
+        "--set",
+        "string.0.bend_at=20 m",
+    ]));
+    assert_eq!(status, 2);
+    assert!(
+        said.contains("`string.0.bend_at_m` is null there"),
+        "{said}"
+    );
+    assert!(!said.contains("is finished"), "{said}");
+}
+
+#[test]
+fn a_second_program_is_kept_out_and_an_unfinished_run_is_kept() {
+    let desk = Desk::new();
+    let long = [
+        "run",
+        "slant.toml",
+        "-o",
+        "results",
+        "--set",
+        "dynamics.duration=4000 s",
+    ];
+    let often = [&long[..], &["--checkpoint", "0.01 s"]].concat();
+    let mut child = begin(&desk, &often);
+    wait_for(&desk, "results/checkpoint.bin");
+    let (status, _, said) = words(&desk.run(&long));
+    assert_eq!(status, 2);
+    assert_eq!(
+        said,
+        "error: another run is writing to results\n\
+         wait until it has ended, or name another folder with -o\n"
+    );
+    // Nor may it be replaced, or gone on with.
+    assert_eq!(
+        desk.run(&[&long[..], &["--overwrite"]].concat())
+            .status
+            .code(),
+        Some(2)
+    );
+    let resume = [
+        "run",
+        "slant.toml",
+        "--resume",
+        "results",
+        "--set",
+        "dynamics.duration=4000 s",
+    ];
+    let (status, _, said) = words(&desk.run(&resume));
+    assert_eq!(status, 2);
+    assert!(said.contains("another run is writing"), "{said}");
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let kept = fs::read(desk.path("results/checkpoint.bin")).unwrap();
+    let (status, _, said) = words(&desk.run(&long));
+    assert_eq!(status, 2);
+    assert_eq!(
+        said,
+        "error: results holds an unfinished run of this case\n\
+         to go on with it, run the case with --resume results; to begin anew, add --overwrite\n"
+    );
+    assert_eq!(fs::read(desk.path("results/checkpoint.bin")).unwrap(), kept);
+    // Another case does not take its place either.
+    assert_eq!(soft(&desk, &["-o", "results"]).0, 2);
+    assert_eq!(fs::read(desk.path("results/checkpoint.bin")).unwrap(), kept);
+    assert_eq!(soft(&desk, &["-o", "results", "--overwrite"]).0, 0);
+    assert!(!desk.path("results/checkpoint.bin").exists());
+}
+
+/// The summary and nothing else, with the version that computed it; with the other ways to ask what the program can do.
+#[test]
+fn programs_are_told_in_their_own_words() {
+    let desk = Desk::new();
+    let (status, told, said) = soft(&desk, &["--json", "-o", "results"]);
+    assert_eq!((status, said.as_str()), (0, ""));
+    let printed: serde_json::Value = serde_json::from_str(&told).unwrap();
+    let written = fs::read(desk.path("results/summary.json")).unwrap();
+    let written: serde_json::Value = serde_json::from_slice(&written).unwrap();
+    assert_eq!(printed, written);
+    assert_eq!(printed["engine_version"], env!("CARGO_PKG_VERSION"));
+    assert_eq!(printed["identity"].as_str().unwrap().len(), 32);
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let (status, script, _) = words(&desk.run(&["completions", shell]));
+        assert_eq!(status, 0);
+        assert!(
+            script.contains("wholestring") && script.contains("overwrite"),
+            "{shell}"
+        );
+    }
+    let (status, page, _) = words(&desk.run(&["man"]));
+    assert_eq!(status, 0);
+    for part in [
+        ".TH wholestring 1",
+        ".SH \"WHOLESTRING SWEEP\"",
+        "overwrite",
+        "Exit status",
+    ] {
+        assert!(page.contains(part), "{part}");
+    }
+}
+
+/// Of two sweeps of one case each goes on with its own; one with more values than before goes on with the one that has some.
+#[test]
+fn a_resumed_sweep_finds_its_folder() {
+    let desk = Desk::new();
+    let sweep = |values: &str, more: &[&str]| {
+        let vary = format!("friction={values}");
+        let sweep = ["sweep", "slant.toml", "--quiet", "--vary", &vary];
+        let output = desk.run(&[&sweep[..], &SOFT, more].concat());
+        assert!(output.status.success(), "{}", words(&output).2);
+    };
+    let written = |name: &str| {
+        let path = desk.path("out").join(name).join("summary.json");
+        fs::metadata(path).unwrap().modified().unwrap()
+    };
+    sweep("0.1,0.2", &[]);
+    sweep("0.1,0.3", &[]);
+    let names = [
+        "Straight slant sweep/friction=0.1",
+        "Straight slant sweep-2/friction=0.3",
+    ];
+    let before = names.map(written);
+    sweep("0.1,0.3", &["--resume"]);
+    sweep("0.1,0.2,0.25", &["--resume"]);
+    assert_eq!(names.map(written), before);
+    written("Straight slant sweep/friction=0.25");
+    // One that shares no case with either has a folder of its own.
+    sweep("0.4", &["--resume"]);
+    written("Straight slant sweep-3/friction=0.4");
+}
