@@ -39,7 +39,7 @@ table! {
     BitTestTable in "[bit_test]" {
         /// Weights on bit. Default: a quarter, a half, one, one and a half and two times the operation's.
         wob: Vec<At<f64>> = optional(List {
-            item: Quantity::si(Dimension::Force, Range::positive_to(5e6), "60 kN"),
+            item: Quantity::si(Dimension::Force, Range::positive_to(5e6).usual(1e3, 7e5), "60 kN"),
             or_one: true,
             noun: "weights on bit",
             most: MOST,
@@ -65,7 +65,7 @@ table! {
         /// more slowly. Default: what weighs as much as the mean of `wob`.
         mass: f64 = optional(Quantity::si(
             Dimension::Mass,
-            Range::positive_to(1e6),
+            Range::positive_to(1e6).usual(10.0, 2e5),
             "6 t",
         ));
         /// Time over which forces are averaged before their standard deviations are taken. Raising it takes swings out

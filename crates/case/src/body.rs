@@ -19,7 +19,7 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 pub(crate) fn bend_angle() -> Quantity {
     Quantity::si(
         Dimension::Angle,
-        Range::from_to(0.0, 10.0 * DEGREE),
+        Range::from_to(0.0, 10.0 * DEGREE).usual(0.05 * DEGREE, 4.0 * DEGREE),
         "1.5 deg",
     )
     .bare("deg", DEGREE)

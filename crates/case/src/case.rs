@@ -36,6 +36,7 @@ use crate::{
     table::{default, optional, required, table},
     template::Template,
     top_drive::TopDriveTable,
+    usual,
     well::WellTable,
 };
 
@@ -284,7 +285,13 @@ fn as_text<'a>(bytes: &'a [u8], kind: &Kind) -> Result<&'a str, Diagnostic> {
 
 /// Everything that can be checked is checked, also where something else is wrong.
 fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> Option<Case> {
+    if let Some(Value::Text { text, .. }) = root.get("units").map(|node| &node.value)
+        && let Ok(units) = text.parse()
+    {
+        reader.show_in(units);
+    }
     let case = CaseTable::read(root, Place::default(), reader);
+    usual::warn_of_bare(reader);
     let models = models(&case, reader);
     let mud = case.mud.get().and_then(|mud| mud.build(reader));
     let steel = case.steel.get().and_then(|steel| steel.build(reader));

@@ -33,7 +33,7 @@ table! {
         /// Length of the elements, at most a quarter longer where joints ask for it: a node stands on
         /// tool joints and stabilisers. Halving it makes a dynamic run four times slower.
         element_length: f64 = default(
-            Quantity::si(Dimension::Length, Range::from_to(0.2, 30.0), "3.2 m"),
+            Quantity::si(Dimension::Length, Range::from_to(0.2, 30.0).usual(0.3, 30.0), "3.2 m"),
             DynamicsSettings::default().element_length_m,
         );
     }
@@ -51,7 +51,7 @@ table! {
     DampingTable in "[dynamics.damping]" {
         /// Proportional to mass, 1/s, on velocities relative to the string's rigid motion.
         mass: f64 = default(
-            Quantity::si(Dimension::Frequency, Range::from_to(0.0, 100.0), "0.1 1/s"),
+            Quantity::si(Dimension::Frequency, Range::from_to(0.0, 100.0).usual(1e-4, 50.0), "0.1 1/s"),
             DynamicsSettings::default().damping.mass_per_s,
         );
         /// Proportional to stiffness, s, on strain rates.
@@ -67,7 +67,7 @@ table! {
     DynamicsTable in "[dynamics]" {
         /// Length of the window that the statistics cover.
         duration: f64 = default(
-            Quantity::si(Dimension::Time, Range::positive_to(86_400.0), "60 s"),
+            Quantity::si(Dimension::Time, Range::positive_to(86_400.0).usual(0.01, 14_400.0), "60 s"),
             DynamicsSettings::default().duration_s,
         );
         /// Simulated time before that window.
@@ -115,7 +115,7 @@ table! {
         /// Sliding speed at which friction at rest has half decayed to the kinetic one. Raising it keeps
         /// more of the friction at rest in slow sliding. Used where a hole section has static friction.
         stribeck_speed: f64 = default(
-            Quantity::si(Dimension::TripSpeed, Range::from_to(1e-4, 100.0), "0.1 m/s"),
+            Quantity::si(Dimension::TripSpeed, Range::from_to(1e-4, 100.0).usual(1e-3, 10.0), "0.1 m/s"),
             DynamicsSettings::default().stribeck_speed_m_per_s,
         );
         /// "hertz" (stiffness from the elastic constants and radii of pipe and hole) or "linear" (a
@@ -130,7 +130,7 @@ table! {
         /// Linear contact: stiffness of the contact of one node. Means do not move with it from 2e7
         /// to 2e11 N/m.
         contact_stiffness: f64 = default(
-            Quantity::si(Dimension::Stiffness, Range::from_to(1e3, 1e13), "1e8 N/m"),
+            Quantity::si(Dimension::Stiffness, Range::from_to(1e3, 1e13).usual(1e5, 1e11), "1e8 N/m"),
             1e8,
         );
         /// Linear contact: damping as a fraction of the critical damping of the node on its

@@ -63,9 +63,9 @@ pub(crate) fn check_clearance(
         };
         let mut diagnostic =
             Diagnostic::error(message).at(od_place(table, joint), format!("{} across", mm(od_m)));
-        if let Some(diameter) = section_table.value.diameter.at() {
+        if let Some(place) = section_table.value.diameter_place() {
             diagnostic = diagnostic.at(
-                diameter.place,
+                place,
                 format!(
                     "hole of {} from {} to {} m",
                     mm(section.diameter_m),

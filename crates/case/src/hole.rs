@@ -10,9 +10,9 @@ use crate::{
     range::{Number, Range, number_text},
     reader::Reader,
     roughness::RoughnessTable,
-    rule::{At, Choice, Rule, Table},
+    rule::{At, Choice, Rule, Table, Text},
     source::Place,
-    table::{default, optional, required, table},
+    table::{default, optional, required, required_unless, table},
 };
 
 table! {
@@ -33,7 +33,7 @@ table! {
 fn coefficient() -> Number {
     Number {
         unit: "",
-        range: Range::from_to(0.0, 2.0),
+        range: Range::from_to(0.0, 2.0).usual(0.05, 0.8),
     }
 }
 
@@ -118,15 +118,17 @@ table! {
         /// Measured depth where it ends, m unless a unit is given.
         to: f64 = required(Quantity::si(
             Dimension::Length,
-            Range::positive_to(20_000.0),
+            Range::positive_to(20_000.0).usual(5.0, 13_000.0),
             "2986.53 m",
         ));
-        /// Diameter of the hole, or inside diameter of the casing, m unless a unit is given.
-        diameter: f64 = required(Quantity::si(
+        /// Diameter of the hole, or inside diameter of the casing, m unless a unit is given. Needed without `casing`.
+        diameter: f64 = required_unless("casing", Quantity::si(
             Dimension::Diameter,
-            Range::from_to(0.02, 2.0),
+            Range::from_to(0.02, 2.0).usual(0.06, 1.3),
             "8-1/2 in",
         ));
+        /// Casing of API Spec 5CT by its size and weight, such as "9-5/8 in 40 lb/ft": gives the inside diameter.
+        casing: String = optional(Text);
         /// Coefficient of friction between string and wall, or
         /// { kinetic = 0.25, static = 0.3, around = 0.2 }.
         friction: Friction = required(FrictionRule);
@@ -134,7 +136,7 @@ table! {
         /// the article that the dynamics follow. Used by Hertz contact.
         youngs_modulus: f64 = optional(Quantity::si(
             Dimension::Pressure,
-            Range::from_to(1e6, 2e12),
+            Range::from_to(1e6, 2e12).usual(1e8, 3e11),
             "51.5 GPa",
         ));
         /// Poisson's ratio of the wall. Default: 0.3 in casing, 0.33 in open hole. Used by Hertz contact.
@@ -186,7 +188,12 @@ pub(crate) fn build(
         } else if let Some(from) = table.value.from.given() {
             sound &= check_from(from, above, sections.is_empty(), reader);
         }
-        match section(&table.value, above.map_or(0.0, |(md_m, _)| md_m)) {
+        let diameter_m = table.value.diameter_m(reader);
+        match section(
+            &table.value,
+            above.map_or(0.0, |(md_m, _)| md_m),
+            diameter_m,
+        ) {
             Some(section) => sections.push(section),
             None => sound = false,
         }
@@ -242,7 +249,7 @@ fn check_from(
     false
 }
 
-fn section(table: &HoleTable, from_md_m: f64) -> Option<HoleSection> {
+fn section(table: &HoleTable, from_md_m: f64, diameter_m: Option<f64>) -> Option<HoleSection> {
     let kind = *table.kind.get()?;
     let (youngs_modulus_Pa, poisson_ratio) = wall_constants(kind);
     let youngs_modulus = table.youngs_modulus.optional()?;
@@ -251,7 +258,7 @@ fn section(table: &HoleTable, from_md_m: f64) -> Option<HoleSection> {
         kind,
         from_md_m,
         to_md_m: *table.to.get()?,
-        diameter_m: *table.diameter.get()?,
+        diameter_m: diameter_m?,
         friction: *table.friction.get()?,
         youngs_modulus_Pa: youngs_modulus.map_or(youngs_modulus_Pa, |at| at.value),
         poisson_ratio: poisson.map_or(poisson_ratio, |at| at.value),

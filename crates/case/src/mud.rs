@@ -43,14 +43,14 @@ table! {
         /// its lateral inertia larger.
         density: f64 = required(Quantity::si(
             Dimension::Density,
-            Range::from_to(0.0, 3000.0),
+            Range::from_to(0.0, 3000.0).usual(600.0, 2600.0),
             "1.2 sg",
         ));
         /// Linear lateral drag: force per length of pipe per lateral speed, Pa.s. Zero leaves it to
         /// the mass-proportional part of the Rayleigh damping. Raising it calms lateral vibration.
         /// Only the dynamic model uses it.
         linear_drag: f64 = default(
-            Quantity::si(Dimension::Viscosity, Range::from_to(0.0, 1e4), "5 Pa.s"),
+            Quantity::si(Dimension::Viscosity, Range::from_to(0.0, 1e4).usual(1e-3, 1e3), "5 Pa.s"),
             0.0,
         );
         /// Quadratic lateral drag coefficient of the pipe as a cylinder on its outside diameter. A
@@ -68,26 +68,26 @@ table! {
         /// the flow is laminar.
         viscosity: f64 = optional(Quantity::si(
             Dimension::Viscosity,
-            Range::from_to(1e-6, 1e3),
+            Range::from_to(1e-6, 1e3).usual(5e-4, 1.0),
             "20 cP",
         ));
         /// Plastic viscosity of a Bingham mud: what the shear stress gains per shear rate.
         plastic_viscosity: f64 = optional(Quantity::si(
             Dimension::Viscosity,
-            Range::from_to(1e-6, 1e3),
+            Range::from_to(1e-6, 1e3).usual(5e-4, 1.0),
             "25 cP",
         ));
         /// Yield point of a Bingham mud: the stress below which it does not flow. Raising it raises torque, drag and
         /// losses at any speed.
         yield_point: f64 = optional(Quantity::si(
             Dimension::ShearStress,
-            Range::from_to(0.0, 1000.0),
+            Range::from_to(0.0, 1000.0).usual(0.1, 60.0),
             "15 lbf/100ft2",
         ));
         /// Consistency index of a power-law mud: its shear stress at a shear rate of 1 1/s.
         consistency_index: f64 = optional(Quantity::si(
             Dimension::Consistency,
-            Range::from_to(1e-6, 1e3),
+            Range::from_to(1e-6, 1e3).usual(1e-3, 50.0),
             "0.6 Pa.s^n",
         ));
         /// Flow behaviour index of a power-law mud: 1 is Newtonian; the lower, the more it thins as it is sheared.

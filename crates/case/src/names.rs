@@ -14,6 +14,29 @@ pub(crate) fn nearest<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) 
         .map(|(_, candidate)| candidate)
 }
 
+/// The names that are about as near as the nearest one, the nearest first.
+pub(crate) fn all_near<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
+    /// What is that much less alike is not meant.
+    const MARGIN: f64 = 0.12;
+    let wanted = simplify(name);
+    if wanted.is_empty() || wanted.len() > 80 {
+        return Vec::new();
+    }
+    let likenesses = names
+        .into_iter()
+        .map(|candidate| (likeness(&wanted, &simplify(candidate)), candidate));
+    let mut near: Vec<(f64, &str)> = likenesses.filter(|(alike, _)| *alike >= 0.7).collect();
+    near.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let best = near.first().map_or(0.0, |(alike, _)| *alike);
+    near.retain(|(alike, _)| best - alike < MARGIN);
+    near.into_iter().map(|(_, name)| name).collect()
+}
+
+/// Whether two names differ in case and separators at most.
+pub(crate) fn same(a: &str, b: &str) -> bool {
+    simplify(a) == simplify(b)
+}
+
 /// Spelling without case and separators, which nobody remembers.
 fn simplify(name: &str) -> String {
     name.chars()

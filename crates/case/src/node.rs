@@ -121,6 +121,11 @@ fn syntax_error(error: &toml::de::Error, text: &str, source: usize, offset: usiz
             .at(place, "it stands above already")
             .help(help);
     }
+    if let Some(written) = text_with_backslash(text, span.start) {
+        return Diagnostic::error("a backslash in double quotes begins an escape")
+            .at(place, said)
+            .help(in_single_quotes(written));
+    }
     let diagnostic = Diagnostic::error("this is not TOML").at(place, said);
     if not_quoted(error) {
         if found.is_empty() {
@@ -131,6 +136,37 @@ fn syntax_error(error: &toml::de::Error, text: &str, source: usize, offset: usiz
             .help(format!("write \"{}\"", short(found)));
     }
     diagnostic
+}
+
+/// What stands in the double quotes around a place of a line, if a backslash is in it.
+fn text_with_backslash(text: &str, at: usize) -> Option<&str> {
+    let line_start = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
+    let line = text[line_start..].lines().next()?;
+    let at = at - line_start;
+    // Quotes by turns open and close; in single ones a backslash is only that.
+    let (mut open, mut single) = (None, false);
+    for (place, letter) in line.char_indices() {
+        match (letter, open) {
+            ('\'', None) => single = !single,
+            ('"', None) if !single => open = Some(place + 1),
+            ('"', Some(start)) => {
+                if place >= at {
+                    return Some(&line[start..place]).filter(|inside| inside.contains('\\'));
+                }
+                open = None;
+            }
+            _ => {}
+        }
+    }
+    None
+}
+
+/// How a path with backslashes is written.
+pub(crate) fn in_single_quotes(path: &str) -> String {
+    format!(
+        "a path in single quotes is taken as it stands: '{}'; forward slashes do as well",
+        short(path)
+    )
 }
 
 fn entries(table: &DeTable<'_>, text: &str, source: usize, offset: usize) -> Entries {

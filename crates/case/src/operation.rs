@@ -13,6 +13,7 @@ use wholestring_units::Dimension;
 use crate::{
     bit::{BitTable, Given, Law},
     diagnostic::Diagnostic,
+    operation_kind::KindRule,
     quantity::Quantity,
     range::Range,
     reader::Reader,
@@ -51,9 +52,10 @@ table! {
     OperationTable in "[operation]" {
         /// One operation, or a list that is solved one by one: "trip_out", "trip_in",
         /// "rotate_off_bottom", "drill", "slide" (advance without rotating), "ream" and "back_ream"
-        /// (rotate while running in and pulling out, off bottom).
+        /// (rotate while running in and pulling out, off bottom). Drillers' words are taken too: "pick-up" and "POOH" for
+        /// "trip_out", "slack-off" and "RIH" for "trip_in", "rotating off bottom", "sliding", "back-reaming".
         kind: Vec<At<OperationKind>> = required(List {
-            item: KIND,
+            item: KindRule,
             or_one: true,
             noun: "operations",
             most: KINDS.len(),
@@ -62,14 +64,14 @@ table! {
         /// Deeper than that, the hole goes on in its last direction.
         bit_depth: f64 = optional(Quantity::si(
             Dimension::Length,
-            Range::positive_to(20_000.0),
+            Range::positive_to(20_000.0).usual(10.0, 13_000.0),
             "4305 m",
         ));
         /// Rotary speed at surface; a bare number is in rev/min. Needed by the operations that rotate.
         rpm: f64 = optional(
             Quantity::si(
                 Dimension::RotarySpeed,
-                Range::from_to(0.0, 1000.0 * PI / 30.0),
+                Range::from_to(0.0, 1000.0 * PI / 30.0).usual(10.0 * PI / 30.0, 400.0 * PI / 30.0),
                 "70 rpm",
             )
             .bare("rev/min", PI / 30.0),
@@ -77,32 +79,32 @@ table! {
         /// Weight on bit. Needed by "drill" and "slide".
         wob: f64 = optional(Quantity::si(
             Dimension::Force,
-            Range::from_to(0.0, 5e6),
+            Range::from_to(0.0, 5e6).usual(1e3, 7e5),
             "6 tf",
         ));
         /// Rate of penetration at this weight on bit and rotary speed. Needed by "drill", and by "slide"
         /// in the dynamic model; all laws of the bit but the rate law find their own.
         rop: f64 = optional(Quantity::si(
             Dimension::RateOfPenetration,
-            Range::positive_to(0.3),
+            Range::positive_to(0.3).usual(0.1 / 3600.0, 200.0 / 3600.0),
             "10 m/h",
         ));
         /// Axial speed of tripping and reaming.
         trip_speed: f64 = default(
-            Quantity::si(Dimension::TripSpeed, Range::positive_to(10.0), "0.3 m/s"),
+            Quantity::si(Dimension::TripSpeed, Range::positive_to(10.0).usual(0.003, 3.0), "0.3 m/s"),
             TRIP_SPEED_M_PER_S,
         );
         /// What the pumps deliver. They rest while the string trips without rotation. It acts on a mud with a rheology:
         /// raising it raises the pressure losses and the lift of the stream, which lowers the hook load. It turns the
         /// motor of `[bit.motor]`: raising it turns the bit faster.
         flow_rate: f64 = default(
-            Quantity::si(Dimension::FlowRate, Range::from_to(0.0, 0.5), "2000 L/min"),
+            Quantity::si(Dimension::FlowRate, Range::from_to(0.0, 0.5).usual(5e-4, 0.15), "2000 L/min"),
             0.0,
         );
         /// Pressure drop of the bit's nozzles at this flow rate. Raising it lifts the string with the thrust of the
         /// jets and lengthens it with the pressure inside.
         bit_pressure_drop: f64 = default(
-            Quantity::si(Dimension::Pressure, Range::from_to(0.0, 1e8), "80 bar"),
+            Quantity::si(Dimension::Pressure, Range::from_to(0.0, 1e8).usual(1e5, 4e7), "80 bar"),
             0.0,
         );
         /// What the driller changes while a dynamic run goes on, line by line in the order of time. One operation

@@ -15,7 +15,8 @@ use crate::{
 /// The key is a dotted key of the case file, lists counted from zero (`well.hole.0.friction`), or one
 /// of the short keys `friction` (every hole section; coefficients at rest and around the hole keep their
 /// ratio to it), `bit_depth`, `rpm` and `wob`. The value is a TOML
-/// value if it reads as one (`0.3`, `[1, 2]`, `"drill"`), and text otherwise (`300m`, `drill`).
+/// value if it reads as one (`0.3`, `[1, 2]`, `"drill"`), and text otherwise (`300m`, `drill`). A number without a
+/// unit is refused where the key has a dimension: a shell takes away the quotes that `"9.5 ppg"` had.
 ///
 /// ```
 /// use wholestring_case::Override;
@@ -124,11 +125,16 @@ pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) 
         Ok(node) => node,
         Err(diagnostic) => return reader.report(diagnostic),
     };
+    // One of a range has no quotes of its own either.
+    let asks_unit = !quote.verbatim || *quote.name == *COMMAND_LINE;
     if !quote.verbatim {
         node.place = place(quote.value);
         if let Value::Text { verbatim_from, .. } = &mut node.value {
             *verbatim_from = None;
         }
+    }
+    if asks_unit {
+        reader.ask_unit(&node);
     }
     let long = SHORT.iter().find(|(short, _)| *short == change.key);
     let path: Vec<&str> = long

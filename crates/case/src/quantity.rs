@@ -7,10 +7,11 @@ use crate::{
     diagnostic::Diagnostic,
     names::short,
     node::{Node, Value},
-    range::{Range, check_range, number_text},
+    range::{Range, number_text, out_of_range},
     reader::Reader,
     rule::Rule,
     source::Place,
+    usual::Entry,
 };
 
 /// How a text that may be a quantity begins.
@@ -51,14 +52,38 @@ impl Rule for Quantity {
 
     fn read(&self, node: &Node, reader: &mut Reader) -> Option<f64> {
         let (unit, worth) = self.bare;
-        let si = match &node.value {
-            Value::Number { value, .. } => value * worth,
+        let entry = |number: f64, si: f64| Entry {
+            dimension: self.dimension,
+            range: &self.range,
+            unit,
+            number,
+            si,
+            node,
+        };
+        let (number, si) = match &node.value {
+            Value::Number { value, .. } => {
+                // Zero is zero in every unit; revolutions per minute and degrees are what everybody writes.
+                if worth == 1.0 && *value != 0.0 && reader.asks_unit(node.place) {
+                    let mistake = entry(*value, *value).needs_unit(reader);
+                    reader.report(mistake);
+                    return None;
+                }
+                (*value, value * worth)
+            }
             Value::Text {
                 text,
                 verbatim_from,
-            } => match self.dimension.parse(text) {
-                Ok(si) => si,
+            } => match self.dimension.read(text) {
+                Ok(written) => (written.number, written.si),
                 Err(error) => {
+                    if let QuantityErrorKind::NoUnit { number } = &error.kind
+                        && reader.is_argument(node.place)
+                    {
+                        let number = number.parse().unwrap_or(f64::NAN);
+                        let mistake = entry(number, number).needs_unit(reader);
+                        reader.report(mistake);
+                        return None;
+                    }
                     let mut place = node.place;
                     if let Some(from) = verbatim_from
                         && !error.span.is_empty()
@@ -76,7 +101,17 @@ impl Rule for Quantity {
                 return None;
             }
         };
-        check_range(si, &self.range, unit, worth, node, reader)
+        let entry = entry(number, si);
+        if let Some(mut mistake) = out_of_range(si, &self.range, unit, worth, node, reader) {
+            if let Some(advice) = entry.advice(reader) {
+                mistake = mistake.help(advice);
+            }
+            reader.report(mistake);
+            return None;
+        }
+        entry.check(reader);
+        // Minus zero would print as such.
+        Some(si + 0.0)
     }
 
     fn schema(&self) -> Json {

@@ -7,14 +7,16 @@ use crate::{
     node::{Node, Value},
     reader::Reader,
     rule::Rule,
+    usual,
 };
 
-/// The numbers that are believed, in SI.
+/// The numbers that are believed, in SI, and those among them that are usual.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Range {
     min: f64,
     min_excluded: bool,
     max: f64,
+    usual: Option<(f64, f64)>,
 }
 
 impl Range {
@@ -23,6 +25,7 @@ impl Range {
             min,
             min_excluded: false,
             max,
+            usual: None,
         }
     }
 
@@ -32,10 +35,25 @@ impl Range {
             min: 0.0,
             min_excluded: true,
             max,
+            usual: None,
         }
     }
 
-    fn holds(&self, value: f64) -> bool {
+    /// The same, but a number outside of these is doubted: mostly its unit is another one's. Zero is not, where it
+    /// is believed at all: it switches something off.
+    pub(crate) const fn usual(self, from: f64, to: f64) -> Self {
+        Self {
+            usual: Some((from, to)),
+            ..self
+        }
+    }
+
+    /// The numbers that are usual, where the key says so.
+    pub(crate) fn usual_numbers(&self) -> Option<(f64, f64)> {
+        self.usual
+    }
+
+    pub(crate) fn holds(&self, value: f64) -> bool {
         let above = if self.min_excluded {
             value > self.min
         } else {
@@ -71,6 +89,9 @@ impl Range {
         };
         schema[min] = json!(self.min / worth);
         schema["maximum"] = json!(self.max / worth);
+        if let Some((from, to)) = self.usual {
+            schema["x-usual"] = json!([from / worth, to / worth]);
+        }
     }
 }
 
@@ -93,9 +114,27 @@ pub(crate) fn check_range(
     node: &Node,
     reader: &mut Reader,
 ) -> Option<f64> {
-    if range.holds(value) {
+    match out_of_range(value, range, unit, worth, node, reader) {
         // Minus zero would print as such.
-        return Some(value + 0.0);
+        None => Some(value + 0.0),
+        Some(mistake) => {
+            reader.report(mistake);
+            None
+        }
+    }
+}
+
+/// The mistake of a number that is not believed.
+pub(crate) fn out_of_range(
+    value: f64,
+    range: &Range,
+    unit: &str,
+    worth: f64,
+    node: &Node,
+    reader: &Reader,
+) -> Option<Diagnostic> {
+    if range.holds(value) {
+        return None;
     }
     let written = reader.written(node.place);
     let expected = format!("expected {}", range.text(unit, worth));
@@ -115,8 +154,7 @@ pub(crate) fn check_range(
     if !unit.is_empty() && value.is_finite() && matches!(node.value, Value::Number { .. }) {
         diagnostic = diagnostic.help(format!("a number without unit is in {unit}"));
     }
-    reader.report(diagnostic);
-    None
+    Some(diagnostic)
 }
 
 /// A plain number, in a unit that texts do not name.
@@ -139,7 +177,9 @@ impl Rule for Number {
             reader.expected(node, &format!("a number{unit}, without quotes"));
             return None;
         };
-        check_range(value, &self.range, self.unit, 1.0, node, reader)
+        let value = check_range(value, &self.range, self.unit, 1.0, node, reader)?;
+        usual::check_number(value, &self.range, self.unit, node, reader);
+        Some(value)
     }
 
     fn schema(&self) -> Json {

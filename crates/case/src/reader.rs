@@ -1,11 +1,15 @@
 //! Collects what is wrong while a case is read, so that all of it is reported at once.
 
+use wholestring_units::UnitSet;
+
 use crate::{
     diagnostic::{Diagnostic, Report, Severity},
     names::{nearest, short},
     node::{Entries, Node, Value},
+    overrides::COMMAND_LINE,
     schema::homes_of,
     source::{Place, Source},
+    usual::Bare,
 };
 
 /// A kind of file.
@@ -25,6 +29,12 @@ pub(crate) struct Reader {
     pub(crate) sources: Vec<Source>,
     /// The key whose value is being read, for messages.
     pub(crate) key: &'static str,
+    /// Numbers without a unit that may have been meant in another one than SI.
+    pub(crate) bare: Vec<Bare>,
+    /// The units that people are shown.
+    units: Option<UnitSet>,
+    /// Where a number without a unit is refused.
+    asking: Vec<Place>,
     diagnostics: Vec<Diagnostic>,
     /// What is read; nothing for arguments.
     kind: Option<&'static Kind>,
@@ -48,6 +58,39 @@ impl Reader {
             text: text.to_owned(),
         });
         self.sources.len() - 1
+    }
+
+    /// The units that the case is shown in.
+    pub(crate) fn units(&self) -> UnitSet {
+        self.units.unwrap_or(UnitSet::Si)
+    }
+
+    /// Says which units the case is shown in.
+    pub(crate) fn show_in(&mut self, units: UnitSet) {
+        self.units = Some(units);
+    }
+
+    /// Asks for a unit where this number is read as a quantity, or each of this list: a shell may have taken
+    /// the quotes away, and the unit's absence says nothing.
+    pub(crate) fn ask_unit(&mut self, node: &Node) {
+        let items = match &node.value {
+            Value::List(items) => items.as_slice(),
+            _ => std::slice::from_ref(node),
+        };
+        let numbers = items
+            .iter()
+            .filter(|item| matches!(item.value, Value::Number { .. }));
+        self.asking.extend(numbers.map(|number| number.place));
+    }
+
+    pub(crate) fn asks_unit(&self, place: Place) -> bool {
+        self.asking.contains(&place)
+    }
+
+    /// Whether a place is in an argument of the command.
+    pub(crate) fn is_argument(&self, place: Place) -> bool {
+        let source = self.sources.get(place.source);
+        source.is_some_and(|source| source.name == COMMAND_LINE)
     }
 
     pub(crate) fn report(&mut self, diagnostic: Diagnostic) {

@@ -85,7 +85,7 @@ table! {
         /// it is not given. 10 Hz of a string of 1350 nodes are some 0.5 MB a second.
         frames: f64 = optional(Quantity::si(
             Dimension::Frequency,
-            Range::positive_to(1e4),
+            Range::positive_to(1e4).usual(0.01, 2000.0),
             "10 Hz",
         ));
         /// What a frame holds of every node: "position" (offset from the hole's axis), "coordinates"

@@ -31,14 +31,18 @@ table! {
         /// Rated (continuous) torque of the top drive.
         top_drive_torque: f64 = optional(Quantity::si(
             Dimension::Torque,
-            Range::positive_to(1e6),
+            Range::positive_to(1e6).usual(2e3, 2e5),
             "45 kN.m",
         ));
     }
 }
 
 fn force(example: &'static str) -> Quantity {
-    Quantity::si(Dimension::Force, Range::positive_to(1e8), example)
+    Quantity::si(
+        Dimension::Force,
+        Range::positive_to(1e8).usual(1e4, 2e7),
+        example,
+    )
 }
 
 impl RigTable {
@@ -134,7 +138,7 @@ table! {
         /// Hook load: lifting force on the top of the string, block excluded.
         hook_load: f64 = optional(Quantity::si(
             Dimension::Force,
-            Range::from_to(0.0, 1e8),
+            Range::from_to(0.0, 1e8).usual(1e3, 2e7),
             "900 kN",
         ));
         /// Tuned lift: how far the mean weight on bit may be from `wob`, as a part of it. Raising it takes fewer runs.
@@ -144,7 +148,7 @@ table! {
         );
         /// Axial stiffness of lines and derrick.
         stiffness: f64 = default(
-            Quantity::si(Dimension::Stiffness, Range::from_to(1e3, 1e12), "1e7 N/m"),
+            Quantity::si(Dimension::Stiffness, Range::from_to(1e3, 1e12).usual(1e5, 1e10), "1e7 N/m"),
             DynamicsSettings::default().hoist_line.stiffness_N_per_m,
         );
         /// Damping of lines and derrick. Without it a short string rings.
@@ -156,7 +160,7 @@ table! {
         /// top's axial swings; the reported hook load never holds its weight. Where `block_weight` of `[rig]` is
         /// another one's by more than 5 %, a warning says so.
         mass: f64 = default(
-            Quantity::si(Dimension::Mass, Range::from_to(0.0, 1e6), "25 t"),
+            Quantity::si(Dimension::Mass, Range::from_to(0.0, 1e6).usual(500.0, 2e5), "25 t"),
             DynamicsSettings::default().hoist_line.block_mass_kg,
         );
     }

@@ -49,11 +49,19 @@ table! {
 }
 
 fn amplitude(example: &'static str) -> Quantity {
-    Quantity::si(Dimension::Diameter, Range::from_to(0.0, 0.5), example)
+    Quantity::si(
+        Dimension::Diameter,
+        Range::from_to(0.0, 0.5).usual(1e-5, 0.05),
+        example,
+    )
 }
 
 fn wavelength(example: &'static str) -> Quantity {
-    Quantity::si(Dimension::Length, Range::from_to(0.2, 10_000.0), example)
+    Quantity::si(
+        Dimension::Length,
+        Range::from_to(0.2, 10_000.0).usual(0.2, 2000.0),
+        example,
+    )
 }
 
 impl RoughnessTable {

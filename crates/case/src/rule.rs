@@ -5,7 +5,7 @@ use serde_json::{Value as Json, json};
 use crate::{
     diagnostic::Diagnostic,
     names::{any_of, nearest, short},
-    node::{Entries, Node, Value},
+    node::{Entries, Node, Value, in_single_quotes},
     reader::Reader,
     source::Place,
 };
@@ -62,7 +62,12 @@ impl Rule for Text {
             return Some(text.clone());
         };
         let message = format!("`{}` {problem}", reader.key);
-        reader.report(Diagnostic::error(message).at(node.place, "expected a short text"));
+        let mut diagnostic = Diagnostic::error(message).at(node.place, "expected a short text");
+        let written = reader.text_at(node.place).trim_matches('"');
+        if written.contains('\\') {
+            diagnostic = diagnostic.help(in_single_quotes(written));
+        }
+        reader.report(diagnostic);
         None
     }
 

@@ -53,13 +53,13 @@ table! {
         /// Weight on bit that the autodriller holds, with the gain, filter and limits of [hoist].
         wob: f64 = optional(Quantity::si(
             Dimension::Force,
-            Range::from_to(0.0, 5e6),
+            Range::from_to(0.0, 5e6).usual(1e3, 7e5),
             "80 kN",
         ));
         /// What the pumps deliver; the pressure drop of the bit goes with its square. It acts on a mud with a rheology.
         flow_rate: f64 = optional(Quantity::si(
             Dimension::FlowRate,
-            Range::from_to(0.0, 0.5),
+            Range::from_to(0.0, 0.5).usual(5e-4, 0.15),
             "2000 L/min",
         ));
         /// What the line is called in the table against time.

@@ -15,20 +15,27 @@ use crate::{
 pub(crate) fn density() -> Quantity {
     Quantity::si(
         Dimension::Density,
-        Range::from_to(1000.0, 25_000.0),
+        Range::from_to(1000.0, 25_000.0).usual(2500.0, 9000.0),
         "7860 kg/m3",
     )
 }
 
 pub(crate) fn modulus(example: &'static str) -> Quantity {
-    Quantity::si(Dimension::Pressure, Range::from_to(1e9, 1e12), example)
+    Quantity::si(
+        Dimension::Pressure,
+        Range::from_to(1e9, 1e12).usual(1e10, 3e11),
+        example,
+    )
 }
+
+/// Density of the string's metal where the case does not say, kg/m³.
+pub const STEEL_DENSITY_KG_PER_M3: f64 = 7860.0;
 
 table! {
     /// The metal of the string, wherever a component does not say otherwise.
     SteelTable in "[steel]" {
         /// Density.
-        density: f64 = default(density(), 7860.0);
+        density: f64 = default(density(), STEEL_DENSITY_KG_PER_M3);
         /// Young's modulus.
         youngs_modulus: f64 = default(modulus("210 GPa"), 210e9);
         /// Shear modulus, independent of Young's modulus.

@@ -21,7 +21,11 @@ use crate::{
 const TO_SURFACE: &str = "to surface";
 
 fn diameter(example: &'static str) -> Quantity {
-    Quantity::si(Dimension::Diameter, Range::from_to(0.005, 2.0), example)
+    Quantity::si(
+        Dimension::Diameter,
+        Range::from_to(0.005, 2.0).usual(0.02, 1.2),
+        example,
+    )
 }
 
 /// A length, or "to surface".
@@ -29,7 +33,11 @@ pub(crate) struct LengthRule;
 
 impl LengthRule {
     fn quantity() -> Quantity {
-        Quantity::si(Dimension::Length, Range::from_to(0.01, 20_000.0), "9.6 m")
+        Quantity::si(
+            Dimension::Length,
+            Range::from_to(0.01, 20_000.0).usual(0.05, 13_000.0),
+            "9.6 m",
+        )
     }
 }
 
@@ -84,7 +92,7 @@ table! {
         /// several components, the bit, which is solid by default.
         id: f64 = optional(Quantity::si(
             Dimension::Diameter,
-            Range::from_to(0.0, 2.0),
+            Range::from_to(0.0, 2.0).usual(0.005, 0.6),
             "118.6 mm",
         ));
         /// Outside diameter of the tool joints, which then are what touches the wall. Default: the
@@ -93,7 +101,7 @@ table! {
         /// Distance between tool joints. Default: the catalogue's, or no joints.
         joint_spacing: f64 = optional(Quantity::si(
             Dimension::Length,
-            Range::from_to(0.5, 100.0),
+            Range::from_to(0.5, 100.0).usual(4.0, 16.0),
             "9.6 m",
         ));
         /// Diameter over the blades of a stabiliser or reamer, its gauge: blades then are what touches the
@@ -104,14 +112,14 @@ table! {
         /// Length of the blades, at the middle of the component. Default: all of the component.
         blade_length: f64 = optional(Quantity::si(
             Dimension::Length,
-            Range::from_to(0.01, 20.0),
+            Range::from_to(0.01, 20.0).usual(0.05, 5.0),
             "0.6 m",
         ));
         /// Mass per length in air, tool joints included. Default: the catalogue's, or that of the body
         /// between od and id.
         mass_per_length: f64 = optional(Quantity::si(
             Dimension::MassPerLength,
-            Range::positive_to(20_000.0),
+            Range::positive_to(20_000.0).usual(3.0, 1500.0),
             "35.8 kg/m",
         ));
         /// Density of its metal. Default: that of [steel].
@@ -123,7 +131,7 @@ table! {
         /// Minimum yield strength, for strength limits. Default: the catalogue's, or unknown.
         yield_strength: f64 = optional(Quantity::si(
             Dimension::Pressure,
-            Range::from_to(1e7, 1e10),
+            Range::from_to(1e7, 1e10).usual(1.5e8, 1.5e9),
             "931 MPa",
         ));
         /// Bend fixed in its body, which turns with it: of a motor's bent housing, of a bent sub. The angle between the
@@ -143,7 +151,7 @@ table! {
         /// throws it outwards with the square of the rotary speed. Dynamic model only. Default: none.
         eccentricity: f64 = optional(Quantity::si(
             Dimension::Diameter,
-            Range::from_to(0.0, 0.2),
+            Range::from_to(0.0, 0.2).usual(5e-5, 0.02),
             "2 mm",
         ));
         /// Direction of that centre of mass at the start: the angle from the high side, clockwise as one looks down the
@@ -299,20 +307,25 @@ fn check_mass(component: &ComponentSpec, place: Place, reader: &mut Reader) -> O
             * std::f64::consts::FRAC_PI_4
             * (component.od_m.powi(2) - component.id_m.powi(2));
         if component.mass_per_length_kg_per_m < 0.95 * body {
-            reader.report(
-                Diagnostic::warning(format!(
-                    "{} kg/m is less than the body alone weighs",
-                    number_text(component.mass_per_length_kg_per_m)
-                ))
-                .at(
-                    place,
-                    format!(
-                        "a body of {} kg/m",
-                        number_text((body * 10.0).round() / 10.0)
-                    ),
-                )
-                .help("if the metal is lighter than [steel], give its density too"),
-            );
+            let mass = number_text(component.mass_per_length_kg_per_m);
+            let pounds = Dimension::MassPerLength.parse(&format!("{mass} lb/ft"));
+            let meant = pounds.is_ok_and(|meant| (0.95 * body..=solid).contains(&meant));
+            let mut diagnostic = Diagnostic::warning(format!(
+                "{} kg/m is less than the body alone weighs",
+                number_text(component.mass_per_length_kg_per_m)
+            ))
+            .at(
+                place,
+                format!(
+                    "a body of {} kg/m",
+                    number_text((body * 10.0).round() / 10.0)
+                ),
+            )
+            .help("if the metal is lighter than [steel], give its density too");
+            if meant {
+                diagnostic = diagnostic.help(format!("if lb/ft was meant, write \"{mass} lb/ft\""));
+            }
+            reader.report(diagnostic);
         }
         return Some(());
     }

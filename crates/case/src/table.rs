@@ -57,6 +57,8 @@ impl<T> Field<T> {
 /// What happens where a key does not stand in the file.
 pub(crate) enum Need<T> {
     Required,
+    /// Required, but not beside this other key.
+    RequiredUnless(&'static str),
     Optional,
     Default(T),
 }
@@ -71,6 +73,14 @@ pub(crate) fn required<R: Rule>(rule: R) -> Key<R> {
     Key {
         rule,
         need: Need::Required,
+    }
+}
+
+/// A key that must be there where `other` is not.
+pub(crate) fn required_unless<R: Rule>(other: &'static str, rule: R) -> Key<R> {
+    Key {
+        rule,
+        need: Need::RequiredUnless(other),
     }
 }
 
@@ -117,8 +127,13 @@ impl<R: Rule> Key<R> {
         }
         match self.need {
             Need::Default(value) => Field::Default(At { value, place }),
-            Need::Required => {
-                if !here.meant.contains(&name) {
+            Need::RequiredUnless(other) if here.entries.get(other).is_some() => Field::Absent,
+            Need::Required | Need::RequiredUnless(_) => {
+                let unless = match self.need {
+                    Need::RequiredUnless(other) => other,
+                    _ => name,
+                };
+                if !here.meant.contains(&name) && !here.meant.contains(&unless) {
                     reader.report(self.missing(name, here));
                 }
                 Field::Bad
@@ -140,9 +155,12 @@ impl<R: Rule> Key<R> {
         if here.place.end > here.place.start {
             diagnostic = diagnostic.at(here.place, format!("{called} is missing"));
         }
-        match self.rule.example() {
-            Some(example) => diagnostic.help(format!("such as {name} = {example}")),
-            None => diagnostic,
+        if let Some(example) = self.rule.example() {
+            diagnostic = diagnostic.help(format!("such as {name} = {example}"));
+        }
+        match self.need {
+            Need::RequiredUnless(other) => diagnostic.help(format!("or give `{other}` instead")),
+            _ => diagnostic,
         }
     }
 
@@ -157,7 +175,7 @@ impl<R: Rule> Key<R> {
                 doc.push_str(&format!(" Default: {}.", self.rule.written(&default)));
                 schema["default"] = default;
             }
-            Need::Optional => {}
+            Need::Optional | Need::RequiredUnless(_) => {}
         }
         schema["description"] = json!(doc);
         table.properties.insert(name.to_owned(), schema);

@@ -47,18 +47,18 @@ table! {
         /// Moment of inertia of what turns with the string at its speed: motors, gear and quill. Raising it makes
         /// the drive stiffer to fast waves. Used by every control but "constant".
         inertia: f64 = default(
-            Quantity::si(Dimension::MomentOfInertia, Range::positive_to(1e6), "2900 kg.m2"),
+            Quantity::si(Dimension::MomentOfInertia, Range::positive_to(1e6).usual(50.0, 1e5), "2900 kg.m2"),
             2900.0,
         );
         /// Torque per speed that is missing. Raising it stiffens the drive. Used by "pi" and "z-torque".
         proportional: f64 = default(
-            Quantity::si(Dimension::RotaryDamping, Range::positive_to(1e9), "38 kN.m.s"),
+            Quantity::si(Dimension::RotaryDamping, Range::positive_to(1e9).usual(10.0, 1e7), "38 kN.m.s"),
             38e3,
         );
         /// Torque per radian that is missing. Raising it brings the mean speed back sooner. Used by "pi" and
         /// "z-torque".
         integral: f64 = default(
-            Quantity::si(Dimension::Torque, Range::from_to(0.0, 1e9), "100 kN.m"),
+            Quantity::si(Dimension::Torque, Range::from_to(0.0, 1e9).usual(10.0, 1e7), "100 kN.m"),
             100e3,
         );
         /// Impedance that the drive shows over that of the uppermost pipe: at 1 it takes all of a wave, above it sends
@@ -69,14 +69,14 @@ table! {
         /// that frequency.
         frequency: f64 = optional(Quantity::si(
             Dimension::Frequency,
-            Range::from_to(1e-3, 100.0),
+            Range::from_to(1e-3, 100.0).usual(0.01, 5.0),
             "0.2 Hz",
         ));
         /// Largest torque that the drive gives: it stalls where the string asks for more. Default: none. Used by
         /// every control but "constant".
         torque_limit: f64 = optional(Quantity::si(
             Dimension::Torque,
-            Range::positive_to(1e7),
+            Range::positive_to(1e7).usual(1e3, 2e5),
             "60 kN.m",
         ));
     }

@@ -1,6 +1,6 @@
 //! The dimensions that a drill string's description needs.
 
-use crate::{QuantityError, Unit, UnitSet, number, print, symbol, table};
+use crate::{QuantityError, Unit, UnitSet, Written, number, print, symbol, table};
 
 /// What a quantity measures.
 ///
@@ -245,6 +245,19 @@ impl Dimension {
     /// # Ok::<(), wholestring_units::QuantityError>(())
     /// ```
     pub fn parse(self, text: &str) -> Result<f64, QuantityError> {
+        self.read(text).map(|written| written.si)
+    }
+
+    /// The same as [`parse`](Self::parse), but says the number and the unit as well.
+    ///
+    /// ```
+    /// use wholestring_units::Dimension;
+    ///
+    /// let weight = Dimension::Force.read("12 klbf")?;
+    /// assert_eq!((weight.number, weight.unit.symbol), (12.0, "klbf"));
+    /// # Ok::<(), wholestring_units::QuantityError>(())
+    /// ```
+    pub fn read(self, text: &str) -> Result<Written, QuantityError> {
         number::quantity(self, text)
     }
 

@@ -43,5 +43,5 @@ mod unit_set;
 
 pub use dimension::Dimension;
 pub use error::{QuantityError, QuantityErrorKind};
-pub use unit::Unit;
+pub use unit::{Unit, Written};
 pub use unit_set::{UnitSet, UnknownUnitSet};

@@ -1,9 +1,9 @@
 //! Reading a quantity: its number, then its unit.
 
-use crate::{Dimension, QuantityError, QuantityErrorKind, symbol};
+use crate::{Dimension, QuantityError, QuantityErrorKind, Written, symbol};
 
-/// Reads a number and a unit of the dimension, and returns the value in SI.
-pub(crate) fn quantity(dimension: Dimension, text: &str) -> Result<f64, QuantityError> {
+/// Reads a number and a unit of the dimension.
+pub(crate) fn quantity(dimension: Dimension, text: &str) -> Result<Written, QuantityError> {
     let error = |kind, start: usize, end: usize| QuantityError {
         kind,
         span: start..end,
@@ -43,7 +43,7 @@ pub(crate) fn quantity(dimension: Dimension, text: &str) -> Result<f64, Quantity
     if let Some(unit) = dimension.find_unit(unit_text) {
         let si = unit.to_si(number);
         return if si.is_finite() {
-            Ok(si)
+            Ok(Written { number, unit, si })
         } else {
             Err(error(
                 QuantityErrorKind::TooLarge { found: written },

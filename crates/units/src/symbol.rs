@@ -41,6 +41,8 @@ pub(crate) fn bare(text: &str) -> String {
                 before().is_some_and(char::is_alphabetic)
                     && after().is_some_and(char::is_alphabetic)
             }
+            // `m^3` is `m3`; the power of `s^n` stays.
+            '^' => after().is_some_and(|c| c.is_ascii_digit()),
             c if c.is_whitespace() => {
                 !(before().is_some_and(|c| c.is_ascii_digit())
                     && after().is_some_and(|c| c.is_ascii_digit()))
@@ -125,6 +127,8 @@ mod tests {
         assert_eq!(bare("°/30 m"), "deg/30m");
         assert_eq!(bare("deg per 100 ft"), "deg/100ft");
         assert_eq!(bare("kg/m³"), "kg/m3");
+        assert_eq!(bare("kg/m^3"), "kg/m3");
+        assert_eq!(bare("Pa.s^n"), "Pas^n");
         assert_eq!(bare("in."), "in");
         assert_eq!(bare("s.g."), "sg");
     }

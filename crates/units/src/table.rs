@@ -78,12 +78,23 @@ pub(crate) const FORCE: &[Unit] = &[
     unit(
         "t",
         TONNE_FORCE,
-        &["tf", "tonnef", "tonne-force", "tonne", "tonnes", "Mgf"],
+        &[
+            "tf",
+            "tonnef",
+            "tonne-force",
+            "tonne",
+            "tonnes",
+            "Mgf",
+            "metric ton",
+            "metric tons",
+        ],
     ),
     unit(
         "klbf",
         1e3 * POUND_FORCE,
-        &["klb", "klbs", "kip", "kips", "kipf", "1000 lbf", "1000 lb"],
+        &[
+            "klb", "klbs", "kip", "kips", "kipf", "1000 lbf", "1000 lb", "1000 lbs",
+        ],
     ),
     unit("N", 1.0, &["newton"]),
     unit("MN", 1e6, &[]),
@@ -103,7 +114,7 @@ pub(crate) const TORQUE: &[Unit] = &[
     unit(
         "ft-lbf",
         FOOT * POUND_FORCE,
-        &["lbf.ft", "ft.lb", "lb.ft", "ft.lbs", "lbs.ft"],
+        &["lbf.ft", "ft.lb", "lb.ft", "ft.lbs", "lbs.ft", "foot pounds"],
     ),
     unit(
         "kft-lbf",
@@ -112,20 +123,25 @@ pub(crate) const TORQUE: &[Unit] = &[
             "klbf.ft",
             "ft.klbf",
             "kft.lb",
+            "kft.lbs",
             "klb.ft",
+            "klbs.ft",
             "ft.klb",
+            "ft.klbs",
             "ft.kip",
             "ft.kips",
             "kip.ft",
             "kips.ft",
             "1000 ft-lbf",
+            "1000 ft-lb",
+            "1000 ft-lbs",
         ],
     ),
     unit("N.m", 1.0, &[]),
     unit("MN.m", 1e6, &[]),
     unit("daN.m", 10.0, &[]),
     unit("kgf.m", GRAVITY, &["m.kgf"]),
-    unit("in-lbf", INCH * POUND_FORCE, &["lbf.in", "in.lb", "lb.in"]),
+    unit("in-lbf", INCH * POUND_FORCE, &["lbf.in", "in.lb", "lb.in", "in.lbs", "lbs.in"]),
 ];
 
 pub(crate) const PRESSURE: &[Unit] = &[
@@ -153,6 +169,7 @@ pub(crate) const DENSITY: &[Unit] = &[
             "lbm/galUS",
             "lbm/gal[US]",
             "lb/USgal",
+            "lbs/USgal",
         ],
     ),
     unit(
@@ -171,7 +188,7 @@ pub(crate) const DENSITY: &[Unit] = &[
 
 pub(crate) const MASS_PER_LENGTH: &[Unit] = &[
     unit("kg/m", 1.0, &[]),
-    unit("lb/ft", POUND / FOOT, &["lbm/ft", "lbs/ft", "ppf", "#/ft"]),
+    unit("lb/ft", POUND / FOOT, &["lbm/ft", "lbs/ft", "ppf", "#/ft", "#"]),
     unit("t/m", 1e3, &[]),
 ];
 
@@ -190,7 +207,7 @@ pub(crate) const ROTARY_SPEED: &[Unit] = &[
     unit(
         "rpm",
         TURN / MINUTE,
-        &["rev/min", "r/min", "1/min", "c/min"],
+        &["rev/min", "revs/min", "r/min", "1/min", "c/min"],
     ),
     unit("rad/s", 1.0, &[]),
     unit("rev/s", TURN, &["Hz", "rps", "r/s"]),
@@ -198,11 +215,19 @@ pub(crate) const ROTARY_SPEED: &[Unit] = &[
 ];
 
 pub(crate) const RATE_OF_PENETRATION: &[Unit] = &[
-    unit("m/h", 1.0 / HOUR, &["m/hr"]),
-    unit("ft/h", FOOT / HOUR, &["ft/hr", "fph"]),
+    unit(
+        "m/h",
+        1.0 / HOUR,
+        &["m/hr", "m/hour", "metres/hour", "meters/hour"],
+    ),
+    unit(
+        "ft/h",
+        FOOT / HOUR,
+        &["ft/hr", "fph", "ft/hour", "feet/h", "feet/hr", "feet/hour"],
+    ),
     unit("m/s", 1.0, &["m/sec"]),
     unit("m/min", 1.0 / MINUTE, &[]),
-    unit("ft/min", FOOT / MINUTE, &["fpm"]),
+    unit("ft/min", FOOT / MINUTE, &["fpm", "feet/min"]),
     unit("ft/s", FOOT, &["ft/sec"]),
     unit("mm/s", 1e-3, &[]),
 ];
@@ -220,7 +245,7 @@ pub(crate) const DOGLEG_SEVERITY: &[Unit] = &[
     unit(
         "deg/100ft",
         DEGREE / (100.0 * FOOT),
-        &["dega/100ft", "deg/100'"],
+        &["dega/100ft", "deg/100'", "deg/100feet"],
     ),
     unit("deg/10m", DEGREE / 10.0, &["dega/10m"]),
     unit("deg/m", DEGREE, &["dega/m"]),
@@ -232,9 +257,13 @@ pub(crate) const STIFFNESS: &[Unit] = &[
     unit("N/m", 1.0, &[]),
     unit("kN/m", 1e3, &["N/mm"]),
     unit("MN/m", 1e6, &["kN/mm"]),
-    unit("lbf/in", POUND_FORCE / INCH, &["lb/in"]),
-    unit("lbf/ft", POUND_FORCE / FOOT, &["lb/ft"]),
-    unit("klbf/in", 1e3 * POUND_FORCE / INCH, &["kip/in", "klb/in"]),
+    unit("lbf/in", POUND_FORCE / INCH, &["lb/in", "lbs/in"]),
+    unit("lbf/ft", POUND_FORCE / FOOT, &["lb/ft", "lbs/ft"]),
+    unit(
+        "klbf/in",
+        1e3 * POUND_FORCE / INCH,
+        &["kip/in", "kips/in", "klb/in"],
+    ),
 ];
 
 pub(crate) const DAMPING: &[Unit] = &[
@@ -246,7 +275,7 @@ pub(crate) const DAMPING: &[Unit] = &[
 
 pub(crate) const VISCOSITY: &[Unit] = &[
     unit("mPa.s", 1e-3, &[]),
-    unit("cP", 1e-3, &["cp", "centipoise"]),
+    unit("cP", 1e-3, &["cp", "cps", "centipoise"]),
     unit("Pa.s", 1.0, &[]),
 ];
 
@@ -268,7 +297,14 @@ pub(crate) const SHEAR_STRESS: &[Unit] = &[
     unit(
         "lbf/100ft2",
         PER_HUNDRED_SQUARE_FEET,
-        &["lb/100ft2", "lbs/100ft2", "lbf/100sqft", "lb/100sqft"],
+        &[
+            "lb/100ft2",
+            "lbs/100ft2",
+            "#/100ft2",
+            "lbf/100sqft",
+            "lb/100sqft",
+            "lbs/100sqft",
+        ],
     ),
     unit("dyn/cm2", 0.1, &["dyne/cm2"]),
 ];
@@ -287,7 +323,7 @@ pub(crate) const FLOW_RATE: &[Unit] = &[
     unit("m3/s", 1.0, &[]),
     unit("m3/min", 1.0 / MINUTE, &[]),
     unit("m3/h", 1.0 / HOUR, &["m3/hr"]),
-    unit("L/s", 1e-3, &["l/s"]),
+    unit("L/s", 1e-3, &["l/s", "l/sec"]),
     unit("bbl/min", 42.0 * US_GALLON / MINUTE, &["bpm"]),
 ];
 

@@ -28,3 +28,14 @@ impl Unit {
         std::iter::once(self.symbol).chain(self.aliases.iter().copied())
     }
 }
+
+/// A quantity as it was written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Written {
+    /// The number before its unit.
+    pub number: f64,
+    /// The unit behind it.
+    pub unit: &'static Unit,
+    /// What both make in SI.
+    pub si: f64,
+}

@@ -101,10 +101,45 @@ fn the_fields_units_are_read_in_its_spellings() {
         "9 klbf.ft",
         "9 kft.lbf",
         "9 kft-lb",
+        "9 kft-lbs",
+        "9 kft.lbs",
+        "9 k ft-lbs",
+        "9 klbs-ft",
+        "9 ft-klbs",
         "9 ft-kips",
+        "9 kip-ft",
+        "9 1000 ft-lbs",
     ] {
         close(D::Torque, text, 9e3 * foot_pound);
     }
+    let pound = 0.45359237 * 9.80665;
+    for text in ["9 klbs", "9 kips", "9 klb", "9 klbf", "9 k-lbs", "9 KLBS", "9 1000 lbs"] {
+        close(D::Force, text, 9e3 * pound);
+    }
+    close(D::Force, "9 metric tons", 9e3 * 9.80665);
+    for text in ["36 m/hr", "36 M/HR", "36 m/hour", "36 metres per hour"] {
+        close(D::RateOfPenetration, text, 0.01);
+    }
+    for text in ["90 ft/hr", "90 ft/hour", "90 fph", "90 feet per hour"] {
+        close(D::RateOfPenetration, text, 90.0 * 0.3048 / 3600.0);
+    }
+    let gallon = 231.0 * 0.0254f64.powi(3);
+    for text in ["600 gpm", "600 GPM", "600 gal/min", "600 USgpm"] {
+        close(D::FlowRate, text, 10.0 * gallon);
+    }
+    for text in ["9 bbl/min", "9 bpm"] {
+        close(D::FlowRate, text, 9.0 * 42.0 * gallon / 60.0);
+    }
+    close(D::FlowRate, "3 m^3/min", 0.05);
+    for text in ["10 ppg", "10 PPG", "10 lbs/gal", "10 lb/gal"] {
+        close(D::Density, text, 10.0 * 0.45359237 / gallon);
+    }
+    close(D::Density, "1.2 g/cm^3", 1200.0);
+    close(D::MassPerLength, "19.5#", 19.5 * 0.45359237 / 0.3048);
+    close(D::Pressure, "9 PSI", 9.0 * pound / 0.0254 / 0.0254);
+    close(D::Viscosity, "20 cps", 0.02);
+    close(D::ShearStress, "15 lbs/100 ft^2", 15.0 * pound / 9.290304);
+    close(D::RotarySpeed, "60 RPM", 2.0 * std::f64::consts::PI);
 }
 
 #[test]

@@ -39,14 +39,18 @@ table! {
         /// The same as a frequency, for noise that goes by time and not by the bit's angle.
         frequency: f64 = optional(Quantity::si(
             Dimension::Frequency,
-            Range::positive_to(1000.0),
+            Range::positive_to(1000.0).usual(0.1, 500.0),
             "20 Hz",
         ));
     }
 }
 
 fn displacement() -> Quantity {
-    Quantity::si(Dimension::Diameter, Range::from_to(0.0, 0.1), "1 mm")
+    Quantity::si(
+        Dimension::Diameter,
+        Range::from_to(0.0, 0.1).usual(1e-6, 0.03),
+        "1 mm",
+    )
 }
 
 impl ExcitationTable {

@@ -114,7 +114,11 @@ fn number(to: f64) -> Number {
 }
 
 fn depth(example: &'static str) -> Quantity {
-    Quantity::si(Dimension::Diameter, Range::from_to(0.0, 0.1), example)
+    Quantity::si(
+        Dimension::Diameter,
+        Range::from_to(0.0, 0.1).usual(1e-5, 0.02),
+        example,
+    )
 }
 
 table! {
@@ -140,20 +144,20 @@ table! {
         /// Core bit: diameter of the core that it leaves. Raising it leaves less to cut.
         core_diameter: f64 = optional(Quantity::si(
             Dimension::Diameter,
-            Range::positive_to(1.0),
+            Range::positive_to(1.0).usual(0.01, 0.3),
             "4 in",
         ));
         /// Rate law: torque of the bit at the operation's weight on bit. Where an operation drills or
         /// slides and it is not given, the bit is taken to turn freely, and a warning says so.
         torque: f64 = optional(Quantity::si(
             Dimension::Torque,
-            Range::from_to(0.0, 1e6),
+            Range::from_to(0.0, 1e6).usual(50.0, 1e5),
             "3.1 kN.m",
         ));
         /// All laws but the regenerative and "rock": stiffness of the contact between bit and rock front. Raising it makes the weight on
         /// bit answer harder to axial motion. Only the dynamic model uses it.
         rock_stiffness: f64 = default(
-            Quantity::si(Dimension::Stiffness, Range::from_to(1e4, 1e12), "1e8 N/m"),
+            Quantity::si(Dimension::Stiffness, Range::from_to(1e4, 1e12).usual(1e6, 1e11), "1e8 N/m"),
             ROCK_STIFFNESS_N_PER_M,
         );
         /// All laws but the regenerative and "rock": what shakes the bit.
@@ -163,7 +167,7 @@ table! {
         /// Laws of cutters (regenerative, Detournay-Defourny): work that cutting takes per volume of rock. Raising it lowers the rate of
         /// penetration and stiffens the rock.
         intrinsic_specific_energy: f64 = default(
-            Quantity::si(Dimension::Pressure, Range::from_to(1e5, 1e10), "60 MPa"),
+            Quantity::si(Dimension::Pressure, Range::from_to(1e5, 1e10).usual(1e6, 2e9), "60 MPa"),
             SPECIFIC_ENERGY_PA,
         );
         /// Laws of cutters: the cutting force along the hole over that around. Raising it takes more
@@ -174,13 +178,13 @@ table! {
         /// Laws of cutters: length of the wear flats of all blades together. Raising it lets more
         /// weight rest on them, which cuts nothing and damps axial motion.
         wear_flat: f64 = default(
-            Quantity::si(Dimension::Diameter, Range::from_to(0.0, 0.1), "5 mm"),
+            Quantity::si(Dimension::Diameter, Range::from_to(0.0, 0.1).usual(1e-5, 0.05), "5 mm"),
             WEAR_FLAT_M,
         );
         /// Laws of cutters: strength of the contact between wear flats and rock. Raising it does what
         /// longer wear flats do.
         contact_strength: f64 = default(
-            Quantity::si(Dimension::Pressure, Range::from_to(0.0, 1e10), "60 MPa"),
+            Quantity::si(Dimension::Pressure, Range::from_to(0.0, 1e10).usual(1e6, 2e9), "60 MPa"),
             CONTACT_STRENGTH_PA,
         );
         /// Laws of cutters: where the wear flats lie; 1 for evenly over the radius, 4/3 for evenly over
@@ -196,7 +200,7 @@ table! {
         /// rubs and does not cut. Raising it lets the bit drill faster. Default: none.
         cleaning_limit: f64 = optional(Quantity::si(
             Dimension::Diameter,
-            Range::positive_to(0.1),
+            Range::positive_to(0.1).usual(1e-4, 0.03),
             "8 mm",
         ));
         /// The law "rock" and a bit test: the shape of the bit.
@@ -209,7 +213,7 @@ table! {
         motor_speed: f64 = optional(
             Quantity::si(
                 Dimension::RotarySpeed,
-                Range::from_to(0.0, 1000.0 * PI / 30.0),
+                Range::from_to(0.0, 1000.0 * PI / 30.0).usual(10.0 * PI / 30.0, 600.0 * PI / 30.0),
                 "120 rpm",
             )
             .bare("rev/min", PI / 30.0),
@@ -224,7 +228,7 @@ table! {
         /// is finer than bricks; with 0 the bricks alone hold the bit. Only the dynamic model
         /// uses it.
         lateral_stiffness: f64 = default(
-            Quantity::si(Dimension::Stiffness, Range::from_to(0.0, 1e12), "1e7 N/m"),
+            Quantity::si(Dimension::Stiffness, Range::from_to(0.0, 1e12).usual(1e4, 1e10), "1e7 N/m"),
             BitSettings::default().lateral_stiffness_N_per_m,
         );
     }

@@ -26,13 +26,13 @@ table! {
         /// Volume of mud that turns it once. Raising it slows it and strengthens it.
         displacement: f64 = optional(Quantity::si(
             Dimension::Volume,
-            Range::positive_to(1.0),
+            Range::positive_to(1.0).usual(2e-4, 0.2),
             "12 L",
         ));
         /// Largest pressure drop that it is made for. Raising it keeps the speed up to a larger torque.
         max_differential_pressure: f64 = optional(Quantity::si(
             Dimension::Pressure,
-            Range::positive_to(1e8),
+            Range::positive_to(1e8).usual(2e5, 3e7),
             "80 bar",
         ));
         /// Part of the rated flow that leaks past it at that pressure, so that the motor is slower by it. Raising it
@@ -51,13 +51,13 @@ table! {
         /// pressure drop.
         stall_torque: f64 = optional(Quantity::si(
             Dimension::Torque,
-            Range::positive_to(1e6),
+            Range::positive_to(1e6).usual(50.0, 1e5),
             "12 kN.m",
         ));
         /// Flow at which slip and stall were measured. Default: the operation's flow_rate.
         rated_flow: f64 = optional(Quantity::si(
             Dimension::FlowRate,
-            Range::positive_to(0.5),
+            Range::positive_to(0.5).usual(5e-4, 0.15),
             "2000 L/min",
         ));
     }

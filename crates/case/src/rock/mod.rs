@@ -45,9 +45,9 @@ table! {
     /// cohesion; the rest is typical of sandstone and limestone.
     RockTable in "[rock]" {
         /// Unconfined compressive strength. Raising it slows the bit down.
-        strength: f64 = optional(pressure(Range::from_to(1e5, 1e9), "60 MPa"));
+        strength: f64 = optional(pressure(Range::from_to(1e5, 1e9).usual(1e6, 6e8), "60 MPa"));
         /// In place of the strength: cohesion of Mohr and Coulomb.
-        cohesion: f64 = optional(pressure(Range::from_to(1e4, 1e9), "15 MPa"));
+        cohesion: f64 = optional(pressure(Range::from_to(1e4, 1e9).usual(1e5, 2e8), "15 MPa"));
         /// Friction angle of Mohr and Coulomb; a bare number is in deg. Raising it makes the rock the stronger the more it is
         /// confined.
         friction_angle: f64 = default(
@@ -60,17 +60,17 @@ table! {
         /// Young's modulus. Raising it makes the rock stiffer and more brittle, shortens its steps, and takes more work per
         /// drilled volume: 1.3 times at twice the default, for which `crushing_energy` is calibrated. Default: 300 times the
         /// strength.
-        youngs_modulus: f64 = optional(pressure(Range::from_to(1e7, 1e12), "18 GPa"));
+        youngs_modulus: f64 = optional(pressure(Range::from_to(1e7, 1e12).usual(1e8, 2e11), "18 GPa"));
         /// Poisson's ratio.
         poisson_ratio: f64 = default(Number { unit: "", range: Range::from_to(0.0, 0.45) }, 0.25);
         /// Density. Raising it lengthens the rock's steps.
         density: f64 = default(
-            Quantity::si(Dimension::Density, Range::from_to(500.0, 10_000.0), "2500 kg/m3"),
+            Quantity::si(Dimension::Density, Range::from_to(500.0, 10_000.0).usual(1000.0, 5000.0), "2500 kg/m3"),
             2500.0,
         );
         /// Strength in uniaxial tension. Raising it leaves less to chip and more to crush. Default: a tenth of the
         /// strength.
-        tensile_strength: f64 = optional(pressure(Range::from_to(1e3, 1e9), "6 MPa"));
+        tensile_strength: f64 = optional(pressure(Range::from_to(1e3, 1e9).usual(1e5, 1e8), "6 MPa"));
         /// Energy that failure takes per volume at the least, in tension and in compression. Raising it raises the bit's work per
         /// drilled volume about as much. Default: 0.085 of the strength, with which that work is about the strength.
         crushing_energy: f64 = optional(pressure(Range::positive_to(1e9), "5 MJ/m3"));
@@ -81,16 +81,16 @@ table! {
         /// `crushing_energy`.
         compressive_fracture_energy: f64 = optional(toughness("8 kJ/m2"));
         /// Pressure of the mud at the bottom over that in the rock's pores. Raising it strengthens the rock.
-        pressure: f64 = default(pressure(Range::from_to(0.0, 5e8), "10 MPa"), 0.0);
+        pressure: f64 = default(pressure(Range::from_to(0.0, 5e8).usual(1e4, 3e8), "10 MPa"), 0.0);
         /// Initial pressure in the rock across the hole, over that in its pores. Default: that of the mud.
-        confinement: f64 = optional(pressure(Range::from_to(0.0, 5e8), "15 MPa"));
+        confinement: f64 = optional(pressure(Range::from_to(0.0, 5e8).usual(1e4, 3e8), "15 MPa"));
         /// Friction between bit and rock. Raising it drags more rock along.
         friction: f64 = default(Number { unit: "", range: Range::from_to(0.0, 2.0) }, 0.3);
         /// Edge of the bricks. Halving it costs eight times the bricks and twice the steps. Default: an eighteenth of the
         /// bit's diameter, or one and a half times what the cutters stand out of its body where that is less.
         element_size: f64 = optional(Quantity::si(
             Dimension::Diameter,
-            Range::from_to(5e-4, 0.2),
+            Range::from_to(5e-4, 0.2).usual(5e-4, 0.1),
             "12 mm",
         ));
         /// Factor on the density of the bricks, for longer steps: twenty times the step at 400. Raising it makes a run

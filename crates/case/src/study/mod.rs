@@ -347,8 +347,8 @@ const MODELS: List<ModelRule> = List {
     most: 10,
 };
 
-const OPERATIONS: List<crate::rule::Choice<OperationKind>> = List {
-    item: crate::operation::KIND,
+const OPERATIONS: List<crate::operation_kind::KindRule> = List {
+    item: crate::operation_kind::KindRule,
     or_one: true,
     noun: "operations",
     most: 7,

@@ -1,5 +1,6 @@
 //! The well: the path of the hole's axis and the hole around it.
 
+pub mod casing;
 mod curve;
 mod hole;
 mod landmarks;

@@ -1,6 +1,9 @@
 //! Reading a designation the way people write it.
 
-use super::{CatalogueEntry, CatalogueError, TubularKind, entries};
+use super::{
+    CatalogueEntry, CatalogueError, TubularKind, entries,
+    parts::{Part, parts},
+};
 
 /// Two outside diameters or bores closer than this are the same, in: "5.88 in" is 5-7/8 in.
 const DIAMETER_TOLERANCE_IN: f64 = 0.006;
@@ -102,8 +105,9 @@ fn edit_distance(a: &[char], b: &[char]) -> usize {
 struct Reading {
     kind: TubularKind,
     od_in: f64,
-    /// Nominal weight in lb/ft, or the bore of a collar in inches.
-    second: f64,
+    /// Nominal weight in lb/ft, or the bore of a collar in inches; of heavy-weight pipe, whose sizes
+    /// have one weight each, it may be left out.
+    second: Option<f64>,
     /// Letter of the grade: `e`, `x`, `g`, `s`.
     grade: Option<String>,
 }
@@ -117,7 +121,10 @@ impl Reading {
         self.kind == other.kind
             && self.grade == other.grade
             && (self.od_in - other.od_in).abs() < DIAMETER_TOLERANCE_IN
-            && (self.second - other.second).abs() < tolerance
+            && match (self.second, other.second) {
+                (Some(own), Some(asked)) => (own - asked).abs() < tolerance,
+                _ => self.kind == TubularKind::HeavyWeight,
+            }
     }
 
     /// How far apart two readings are; the outside diameter counts most.
@@ -125,7 +132,10 @@ impl Reading {
         let differs = |differs: bool, by: f64| if differs { by } else { 0.0 };
         differs(self.kind != other.kind, 100.0)
             + 10.0 * (self.od_in - other.od_in).abs()
-            + (self.second - other.second).abs()
+            + self
+                .second
+                .zip(other.second)
+                .map_or(0.0, |(own, asked)| (own - asked).abs())
             + differs(self.grade != other.grade, 0.1)
     }
 
@@ -134,38 +144,29 @@ impl Reading {
         let mut kind = TubularKind::DrillPipe;
         let mut grade = None;
         let mut numbers: Vec<f64> = Vec::new();
-        let mut tokens = tokens(designation).into_iter().peekable();
-        while let Some(token) = tokens.next() {
-            match token {
-                Token::Whole(whole) => {
-                    // "5-1/2" and "5 1/2"
-                    if let Some(Token::Fraction(part)) = tokens.peek() {
-                        numbers.push(whole + part);
-                        tokens.next();
-                    } else {
-                        numbers.push(whole);
-                    }
-                }
-                Token::Decimal(number) | Token::Fraction(number) => numbers.push(number),
-                Token::Word(word) => match word.as_str() {
-                    "hwdp" | "hw" | "heavy" => kind = TubularKind::HeavyWeight,
-                    "collar" | "collars" | "dc" => kind = TubularKind::Collar,
-                    "e" | "x" | "g" | "s" => match (word.as_str(), tokens.peek()) {
-                        ("e", Some(Token::Whole(75.0)))
-                        | ("x", Some(Token::Whole(95.0)))
-                        | ("g", Some(Token::Whole(105.0)))
-                        | ("s", Some(Token::Whole(135.0)))
+        let mut parts = parts(designation).into_iter().peekable();
+        while let Some(part) = parts.next() {
+            match part {
+                Part::Number(number) => numbers.push(number),
+                Part::Word(word) => match word.as_str() {
+                    "hwdp" | "hw" | "hwt" | "heavy" => kind = TubularKind::HeavyWeight,
+                    "collar" | "collars" | "dc" | "dcs" | "nmdc" => kind = TubularKind::Collar,
+                    "e" | "x" | "g" | "s" => match (word.as_str(), parts.peek()) {
+                        ("e", Some(Part::Number(75.0)))
+                        | ("x", Some(Part::Number(95.0)))
+                        | ("g", Some(Part::Number(105.0)))
+                        | ("s", Some(Part::Number(135.0)))
                             if grade.is_none() =>
                         {
                             grade = Some(word);
-                            tokens.next();
+                            parts.next();
                         }
                         ("x", _) => {}
                         _ => return None,
                     },
                     "in" | "inch" | "inches" | "lb" | "lbs" | "lbm" | "ft" | "ppf" | "per"
-                    | "weight" | "drill" | "pipe" | "dp" | "od" | "id" | "bore" | "grade"
-                    | "by" => {}
+                    | "weight" | "drill" | "pipe" | "dp" | "drillpipe" | "od" | "id" | "bore"
+                    | "grade" | "by" => {}
                     _ => return None,
                 },
             }
@@ -174,71 +175,18 @@ impl Reading {
             [od_in, second] => Some(Self {
                 kind,
                 od_in,
-                second,
+                second: Some(second),
+                grade,
+            }),
+            [od_in] if kind == TubularKind::HeavyWeight => Some(Self {
+                kind,
+                od_in,
+                second: None,
                 grade,
             }),
             _ => None,
         }
     }
-}
-
-#[derive(Debug, PartialEq)]
-enum Token {
-    Whole(f64),
-    Decimal(f64),
-    Fraction(f64),
-    Word(String),
-}
-
-/// Words and numbers; hyphens, quotes, slashes between words and `#` separate them.
-fn tokens(text: &str) -> Vec<Token> {
-    let chars: Vec<char> = text.chars().flat_map(char::to_lowercase).collect();
-    let mut tokens = Vec::new();
-    let mut at = 0;
-    let run = |from: usize, accept: &dyn Fn(char) -> bool| {
-        chars[from..].iter().take_while(|&&c| accept(c)).count()
-    };
-    while at < chars.len() {
-        let c = chars[at];
-        if c.is_ascii_digit() || (c == '.' && chars.get(at + 1).is_some_and(char::is_ascii_digit)) {
-            let length = run(at, &|c| c.is_ascii_digit() || c == '.');
-            let number: String = chars[at..at + length].iter().collect();
-            at += length;
-            let is_fraction =
-                chars.get(at) == Some(&'/') && chars.get(at + 1).is_some_and(char::is_ascii_digit);
-            let value: Option<f64> = number.parse().ok();
-            if is_fraction {
-                let length = run(at + 1, &|c| c.is_ascii_digit());
-                let below: String = chars[at + 1..at + 1 + length].iter().collect();
-                at += 1 + length;
-                match (value, below.parse::<f64>()) {
-                    (Some(above), Ok(below)) if below > 0.0 => {
-                        tokens.push(Token::Fraction(above / below));
-                    }
-                    _ => tokens.push(Token::Word(number)),
-                }
-            } else {
-                tokens.push(match value {
-                    Some(value) if number.contains('.') => Token::Decimal(value),
-                    Some(value) => Token::Whole(value),
-                    None => Token::Word(number),
-                });
-            }
-        } else if c.is_alphabetic() {
-            let length = run(at, &char::is_alphabetic);
-            tokens.push(Token::Word(chars[at..at + length].iter().collect()));
-            at += length;
-        } else {
-            match c {
-                '×' => tokens.push(Token::Word("x".into())),
-                '"' | '″' | '”' | '#' | '-' | '–' | '/' | '.' | ',' | ';' | '(' | ')' => {}
-                c if c.is_whitespace() => {}
-                other => tokens.push(Token::Word(other.into())),
-            }
-            at += 1;
-        }
-    }
-    tokens
 }
 
 #[cfg(test)]
@@ -261,6 +209,11 @@ mod tests {
             ("5-7/8 in 26.40 lb/ft S-135", "5-7/8 in 26.30 lb/ft S-135"),
             ("HWDP 5 in 49.3 lb/ft", "HWDP 5 in 49.3 lb/ft"),
             ("5\" hwdp 49.3 ppf", "HWDP 5 in 49.3 lb/ft"),
+            ("5\" HWDP", "HWDP 5 in 49.3 lb/ft"),
+            ("5 1/2 in heavy weight", "HWDP 5-1/2 in 57.0 lb/ft"),
+            ("DP 5 in 19.5 lb/ft G105", "5 in 19.50 lb/ft G-105"),
+            ("drillpipe 5\" 19.5# S135", "5 in 19.50 lb/ft S-135"),
+            ("6-1/2 in DC 2-13/16 in", "6-1/2 in x 2-13/16 in collar"),
             (
                 "heavy-weight drill pipe 5-1/2 in 57 lb/ft",
                 "HWDP 5-1/2 in 57.0 lb/ft",

@@ -8,6 +8,8 @@
 //! them: those count the upsets too.
 
 mod designation;
+pub(crate) mod parts;
+mod search;
 mod tables;
 
 use std::f64::consts::PI;
@@ -15,6 +17,7 @@ use std::f64::consts::PI;
 use super::{ComponentLength, ComponentSpec, Material, ToolJoints, component::ring_area_m2};
 
 pub use designation::find;
+pub use search::describes;
 
 /// What a catalogue entry is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,0 +1,118 @@
+//! `casing` and `diameter` of `[[well.hole]]`.
+
+use wholestring::well::{
+    HoleKind,
+    casing::{self, Casing},
+};
+use wholestring_units::{Dimension, UnitSet};
+
+use crate::{
+    diagnostic::Diagnostic, hole::HoleTable, names::short, reader::Reader, rule::At, source::Place,
+};
+
+impl HoleTable {
+    /// Where the diameter comes from, if the case says it.
+    pub(crate) fn diameter_place(&self) -> Option<Place> {
+        let given = self.diameter.given().map(|at| at.place);
+        given.or(self.casing.given().map(|at| at.place))
+    }
+
+    /// The diameter of the hole, given or that of the casing; `None` after a mistake.
+    pub(crate) fn diameter_m(&self, reader: &mut Reader) -> Option<f64> {
+        let diameter = self.diameter.optional()?;
+        let Some(name) = self.casing.optional()? else {
+            let diameter = diameter?;
+            self.warn_of_outside_diameter(diameter, reader);
+            return Some(diameter.value);
+        };
+        if let Some(diameter) = diameter {
+            reader.report(
+                Diagnostic::error("`diameter` is given beside `casing`")
+                    .at(diameter.place, "the casing gives it")
+                    .at(name.place, "the casing")
+                    .help("leave one of the two out"),
+            );
+            return None;
+        }
+        if let Some(kind) = self.kind.at()
+            && kind.value == HoleKind::Open
+        {
+            reader.report(
+                Diagnostic::error("open hole has no casing")
+                    .at(name.place, "expected `diameter` instead")
+                    .at(kind.place, "open hole"),
+            );
+            return None;
+        }
+        match casing::find(&name.value) {
+            Ok(found) => Some(found.id_m),
+            Err(unknown) => {
+                let nearest: Vec<String> = unknown
+                    .nearest
+                    .iter()
+                    .map(|name| format!("\"{name}\""))
+                    .collect();
+                reader.report(
+                    Diagnostic::error(format!("there is no casing `{}`", short(&name.value)))
+                        .at(name.place, "expected its size and weight")
+                        .help(format!("the nearest: {}", nearest.join(", ")))
+                        .help("or give its inside diameter as `diameter`"),
+                );
+                None
+            }
+        }
+    }
+
+    /// Casing is called by its outside diameter; the string moves in the inside one.
+    fn warn_of_outside_diameter(&self, diameter: &At<f64>, reader: &mut Reader) {
+        let sizes = casing::of_outside_diameter(diameter.value);
+        let Some(first) = sizes.first() else { return };
+        if self.kind.get() != Some(&HoleKind::Casing) {
+            return;
+        }
+        let written = reader.text_at(diameter.place);
+        let in_inches = written.contains("in") || written.contains("\"\"");
+        let units = if in_inches {
+            UnitSet::Field
+        } else {
+            reader.units()
+        };
+        let inside: Vec<String> = sizes
+            .iter()
+            .map(|casing| {
+                format!(
+                    "{} ({})",
+                    Dimension::Diameter.format(casing.id_m, units),
+                    weight(casing)
+                )
+            })
+            .collect();
+        let size = first.designation.split_once(" in ");
+        let size = size.map_or("", |(size, _)| size);
+        let common = sizes.get(sizes.len() / 2).unwrap_or(first);
+        let mut diagnostic =
+            Diagnostic::warning(format!("{size} in is the outside diameter of a casing"))
+                .at(diameter.place, "expected the inside diameter")
+                .help(format!(
+                    "{size} in casing has inside diameters of {}",
+                    inside.join(", ")
+                ))
+                .help(format!("or name it: casing = \"{}\"", common.designation));
+        let also = casing::entries()
+            .into_iter()
+            .find(|casing| (casing.id_m - diameter.value).abs() < 1e-4);
+        if let Some(also) = also {
+            diagnostic = diagnostic.help(format!(
+                "it is also the inside diameter of casing = \"{}\"",
+                also.designation
+            ));
+        }
+        reader.report(diagnostic);
+    }
+}
+
+/// The nominal weight in the words of its name.
+fn weight(casing: &Casing) -> &str {
+    let parted = casing.designation.split_once(" in ");
+    parted.map_or("", |(_, weight)| weight)
+}

@@ -1,0 +1,135 @@
+//! Operations by the names that drillers give them.
+
+use serde_json::{Value as Json, json};
+use wholestring::operation::OperationKind;
+
+use crate::{
+    diagnostic::Diagnostic,
+    names::{all_near, any_of, same, short},
+    node::{Node, Value},
+    operation::KIND,
+    reader::Reader,
+    rule::Rule,
+};
+
+/// Drillers' words; capitals, blanks, hyphens and underscores do not count.
+const WORDS: &[(&str, OperationKind)] = {
+    use OperationKind::{BackReam, Drill, Ream, RotateOffBottom, Slide, TripIn, TripOut};
+    &[
+        ("tripping out", TripOut),
+        ("trip out of hole", TripOut),
+        ("pick-up", TripOut),
+        ("picking up", TripOut),
+        ("pull out", TripOut),
+        ("pulling out", TripOut),
+        ("pull out of hole", TripOut),
+        ("pulling out of hole", TripOut),
+        ("hoisting", TripOut),
+        ("tripping in", TripIn),
+        ("trip in hole", TripIn),
+        ("slack-off", TripIn),
+        ("slacking off", TripIn),
+        ("run in", TripIn),
+        ("running in", TripIn),
+        ("run in hole", TripIn),
+        ("running in hole", TripIn),
+        ("lowering", TripIn),
+        ("rotating off bottom", RotateOffBottom),
+        ("off bottom rotation", RotateOffBottom),
+        ("rotation off bottom", RotateOffBottom),
+        ("free rotation", RotateOffBottom),
+        ("free rotating", RotateOffBottom),
+        ("drilling", Drill),
+        ("drill ahead", Drill),
+        ("drilling ahead", Drill),
+        ("rotary drilling", Drill),
+        ("rotate on bottom", Drill),
+        ("rotating on bottom", Drill),
+        ("sliding", Slide),
+        ("slide drilling", Slide),
+        ("oriented drilling", Slide),
+        ("reaming", Ream),
+        ("ream in", Ream),
+        ("reaming in", Ream),
+        ("ream down", Ream),
+        ("reaming down", Ream),
+        ("back-reaming", BackReam),
+        ("ream out", BackReam),
+        ("reaming out", BackReam),
+        ("ream up", BackReam),
+        ("reaming up", BackReam),
+    ]
+};
+
+/// Abbreviations. They are too short to be near anything.
+const ABBREVIATIONS: &[(&str, OperationKind)] = {
+    use OperationKind::{TripIn, TripOut};
+    &[
+        ("POOH", TripOut),
+        ("POH", TripOut),
+        ("TOOH", TripOut),
+        ("TOH", TripOut),
+        ("PU", TripOut),
+        ("RIH", TripIn),
+        ("TIH", TripIn),
+        ("SO", TripIn),
+    ]
+};
+
+/// An operation by its name, or by a driller's word for it.
+pub(crate) struct KindRule;
+
+impl KindRule {
+    fn names() -> impl Iterator<Item = (&'static str, OperationKind)> {
+        KIND.words.iter().chain(WORDS).copied()
+    }
+}
+
+impl Rule for KindRule {
+    type Value = OperationKind;
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<OperationKind> {
+        let Value::Text { text, .. } = &node.value else {
+            return KIND.read(node, reader);
+        };
+        let mut all = Self::names().chain(ABBREVIATIONS.iter().copied());
+        if let Some((_, kind)) = all.find(|(word, _)| same(word, text)) {
+            return Some(kind);
+        }
+        let words: Vec<&str> = KIND.words.iter().map(|(word, _)| *word).collect();
+        let mut diagnostic = Diagnostic::error(format!("`{}` is not {}", short(text), KIND.noun))
+            .at(node.place, format!("expected {}", any_of(&words)));
+        // Several words may mean one operation, and half a word several.
+        let mut meant: Vec<&str> = Vec::new();
+        for near in all_near(text, Self::names().map(|(word, _)| word)) {
+            let kind = Self::names().find(|(word, _)| *word == near);
+            if let Some((_, kind)) = kind
+                && !meant.contains(&kind.name())
+            {
+                meant.push(kind.name());
+            }
+        }
+        if !meant.is_empty() {
+            diagnostic = diagnostic.help(format!("did you mean {}?", any_of(&meant)));
+        }
+        reader.report(diagnostic);
+        None
+    }
+
+    fn example(&self) -> Option<String> {
+        KIND.example()
+    }
+
+    fn schema(&self) -> Json {
+        let words = WORDS.iter().chain(ABBREVIATIONS).map(|(word, _)| *word);
+        let words: Vec<&str> = words.collect();
+        json!({ "anyOf": [
+            KIND.schema(),
+            { "type": "string", "enum": words, "description": "A driller's word for it." },
+        ] })
+    }
+
+    fn json(&self, value: &OperationKind) -> Json {
+        KIND.json(value)
+    }
+}
