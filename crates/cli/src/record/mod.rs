@@ -7,8 +7,10 @@ pub(crate) use rows::{Effort, bottom_rows};
 use serde::{Deserialize, Serialize};
 use wholestring::{
     dynamics::ScheduleStep,
+    findings::Finding,
     operation::Operation,
     outcome::{ModelKind, Scalars},
+    rig::Rig,
     well::Hole,
 };
 use wholestring_case::{Case, Records};
@@ -19,7 +21,7 @@ use wholestring_results::{
 };
 use wholestring_units::{Dimension, UnitSet};
 
-use crate::{failure::Failure, frames::Frames, report::along_the_hole};
+use crate::{failure::Failure, findings, frames::Frames, report::along_the_hole};
 
 /// What a run has solved to its end, as a checkpoint keeps it.
 #[derive(Serialize, Deserialize)]
@@ -168,6 +170,13 @@ impl Record {
             indicators: None,
             bit_table: None,
             numerics: None,
+        }
+    }
+
+    /// Tells what was found in the answer that was added last.
+    pub(crate) fn judge(&mut self, found: &[Finding], rig: &Rig) {
+        if let Some(last) = self.summary.operations.last_mut() {
+            last.findings = findings::told(found, last, rig, self.units);
         }
     }
 

@@ -1,3 +1,4 @@
 //! Static torque and drag.
 
+pub mod buckling;
 pub mod soft;
