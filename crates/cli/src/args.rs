@@ -16,7 +16,7 @@ pub(crate) struct Cli {
 }
 
 const EXIT_STATUS: &str = "\
-Exit status: 0 done; 2 bad input; 3 the run failed; 130 interrupted.";
+Exit status: 0 done; 2 bad input; 3 the run failed; 4 an error was found, with --strict; 130 interrupted.";
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
@@ -98,6 +98,10 @@ pub(crate) struct RunArgs {
     #[arg(long, value_name = "si|metric|field")]
     pub(crate) units: Option<UnitSet>,
 
+    /// End with status 4 where an error is found in an answer
+    #[arg(long)]
+    pub(crate) strict: bool,
+
     /// Write the tables as CSV too
     #[arg(long)]
     pub(crate) csv: bool,
@@ -151,6 +155,10 @@ pub(crate) struct SweepArgs {
     #[arg(long, value_name = "KEY=VALUES", required = true)]
     pub(crate) vary: Vec<String>,
 
+    /// End with status 4 where an error is found in an answer
+    #[arg(long)]
+    pub(crate) strict: bool,
+
     #[command(flatten)]
     pub(crate) batch: BatchArgs,
 }
@@ -182,6 +190,10 @@ pub(crate) struct StudyArgs {
     /// Paint each figure as PNG too, with 300 dots per inch
     #[arg(long)]
     pub(crate) png: bool,
+
+    /// End with status 4 where an error is found in an answer
+    #[arg(long)]
+    pub(crate) strict: bool,
 
     #[command(flatten)]
     pub(crate) batch: BatchArgs,

@@ -11,6 +11,8 @@ pub(crate) enum Failure {
     BadInput(String),
     /// The run could not be finished.
     Failed(String),
+    /// An error was found in an answer, and `--strict` lets none pass.
+    Refused(String),
     /// The user stopped it.
     Interrupted(String),
 }
@@ -21,6 +23,7 @@ impl Failure {
         match self {
             Self::BadInput(_) => 2,
             Self::Failed(_) => 3,
+            Self::Refused(_) => 4,
             Self::Interrupted(_) => 130,
         }
     }
@@ -29,7 +32,10 @@ impl Failure {
 impl fmt::Display for Failure {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::BadInput(text) | Self::Failed(text) | Self::Interrupted(text) => {
+            Self::BadInput(text)
+            | Self::Failed(text)
+            | Self::Refused(text)
+            | Self::Interrupted(text) => {
                 write!(to, "{}", text.trim_end())
             }
         }

@@ -2,7 +2,6 @@
 
 mod args;
 mod bench;
-mod bit_table;
 mod bit_test;
 mod check;
 mod checkpoint;
@@ -12,9 +11,9 @@ mod comparison;
 mod conclusion;
 mod cores;
 mod failure;
+mod findings;
 mod folder_name;
 mod frames;
-mod indicators;
 mod interrupt;
 mod pace;
 mod parallel;
@@ -22,7 +21,6 @@ mod plot;
 mod progress;
 mod record;
 mod report;
-mod rig;
 mod run;
 mod screen_table;
 mod shell;
@@ -84,6 +82,11 @@ fn load(args: &CaseArgs, quiet: bool) -> Result<wholestring_case::Case, Failure>
 /// Whether diagnostics are coloured: on a terminal whose user has not said no.
 fn color() -> bool {
     io::stderr().is_terminal() && env::var_os("NO_COLOR").is_none_or(|no| no.is_empty())
+}
+
+/// Whether what is printed to standard output is coloured.
+fn screen_color() -> bool {
+    io::stdout().is_terminal() && env::var_os("NO_COLOR").is_none_or(|no| no.is_empty())
 }
 
 /// Prints to standard error. Where that is closed or full there is nobody left to tell.

@@ -7,18 +7,17 @@ use wholestring_results::{Occupant, ResultsFolder, Status, Summary, digest};
 
 use crate::{
     args::RunArgs,
-    bit_table,
     checkpoint::{Laid, is_of},
     claim::{self, Claim},
     comparison, cores,
     failure::Failure,
+    findings,
     folder_name::default_output,
-    indicators,
     interrupt::Interrupt,
     load,
     progress::Watch,
     record::{self, Record},
-    report, rig, say,
+    report, say, screen_color,
     solve::{Way, checkpoint_every, solve},
 };
 
@@ -78,23 +77,23 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         let title = format!("{}: {}", case.name, record::subtitle(&case, units));
         let table = comparison::table(&record.summary, units, width);
         let notes = comparison::notes(&record.summary, units);
-        let indicators = indicators::notes(&record.summary, units);
-        let warnings = rig::warnings(&record.summary, &case.model.rig, units)
-            + &bit_table::warnings(&record.summary, units);
+        let findings = findings::lines(&record.summary, width, screen_color());
         let place = folder.path().display();
         say(&format!(
             "{title}
 
 {table}
-{notes}{indicators}{warnings}Results in {place}
+{notes}{findings}Results in {place}
 "
         ))?;
     }
+    let refused = findings::refused(&record.summary).filter(|_| args.strict);
     // The page is made from the files: what they hold need not be held beside it.
     drop(record);
     let reported = report::write(folder, units);
     solved.map_err(|stop| stop.failure(folder))?;
-    reported
+    reported?;
+    refused.map_or(Ok(()), Err)
 }
 
 fn bad(reason: impl std::fmt::Display) -> Failure {

@@ -7,6 +7,7 @@ use wholestring::{
         BitLaw, DynamicsSettings, HoistControl, LiftError, MOST_LIFT_RUNS, SetupError, Simulation,
         TunedLift, tune_lift,
     },
+    findings,
     operation::Operation,
     outcome::ModelKind,
     statics::soft::{self, SoftSettings},
@@ -153,6 +154,8 @@ fn solve_soft(case: &Case, operation: &Operation, record: &mut Record) -> Status
     match soft::solve(&case.model, operation, &SoftSettings::default()) {
         Ok(profile) => {
             record.add_soft(operation, &profile);
+            let found = findings::of_soft(&case.model, operation, &profile);
+            record.judge(&found, &case.model.rig);
             Status::Complete
         }
         Err(error) => unsolvable("soft string", &error),
@@ -280,14 +283,21 @@ fn solve_dynamic(
         took: took(),
         runs: lift.map_or(1, |lift| lift.runs + usize::from(run_again)),
     };
+    let outcome = simulation.outcome();
     record.add_dynamic(
         operation,
-        &simulation.outcome(),
+        &outcome,
         simulation.bottom_hole().as_ref(),
         lift,
         status.clone(),
         effort,
     );
+    // What was not computed to its end has said so already.
+    if status == Status::Complete {
+        let from_s = settings.settle_s;
+        let found = findings::of_dynamic(&case.model, operation, &settings, &outcome, from_s);
+        record.judge(&found, &case.model.rig);
+    }
     status
 }
 

@@ -10,6 +10,7 @@
 #![warn(missing_docs)]
 
 pub mod dynamics;
+pub mod findings;
 pub mod model;
 pub mod mud;
 pub mod operation;

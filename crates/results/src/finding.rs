@@ -2,17 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// How grave a finding is. Worse ones are greater.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Level {
-    /// To be known when the answer is read.
-    Note,
-    /// A limit is near or passed, or a number is less certain than it looks.
-    Warning,
-    /// The operation cannot be carried out so, or the answer must not be used.
-    Error,
-}
+pub use wholestring::findings::Level;
 
 /// One thing that an engineer must be told of an answer: what, where, how much, and what it is held against.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

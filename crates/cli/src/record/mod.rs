@@ -10,8 +10,10 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use wholestring::{
     dynamics::ScheduleStep,
+    findings::Finding,
     operation::Operation,
     outcome::{ModelKind, Scalars},
+    rig::Rig,
     well::Hole,
 };
 use wholestring_case::{Case, Records};
@@ -23,7 +25,7 @@ use wholestring_results::{
 };
 use wholestring_units::{Dimension, UnitSet};
 
-use crate::{failure::Failure, frames::Frames, report::along_the_hole};
+use crate::{failure::Failure, findings, frames::Frames, report::along_the_hole};
 
 /// What a run has solved to its end, as a checkpoint keeps it. The tables are not copied for it: they are large.
 #[derive(Serialize, Deserialize)]
@@ -180,6 +182,13 @@ impl Record {
             indicators: None,
             bit_table: None,
             numerics: None,
+        }
+    }
+
+    /// Tells what was found in the answer that was added last.
+    pub(crate) fn judge(&mut self, found: &[Finding], rig: &Rig) {
+        if let Some(last) = self.summary.operations.last_mut() {
+            last.findings = findings::told(found, last, rig, self.units);
         }
     }
 

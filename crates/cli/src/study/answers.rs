@@ -7,10 +7,11 @@ use std::{
 
 use wholestring::outcome::ModelKind;
 use wholestring_case::study::{Chosen, Quantity, Selection, Source, Statistic};
-use wholestring_results::{OperationSummary, ResultsError, Status, Summary, Table};
+use wholestring_results::{Level, OperationSummary, ResultsError, Status, Summary, Table};
 
 use crate::{
     column::{numbers, words},
+    findings,
     report::well::WellBore,
 };
 
@@ -77,6 +78,11 @@ impl Answer {
     }
 
     fn scalar(&self, name: &str) -> Option<f64> {
+        for level in [Level::Error, Level::Warning, Level::Note] {
+            if name.strip_suffix('s') == Some(level.name()) {
+                return Some(findings::count(&self.solved, level) as f64);
+            }
+        }
         let solved = serde_json::to_value(&self.solved).ok()?;
         solved.get(name)?.as_f64()
     }

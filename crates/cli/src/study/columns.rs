@@ -23,6 +23,9 @@ const PLAIN: &[(&str, &str)] = &[
 /// Ends of names of curvatures.
 const CURVATURE: &str = "_rad_per_m";
 
+/// How many findings of each level there are.
+pub(super) const FINDINGS: [&str; 3] = ["errors", "warnings", "notes"];
+
 /// Every column that a study may show.
 pub(super) fn all() -> Vec<ColumnName> {
     let of = |source: Source, name: &'static str| ColumnName {
@@ -31,7 +34,7 @@ pub(super) fn all() -> Vec<ColumnName> {
         dimension: dimension(name),
     };
     let varying = DynamicOutcome::quantities().filter(|name| !SCALARS.contains(name));
-    let summary = SCALARS.into_iter().chain(varying);
+    let summary = SCALARS.into_iter().chain(varying).chain(FINDINGS);
     let numbers = |source, specs: &'static [ColumnSpec]| {
         let numbers = specs.iter().filter(|spec| !spec.text);
         numbers.map(move |spec| of(source, spec.name))

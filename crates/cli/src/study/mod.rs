@@ -62,7 +62,7 @@ pub(crate) fn study(args: &StudyArgs) -> Result<(), Failure> {
         }
     }
     show(&study, &answers, folder, args.png)?;
-    batch.conclude(folder.path())
+    batch.conclude(folder.path(), args.strict)
 }
 
 /// Writes every figure and table, and the page of all.

@@ -23,12 +23,14 @@ use crate::{
     conclusion::Conclusion,
     cores,
     failure::Failure,
+    findings,
     folder_name::default_output,
     interrupt::Interrupt,
     pace::pace,
     parallel::{in_parallel, lock},
     progress::{self, Watch, milliseconds},
     record::Record,
+    say,
     solve::{Stop, Way, checkpoint_every, solve},
 };
 
@@ -328,12 +330,13 @@ impl<'a> Batch<'a> {
         Ok(table.table().write_csv(&path)?)
     }
 
-    /// Says how it went; its results are in `place`.
-    pub(crate) fn conclude(self, place: &Path) -> Result<(), Failure> {
+    /// Says how it went; its results are in `place`. If it is strict, no error may have been found.
+    pub(crate) fn conclude(self, place: &Path, strict: bool) -> Result<(), Failure> {
         let endings = std::mem::take(&mut lock(&self.progress).endings);
         let (noun, cases) = (self.noun, self.mine.len());
         let mut finished = 0;
         let mut failed = Vec::new();
+        let mut wrong = Vec::new();
         for (point, ending) in self.points.iter().zip(&endings) {
             match ending {
                 Some(Ending { why: None, .. }) => finished += 1,
@@ -342,6 +345,12 @@ impl<'a> Batch<'a> {
                         .map(|reason| format!("  {}: {reason}", self.label(point))),
                 ),
                 None => {}
+            }
+            let solved = ending.iter().flat_map(|ending| &ending.solved);
+            let found = solved.filter(|of| findings::is_wrong(of));
+            let found: Vec<String> = found.map(findings::name).collect();
+            if !found.is_empty() {
+                wrong.push(format!("  {}: {}", self.label(point), found.join(", ")));
             }
         }
         Conclusion {
@@ -354,7 +363,23 @@ impl<'a> Batch<'a> {
             place,
             took: self.start.elapsed(),
         }
-        .tell(self.args.quiet)
+        .tell(self.args.quiet)?;
+        if wrong.is_empty() {
+            return Ok(());
+        }
+        let found = wrong.len();
+        if strict {
+            let wrong = wrong.join("\n");
+            return Err(Failure::Refused(format!(
+                "error: errors were found in {found} of {cases} cases\n{wrong}"
+            )));
+        }
+        if self.args.quiet {
+            return Ok(());
+        }
+        say(&format!(
+            "Errors were found in {found} of {cases} cases: see {FILE}\n"
+        ))
     }
 }
 

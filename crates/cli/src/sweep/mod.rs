@@ -31,5 +31,5 @@ pub(crate) fn sweep(args: &SweepArgs) -> Result<(), Failure> {
     let place = set.folder.path().to_owned();
     let mut batch = Batch::new("sweep", &args.batch, vec![set], sound);
     batch.solve_all()?;
-    batch.conclude(&place)
+    batch.conclude(&place, args.strict)
 }

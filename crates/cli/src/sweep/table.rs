@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value};
 use wholestring::dynamics::DynamicOutcome;
-use wholestring_results::{Column, Data, OperationSummary, Table};
+use wholestring_results::{Column, Data, Level, OperationSummary, Table};
 
 /// Name of the file.
 pub(super) const FILE: &str = "sweep.csv";
@@ -44,6 +44,22 @@ struct Row {
     /// The operation as in `summary.json`; empty where a case failed before it had an answer.
     solved: Map<String, Value>,
     folder: String,
+}
+
+impl Row {
+    /// How many findings of a level there are; none where nothing was solved.
+    fn findings(&self, level: Level) -> Option<f64> {
+        let found = self.solved.get("findings")?.as_array()?.iter();
+        Some(found.filter(|of| of["level"] == level.name()).count() as f64)
+    }
+
+    /// What is told of the gravest finding.
+    fn worst(&self, key: &str) -> String {
+        let found = self.solved.get("findings").and_then(Value::as_array);
+        let worst = found.and_then(|found| found.first());
+        let word = worst.and_then(|of| of[key].as_str());
+        word.unwrap_or_default().to_owned()
+    }
 }
 
 impl SweepTable {
@@ -96,7 +112,7 @@ impl SweepTable {
         }
     }
 
-    /// The table: varied keys, model and operation, scalars, statistics, the lift, how it ended, and where the
+    /// The table: varied keys, model and operation, scalars, statistics, the lift, findings, how it ended, and where the
     /// rest of it lies.
     pub(crate) fn table(&self) -> Table {
         let text = |name: &str, of: &dyn Fn(&Row) -> String| Column {
@@ -138,6 +154,15 @@ impl SweepTable {
             columns.push(number(format!("lift_{name}"), &|row| {
                 row.solved.get("lift")?.get(name)?.as_f64()
             }));
+        }
+        for (name, level) in [("errors", Level::Error), ("warnings", Level::Warning)] {
+            columns.push(number(name.to_owned(), &|row| row.findings(level)));
+        }
+        for (name, key) in [
+            ("worst_finding", "kind"),
+            ("worst_finding_message", "message"),
+        ] {
+            columns.push(text(name, &|row| row.worst(key)));
         }
         columns.extend(["status", "message"].map(word));
         columns.push(text("folder", &|row| row.folder.clone()));

@@ -5,6 +5,7 @@ use std::{collections::BTreeSet, fs, path::Path};
 
 use crate::desk::Desk;
 use serde_json::Value;
+use wholestring::findings::Kind;
 use wholestring_results::{Data, Table};
 
 const OPERATIONS: [&str; 7] = [
@@ -106,7 +107,8 @@ fn keys_of_the_summary() {
     assert_eq!(found, expected);
 
     for operation in operations {
-        let mut expected: BTreeSet<&str> = ["model", "operation", "status", "friction"].into();
+        let mut expected: BTreeSet<&str> =
+            ["model", "operation", "status", "friction", "findings"].into();
         expected.extend(SCALARS);
         expected.extend(DEPTHS);
         let dynamic = operation["model"] == "dynamic";
@@ -114,6 +116,7 @@ fn keys_of_the_summary() {
             expected.extend(["statistics", "indicators", "numerics"]);
         }
         assert_eq!(keys(operation), expected);
+        check_findings(&operation["findings"]);
         assert_eq!(operation["status"], "complete");
         assert_eq!(operation["friction"], 0.25);
         assert_eq!(operation["bit_depth_m"], 600.0);
@@ -127,6 +130,28 @@ fn keys_of_the_summary() {
         if dynamic {
             check_dynamic(operation);
         }
+    }
+}
+
+/// Findings have the same keys whatever their kind, and the kinds are those of the engine.
+fn check_findings(findings: &Value) {
+    let keys_of_all = [
+        "kind", "level", "md_m", "to_md_m", "value", "limit", "unit", "message",
+    ];
+    for found in findings.as_array().expect("a list") {
+        assert_eq!(keys(found), keys_of_all.into());
+        let mut kinds = Kind::ALL.iter();
+        let kind = kinds.find(|kind| found["kind"] == kind.name());
+        assert_eq!(found["unit"], kind.expect("a kind").unit());
+        assert!(
+            ["note", "warning", "error"]
+                .map(Value::from)
+                .contains(&found["level"])
+        );
+        for key in ["md_m", "to_md_m", "value", "limit"] {
+            assert!(found[key].is_number() || found[key].is_null(), "{found}");
+        }
+        assert!(found["message"].is_string(), "{found}");
     }
 }
 

@@ -7,6 +7,7 @@ mod contract;
 mod desk;
 mod documentation;
 mod endings;
+mod findings;
 mod folders;
 mod frames;
 mod plot;

@@ -1,0 +1,454 @@
+//! What people are told of a finding, in their units.
+
+use std::f64::consts::TAU;
+
+use wholestring::{
+    dynamics::{TableUse, Whirl},
+    findings::{Finding, Kind, Level},
+    outcome::ModelKind,
+    rig::Rig,
+};
+use wholestring_results::OperationSummary;
+use wholestring_units::{Dimension, UnitSet};
+
+/// A sentence that begins with a capital and ends without a full stop.
+pub(super) fn sentence(
+    found: &Finding,
+    of: &OperationSummary,
+    rig: &Rig,
+    units: UnitSet,
+) -> String {
+    let words = Words {
+        found,
+        of,
+        rig,
+        units,
+    };
+    match found.kind {
+        Kind::HookLoadNegative => words.hook_load(),
+        Kind::LockUp => words.lock_up(),
+        Kind::WeightOnBitNotReached => words.weight_on_bit("is not reached"),
+        Kind::WeightOnBitExceeded => words.weight_on_bit("is exceeded"),
+        Kind::WeightOnBitUnsteady => format!(
+            "The weight on bit is not held: it varies by ± {} (standard deviation) about {}",
+            words.force(words.value()),
+            words.force(of.scalars.weight_on_bit_N),
+        ),
+        Kind::BitBounce => format!(
+            "The bit bounces: it is off the rock for {} of the time",
+            percent(words.value())
+        ),
+        Kind::SinusoidalBuckling => words.buckled("Buckled to a sinusoid"),
+        Kind::HelicalBuckling => words.buckled("Buckled to a helix"),
+        Kind::HoistOverloaded => words.hoist(),
+        Kind::TopDriveOverloaded => words.top_drive(),
+        Kind::TopDriveAtLimit => format!(
+            "The top drive works at its torque limit of {}",
+            words.torque(words.limit())
+        ),
+        Kind::TopDriveStalled => format!(
+            "The top drive stalls: its torque limit of {} does not turn the string",
+            words.torque(words.limit())
+        ),
+        Kind::YieldUse => words.yield_use(),
+        Kind::StickSlip => words.stick_slip(),
+        Kind::BackwardWhirl => words.whirl("Backward", |of| of.backward_whirl),
+        Kind::ForwardWhirl => words.whirl("Forward", |of| of.forward_whirl),
+        Kind::WallPenetration => format!(
+            "The string goes {} into the wall, beyond the {} that the law of the wall is good for",
+            words.across(words.value()),
+            words.across(words.limit())
+        ),
+        Kind::EnergyResidual => format!(
+            "The integration {} {} of the energy that went through it",
+            if words.value() < 0.0 {
+                "gained"
+            } else {
+                "lost"
+            },
+            percent(words.value().abs()),
+        ),
+        Kind::BitTableLeft => match of.bit_table {
+            Some(of) => words.bit_table(&of),
+            None => "The bit was outside its table".to_owned(),
+        },
+        Kind::NodeUnsettled => format!(
+            "The string never settled{}: its tension varies there by ± {}, {} and less about it",
+            words.place(),
+            words.force(words.value()),
+            words.force(words.limit() / 10.0),
+        ),
+        Kind::WindowDrifts => {
+            "The means still drift: the window began before the run had settled".to_owned()
+        }
+    }
+}
+
+struct Words<'a> {
+    found: &'a Finding,
+    of: &'a OperationSummary,
+    rig: &'a Rig,
+    units: UnitSet,
+}
+
+/// `12.5 %`, with less than one per cent told to two digits.
+fn percent(part: f64) -> String {
+    let percent = part * 100.0;
+    if percent.abs() < 10.0 {
+        format!("{percent:.1} %")
+    } else {
+        format!("{percent:.0} %")
+    }
+}
+
+impl Words<'_> {
+    fn value(&self) -> f64 {
+        self.found.value.unwrap_or(f64::NAN)
+    }
+
+    fn limit(&self) -> f64 {
+        self.found.limit.unwrap_or(f64::NAN)
+    }
+
+    fn force(&self, force_N: f64) -> String {
+        Dimension::Force.format(self.shown(Dimension::Force, force_N), self.units)
+    }
+
+    fn torque(&self, torque_N_m: f64) -> String {
+        Dimension::Torque.format(self.shown(Dimension::Torque, torque_N_m), self.units)
+    }
+
+    fn depth(&self, md_m: f64) -> String {
+        let unit = Dimension::Length.unit_in(self.units);
+        format!("{:.0} {}", unit.from_si(md_m) + 0.0, unit.symbol)
+    }
+
+    fn across(&self, length_m: f64) -> String {
+        Dimension::Diameter.format(self.shown(Dimension::Diameter, length_m), self.units)
+    }
+
+    /// A value with the four digits that a verdict deserves.
+    fn shown(&self, dimension: Dimension, si: f64) -> f64 {
+        let unit = dimension.unit_in(self.units);
+        let value = unit.from_si(si);
+        if value == 0.0 || !value.is_finite() {
+            return si;
+        }
+        let scale = 10.0_f64.powf(3.0 - value.abs().log10().floor());
+        si * ((value * scale).round() / scale / value)
+    }
+
+    /// ` at 4310 m`, ` from 50 m to 3350 m` or nothing.
+    fn place(&self) -> String {
+        match (self.found.from_md_m, self.found.to_md_m) {
+            (Some(from), Some(to)) => format!(" from {} to {}", self.depth(from), self.depth(to)),
+            (Some(at), None) => format!(" at {}", self.depth(at)),
+            _ => String::new(),
+        }
+    }
+
+    fn hook_load(&self) -> String {
+        let value_N = self.value();
+        let hook_load = self.force(value_N);
+        if self.of.scalars.hook_load_N > value_N {
+            return format!("The hook goes slack at times: hook load down to {hook_load}");
+        }
+        let block_N = self.rig.block_weight_N.filter(|block| *block > 0.0);
+        match (block_N, self.found.level) {
+            (Some(block_N), Level::Error) => format!(
+                "The string does not go down by its weight, nor by that of the block: hook load {hook_load}, {} with \
+                 the block",
+                self.force(value_N + block_N)
+            ),
+            (Some(block_N), _) => format!(
+                "The string does not go down by its weight, the block pushes it: hook load {hook_load}, {} with the \
+                 block",
+                self.force(value_N + block_N)
+            ),
+            (None, _) => {
+                format!("The string does not go down by its weight: hook load {hook_load}")
+            }
+        }
+    }
+
+    fn lock_up(&self) -> String {
+        let (asked_N, arrives_N) = (self.value(), self.limit());
+        let pushed = match (self.of.model, self.rig.block_weight_N) {
+            (ModelKind::Soft, Some(block)) if block > 0.0 => {
+                "with all of its weight slacked off and the block on it"
+            }
+            _ => "with all of its weight slacked off",
+        };
+        let mut text = if asked_N > 0.0 && arrives_N >= 0.0 {
+            format!(
+                "Lock-up: {pushed} the string brings {} of {} to the bit",
+                self.force(arrives_N),
+                self.force(asked_N)
+            )
+        } else if arrives_N < 0.0 {
+            format!(
+                "Lock-up: {pushed} the string stands; at the bit {} are missing",
+                self.force(asked_N - arrives_N)
+            )
+        } else {
+            format!("Lock-up: {pushed} the string stands and does not follow the block")
+        };
+        if let Some(md_m) = self.found.from_md_m {
+            text += &format!("; its helix takes any push from above {}", self.depth(md_m));
+        }
+        text
+    }
+
+    fn weight_on_bit(&self, is: &str) -> String {
+        format!(
+            "The weight on bit of {} {is}: {} on average",
+            self.force(self.limit()),
+            self.force(self.value())
+        )
+    }
+
+    fn buckled(&self, how: &str) -> String {
+        let more = match (self.found.kind, self.of.model) {
+            (Kind::HelicalBuckling, ModelKind::Soft) => {
+                "; the soft string does not count the drag of the helix"
+            }
+            _ => "",
+        };
+        format!(
+            "{how}{}: compression of {} where {} is critical{more}",
+            self.place(),
+            self.force(self.value()),
+            self.force(self.limit())
+        )
+    }
+
+    fn hoist(&self) -> String {
+        let (value_N, capacity) = (self.value(), self.force(self.limit()));
+        let load = match self.rig.block_weight_N {
+            Some(block_N) => format!(
+                "Hook load with block of {} ({} without)",
+                self.force(value_N),
+                self.force(value_N - block_N)
+            ),
+            None => format!(
+                "Hook load of {}, the block not counted,",
+                self.force(value_N)
+            ),
+        };
+        if value_N > self.limit() {
+            format!("{load} exceeds the hoist's capacity of {capacity}")
+        } else {
+            format!("{load} comes near the hoist's capacity of {capacity}")
+        }
+    }
+
+    fn top_drive(&self) -> String {
+        if self.value() > self.limit() {
+            return format!(
+                "Surface torque of {} exceeds the top drive's rated torque of {}",
+                self.torque(self.value()),
+                self.torque(self.limit())
+            );
+        }
+        let mut text = format!(
+            "Surface torque up to {} of the top drive's rated torque",
+            percent(self.value() / self.limit())
+        );
+        if let Some(of) = self.of.indicators.and_then(|of| of.top_drive) {
+            text += &format!(", 95th percentile {}", percent(of.p95));
+        }
+        text
+    }
+
+    fn yield_use(&self) -> String {
+        let what = if self.value() > 1.0 {
+            "The string yields"
+        } else {
+            "The string comes near to yielding"
+        };
+        format!(
+            "{what}{}: the stress reaches {} of the yield strength",
+            self.place(),
+            percent(self.value())
+        )
+    }
+
+    fn stick_slip(&self) -> String {
+        let Some(of) = self.of.indicators.and_then(|of| of.stick_slip) else {
+            return "Stick-slip".to_owned();
+        };
+        let mut text = match self.found.value {
+            Some(severity) => format!("Stick-slip of severity {severity:.2}"),
+            None => "The bit does not turn".to_owned(),
+        };
+        if let Some(period_s) = of.period_s {
+            text += &format!(", period {period_s:.1} s");
+        }
+        text += &format!(
+            ", bit stuck for {:.0} % of the time and up to {:.0} rev/min fast",
+            of.stuck_fraction * 100.0,
+            of.bit_speed_max_rad_per_s * 60.0 / TAU,
+        );
+        text
+    }
+
+    fn whirl(
+        &self,
+        direction: &str,
+        of: fn(&wholestring::dynamics::Indicators) -> Option<Whirl>,
+    ) -> String {
+        let Some(whirl) = self.of.indicators.as_ref().and_then(of) else {
+            return format!("{direction} whirl{}", self.place());
+        };
+        format!(
+            "{direction} whirl over {} of the string, fastest{}: {:.0} rev/min, {:.1} × rotary speed",
+            percent(whirl.length_fraction),
+            self.place(),
+            whirl.rate_rad_per_s * 60.0 / TAU,
+            whirl.ratio,
+        )
+    }
+
+    fn bit_table(&self, of: &TableUse) -> String {
+        let forces =
+            |[least, most]: [f64; 2]| format!("{} to {}", self.force(least), self.force(most));
+        let speeds = |[slowest, fastest]: [f64; 2]| {
+            let [slowest, fastest] = [slowest, fastest].map(|speed| speed * 60.0 / TAU);
+            format!("{slowest:.0} to {fastest:.0} rev/min")
+        };
+        format!(
+            "The bit was outside its table for {:.1} % of the time on the rock, which stays at its edge there: \
+             weight on bit {} (table {}), rotary speed {} (table {})",
+            of.outside_fraction * 100.0,
+            forces(of.weights_N),
+            forces(of.table_weights_N),
+            speeds(of.speeds_rad_per_s),
+            speeds(of.table_speeds_rad_per_s),
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use wholestring::outcome::Scalars;
+    use wholestring_results::{Friction, Status};
+
+    use super::*;
+
+    fn solved(model: ModelKind) -> OperationSummary {
+        OperationSummary {
+            model,
+            operation: "slide".into(),
+            status: Status::Complete,
+            friction: Friction::Uniform(0.3),
+            bit_depth_m: 4500.0,
+            findings: Vec::new(),
+            scalars: Scalars {
+                hook_load_N: -257.9e3,
+                surface_torque_N_m: 3e3,
+                friction_torque_N_m: 0.0,
+                axial_friction_N: 0.0,
+                side_force_total_N: 0.0,
+                weight_on_bit_N: 49e3,
+                bit_torque_N_m: 3e3,
+                twist_rad: 0.0,
+                stretch_m: 0.0,
+                neutral_point_m: None,
+                cutoff_depth_m: None,
+            },
+            lift: None,
+            hydraulics: None,
+            statistics: None,
+            indicators: None,
+            bit_table: None,
+            numerics: None,
+        }
+    }
+
+    fn found(kind: Kind, level: Level, value: f64, limit: f64) -> Finding {
+        Finding {
+            kind,
+            level,
+            from_md_m: None,
+            to_md_m: None,
+            value: Some(value),
+            limit: Some(limit),
+        }
+    }
+
+    #[test]
+    fn every_kind_has_a_sentence_of_its_own() {
+        let of = solved(ModelKind::Dynamic);
+        let said = |kind: &Kind| {
+            let found = found(*kind, Level::Warning, -300e3, 1.0);
+            sentence(&found, &of, &Rig::default(), UnitSet::Si)
+        };
+        let all: BTreeSet<String> = Kind::ALL.iter().map(said).collect();
+        assert_eq!(all.len(), Kind::ALL.len(), "{all:#?}");
+        for text in &all {
+            assert!(text.starts_with(char::is_uppercase), "{text}");
+            assert!(!text.contains("NaN") && !text.ends_with('.'), "{text}");
+        }
+    }
+
+    #[test]
+    fn the_hook_load_is_told_with_and_without_the_block() {
+        let of = solved(ModelKind::Soft);
+        let negative = found(Kind::HookLoadNegative, Level::Error, -257.9e3, 0.0);
+        let said = |rig: &Rig, level| {
+            let found = Finding { level, ..negative };
+            sentence(&found, &of, rig, UnitSet::Si)
+        };
+        assert_eq!(
+            said(&Rig::default(), Level::Error),
+            "The string does not go down by its weight: hook load -257.9 kN"
+        );
+        let rig = Rig {
+            block_weight_N: Some(300e3),
+            ..Rig::default()
+        };
+        assert_eq!(
+            said(&rig, Level::Warning),
+            "The string does not go down by its weight, the block pushes it: hook load -257.9 kN, 42.1 kN with the block"
+        );
+        let heavy = found(Kind::HoistOverloaded, Level::Error, 1200e3, 1000e3);
+        assert_eq!(
+            sentence(&heavy, &of, &rig, UnitSet::Si),
+            "Hook load with block of 1200 kN (900 kN without) exceeds the hoist's capacity of 1000 kN"
+        );
+    }
+
+    #[test]
+    fn lock_up_tells_what_arrives() {
+        let of = solved(ModelKind::Dynamic);
+        let said = |asked_N, arrives_N| {
+            let found = found(Kind::LockUp, Level::Error, asked_N, arrives_N);
+            sentence(&found, &of, &Rig::default(), UnitSet::Si)
+        };
+        assert_eq!(
+            said(49e3, 24e3),
+            "Lock-up: with all of its weight slacked off the string brings 24 kN of 49 kN to the bit"
+        );
+        assert_eq!(
+            said(0.0, -30e3),
+            "Lock-up: with all of its weight slacked off the string stands; at the bit 30 kN are missing"
+        );
+        assert!(said(0.0, 0.0).ends_with("does not follow the block"));
+    }
+
+    #[test]
+    fn buckled_stretches_are_told_in_the_units_of_the_case() {
+        let of = solved(ModelKind::Dynamic);
+        let buckled = Finding {
+            from_md_m: Some(457.2),
+            to_md_m: Some(1021.08),
+            ..found(Kind::HelicalBuckling, Level::Warning, 444_822.0, 222_411.0)
+        };
+        assert_eq!(
+            sentence(&buckled, &of, &Rig::default(), UnitSet::Field),
+            "Buckled to a helix from 1500 ft to 3350 ft: compression of 100 klbf where 50 klbf is critical"
+        );
+    }
+}

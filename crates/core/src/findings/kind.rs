@@ -1,0 +1,76 @@
+//! The kinds of findings.
+
+macro_rules! kinds {
+    ($($(#[$doc:meta])* $kind:ident, $word:literal, $unit:literal;)+) => {
+        /// What a finding tells of.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        pub enum Kind {
+            $($(#[$doc])* $kind,)+
+        }
+
+        impl Kind {
+            /// Every kind.
+            pub const ALL: &[Self] = &[$(Self::$kind),+];
+
+            /// Its word for programs.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$kind => $word,)+
+                }
+            }
+
+            /// SI unit of its value and limit; empty for a ratio.
+            pub const fn unit(self) -> &'static str {
+                match self {
+                    $(Self::$kind => $unit,)+
+                }
+            }
+        }
+    };
+}
+
+kinds! {
+    /// The hook load is at or below zero: the string does not go down by its weight. Against zero.
+    HookLoadNegative, "hook_load_negative", "N";
+    /// A string that slides down does not bring the weight to the bit: the weight that was asked for, against what arrives with the
+    /// whole string slacked off and the block, where its weight is known, pushing.
+    LockUp, "lock_up", "N";
+    /// The mean weight on bit is below its target.
+    WeightOnBitNotReached, "weight_on_bit_not_reached", "N";
+    /// The mean weight on bit is above its target.
+    WeightOnBitExceeded, "weight_on_bit_exceeded", "N";
+    /// The standard deviation of the weight on bit, against the part of its mean that is told.
+    WeightOnBitUnsteady, "weight_on_bit_unsteady", "N";
+    /// The share of the window in which a bit that is to drill was off the rock.
+    BitBounce, "bit_bounce", "";
+    /// Compression beyond the load of the sinusoid, where it is most beyond it.
+    SinusoidalBuckling, "sinusoidal_buckling", "N";
+    /// Compression beyond the load of the helix, where it is most beyond it.
+    HelicalBuckling, "helical_buckling", "N";
+    /// The load on the hoist, block included where its weight is known, against its capacity.
+    HoistOverloaded, "hoist_overloaded", "N";
+    /// The surface torque against the top drive's rated torque.
+    TopDriveOverloaded, "top_drive_overloaded", "N·m";
+    /// The top drive gives all of the torque that it is allowed, and still turns.
+    TopDriveAtLimit, "top_drive_at_limit", "N·m";
+    /// The top drive gives all of the torque that it is allowed, and does not turn.
+    TopDriveStalled, "top_drive_stalled", "N·m";
+    /// The largest von Mises stress over the yield strength.
+    YieldUse, "yield_use", "";
+    /// Severity of stick-slip, `(max − min)/(2 mean)` of the bit's rotary speed; no value where the bit hardly turns.
+    StickSlip, "stick_slip", "";
+    /// The fastest whirl against the rotation, against the rotary speed.
+    BackwardWhirl, "backward_whirl", "rad/s";
+    /// The fastest whirl with the rotation, against the rotary speed.
+    ForwardWhirl, "forward_whirl", "rad/s";
+    /// The deepest penetration of the wall, against the part of the string's clearance that the law of the wall may be trusted to.
+    WallPenetration, "wall_penetration", "m";
+    /// What the integration gained or lost of the run's energy.
+    EnergyResidual, "energy_residual", "";
+    /// The share of the time on the rock in which the bit was where its table is not.
+    BitTableLeft, "bit_table_left", "";
+    /// Standard deviation of the tension of a node, against what its neighbours let expect.
+    NodeUnsettled, "node_unsettled", "N";
+    /// The mean of the window has not settled.
+    WindowDrifts, "window_drifts", "";
+}

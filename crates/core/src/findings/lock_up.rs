@@ -1,0 +1,120 @@
+//! A string that slides down and does not bring its weight to the bit.
+
+use super::{Finding, Kind, Level, buckling::Line, hook_load::weight_N, window, window::Window};
+use crate::{
+    model::Model,
+    operation::{Operation, OperationKind},
+    statics::{
+        buckling::{Criterion, Place, Pushed, Stretch, push_through, weight_at_bit_N},
+        soft::SoftProfile,
+    },
+};
+
+/// Longest stretch on which the compression is followed, m.
+const STRETCH_M: f64 = 5.0;
+
+/// A weight that is short by less than this part of the string's buoyed weight arrives.
+const MISSING: f64 = 1e-3;
+
+/// A string that goes down by less than this part of what it is to go stands.
+const STANDS: f64 = 0.1;
+
+/// Part of the weight that is asked for, less than which does not arrive in a dynamic run.
+const ARRIVES: f64 = 0.8;
+
+fn slides_down(operation: &Operation) -> bool {
+    matches!(operation.kind, OperationKind::TripIn | OperationKind::Slide)
+}
+
+/// Of the soft string, which does not count what a helix presses against the wall: that is counted here.
+pub fn of_soft(
+    model: &Model,
+    operation: &Operation,
+    profile: &SoftProfile,
+    line: &Line<'_>,
+) -> Option<Finding> {
+    let hook_load_N = profile.scalars.hook_load_N;
+    if !slides_down(operation) || hook_load_N > 0.0 && !line.is_helical() {
+        return None;
+    }
+    let stretches = stretches(model, operation, &profile.md_m);
+    let block_N = model.rig.block_weight_N.unwrap_or(0.0);
+    let asked_N = operation.weight_on_bit_now_N();
+    let arrives_N = weight_at_bit_N(&stretches, block_N, Criterion::Helical);
+    if arrives_N >= asked_N - MISSING * weight_N(model) {
+        return None;
+    }
+    let found = Finding::new(Kind::LockUp, Level::Error)
+        .value(asked_N)
+        .limit(arrives_N);
+    Some(
+        match push_through(&stretches, asked_N, Criterion::Helical) {
+            Pushed::LocksUp(above_bit_m) => found.at(operation.bit_depth_m - above_bit_m),
+            Pushed::Through(_) => found,
+        },
+    )
+}
+
+/// The string from the bit up.
+fn stretches(model: &Model, operation: &Operation, md_m: &[f64]) -> Vec<Stretch> {
+    let bit_depth_m = operation.bit_depth_m;
+    let density = model.mud.density_kg_per_m3;
+    let mut stretches = Vec::new();
+    let mut to_md_m = bit_depth_m;
+    for row in (0..md_m.len().saturating_sub(1)).rev() {
+        let from_md_m = md_m[row];
+        let jumps = {
+            let (above, _) = model
+                .string
+                .component_at(bit_depth_m - 0.5 * (from_md_m + md_m[row + 1]));
+            let next = row
+                .checked_sub(1)
+                .map(|next| 0.5 * (md_m[next] + from_md_m));
+            next.is_some_and(|next| {
+                model.string.component_at(bit_depth_m - next).0 != above
+                    || model.well.hole.at(next) != model.well.hole.at(from_md_m)
+            })
+        };
+        if row > 0 && !jumps && to_md_m - from_md_m < STRETCH_M {
+            continue;
+        }
+        let length_m = to_md_m - from_md_m;
+        let middle_m = 0.5 * (from_md_m + to_md_m);
+        let point = model.well.path.at(middle_m);
+        let (_, component) = model.string.component_at(bit_depth_m - middle_m);
+        stretches.push(Stretch {
+            length_m,
+            place: Place::on(model, bit_depth_m, middle_m, &point),
+            friction: model.well.hole.at(middle_m).friction.kinetic,
+            weight_along_N_per_m: component.buoyed_weight_per_length_N_per_m(density)
+                * point.tangent.z,
+        });
+        to_md_m = from_md_m;
+    }
+    stretches
+}
+
+/// Of a dynamic run, whose wall forces are those of the string as it lies: the hook is slack, and the string stands or does not
+/// press on the bit.
+pub fn of_dynamic(model: &Model, operation: &Operation, window: &Window<'_>) -> Option<Finding> {
+    let hook_load_N = window.statistic("hook_load_N")?.mean;
+    if !slides_down(operation) || hook_load_N > MISSING * weight_N(model) {
+        return None;
+    }
+    let asked_N = operation.weight_on_bit_now_N();
+    let arrives_N = window.statistic("weight_on_bit_N")?.mean;
+    let found = Finding::new(Kind::LockUp, Level::Error)
+        .value(asked_N)
+        .limit(arrives_N);
+    if asked_N > 0.0 {
+        return (arrives_N < ARRIVES * asked_N).then_some(found);
+    }
+    let depth_m = window.series(|of| &of.bit_depth_m);
+    let went_m = match depth_m {
+        [first, .., last] => last - first,
+        _ => 0.0,
+    };
+    let block = window::mean(window.series(|of| &of.block_velocity_m_per_s));
+    let asked_m = block * window.length_s();
+    (asked_m > 0.0 && went_m < STANDS * asked_m).then_some(found)
+}

@@ -1,0 +1,79 @@
+//! What an engineer must be told of an answer.
+//!
+//! Every rule is a pure function from the model, the operation and what a solver gave to [`Finding`]s: a kind, how grave
+//! it is, where, how much, and what that is held against. Words and users' units are not made here.
+
+mod buckling;
+mod finding;
+mod hook_load;
+mod interval;
+mod kind;
+mod lock_up;
+mod motion;
+mod numerics;
+mod rig;
+mod strength;
+mod weight_on_bit;
+mod window;
+
+pub use finding::{Finding, Level};
+pub use kind::Kind;
+pub use strength::YIELD_USE_WARNING;
+
+use crate::{
+    dynamics::{DynamicOutcome, DynamicsSettings},
+    model::Model,
+    operation::Operation,
+    statics::soft::SoftProfile,
+};
+
+use window::Window;
+
+/// What is to be told of an operation as the soft string solved it, the gravest first.
+pub fn of_soft(model: &Model, operation: &Operation, profile: &SoftProfile) -> Vec<Finding> {
+    let scalars = &profile.scalars;
+    let line = buckling::Line::of_soft(model, operation, profile);
+    let mut found = Vec::new();
+    found.extend(hook_load::steady(model, scalars.hook_load_N));
+    found.extend(lock_up::of_soft(model, operation, profile, &line));
+    found.extend(buckling::findings(&line));
+    found.extend(rig::hoist(&model.rig, [scalars.hook_load_N; 2]));
+    let torque_N_m = scalars.surface_torque_N_m.abs();
+    found.extend(rig::top_drive(&model.rig, [torque_N_m; 2]));
+    gravest_first(found)
+}
+
+/// What is to be told of an operation as the dynamics solved it to its end, the gravest first. The window of the statistics began
+/// at `window_from_s`.
+pub fn of_dynamic(
+    model: &Model,
+    operation: &Operation,
+    settings: &DynamicsSettings,
+    outcome: &DynamicOutcome,
+    window_from_s: f64,
+) -> Vec<Finding> {
+    let Some(window) = Window::of(outcome, window_from_s) else {
+        return Vec::new();
+    };
+    let line = buckling::Line::of_nodes(model, operation, &outcome.nodes);
+    let mut found = Vec::new();
+    found.extend(hook_load::varying(model, &window));
+    found.extend(lock_up::of_dynamic(model, operation, &window));
+    found.extend(weight_on_bit::findings(operation, settings, &window));
+    found.extend(buckling::findings(&line));
+    found.extend(rig::hoist(&model.rig, window.mean_and_max("hook_load_N")));
+    found.extend(rig::top_drive(&model.rig, window.torque_N_m()));
+    found.extend(strength::yield_use(
+        &outcome.nodes.md_m,
+        &outcome.nodes.yield_use,
+    ));
+    found.extend(motion::findings(settings, outcome, &window));
+    found.extend(numerics::findings(model, outcome));
+    gravest_first(found)
+}
+
+/// Among equals the order in which they were found: what stops the operation, then why.
+fn gravest_first(mut found: Vec<Finding>) -> Vec<Finding> {
+    found.sort_by_key(|of| std::cmp::Reverse(of.level));
+    found
+}

@@ -1,0 +1,124 @@
+//! How far the numbers of a dynamic run can be trusted.
+
+use super::{Finding, Kind, Level};
+use crate::{
+    dynamics::{DynamicOutcome, NodeProfile, TableUse},
+    model::Model,
+};
+
+/// Parts of the string's mean clearance. A wall is to hold a pipe at the clearance that the hole leaves it: a tenth more moves the pipe
+/// as far as hole sizes are known; as much again, and it is another hole.
+const DEEP: f64 = 0.1;
+const THROUGH: f64 = 1.0;
+
+/// Energy that the integration gained or lost: as much as torque and drag of a good model and a rig differ by, ...
+const RESIDUAL: f64 = 0.05;
+
+/// ... and so much that friction, of which torque and drag are made, is no longer what was computed.
+const LOST: f64 = 0.2;
+
+/// A node whose tension varies by this many times as much as that of the median of its neighbours, ...
+const RESTLESS: f64 = 10.0;
+
+/// ... within this distance, m, ...
+const NEIGHBOURS_M: f64 = 100.0;
+
+/// ... and by more than this part of the largest tension or compression, never settled.
+const SWINGS: f64 = 0.02;
+
+/// Of a run that was computed to its end.
+pub fn findings(model: &Model, outcome: &DynamicOutcome) -> Vec<Finding> {
+    let of = &outcome.numerics;
+    let mut found = Vec::new();
+    found.extend(penetration(mean_clearance_m(model), of.max_penetration_m));
+    found.extend(energy_residual(of.energy_residual));
+    found.extend(outcome.bit_table.and_then(|of| bit_table(&of)));
+    found.extend(unsettled(&outcome.nodes));
+    found
+}
+
+fn penetration(clearance_m: f64, deepest_m: f64) -> Option<Finding> {
+    let limit = |part: f64| part * clearance_m;
+    let (level, limit_m) = if deepest_m > limit(THROUGH) {
+        (Level::Error, limit(THROUGH))
+    } else if deepest_m > limit(DEEP) {
+        (Level::Warning, limit(DEEP))
+    } else {
+        return None;
+    };
+    Some(
+        Finding::new(Kind::WallPenetration, level)
+            .value(deepest_m)
+            .limit(limit_m),
+    )
+}
+
+/// Mean radial clearance along the string, of what touches the wall, m.
+fn mean_clearance_m(model: &Model) -> f64 {
+    let length_m = model.string.length_m();
+    let clearances = model.string.spans().map(|span| {
+        let middle_m = length_m - 0.5 * (span.from_bit_m + span.to_bit_m);
+        let hole_m = 0.5 * model.well.hole.at(middle_m).diameter_m;
+        let clearance_m = hole_m - span.component.contact_radius_m();
+        clearance_m.max(0.0) * span.component.length_m
+    });
+    clearances.sum::<f64>() / length_m
+}
+
+fn energy_residual(residual: f64) -> Option<Finding> {
+    let size = residual.abs();
+    // A run that is not a number any more has lost all of it.
+    let (level, limit) = if size <= RESIDUAL {
+        return None;
+    } else if size <= LOST {
+        (Level::Warning, RESIDUAL)
+    } else {
+        (Level::Error, LOST)
+    };
+    Some(
+        Finding::new(Kind::EnergyResidual, level)
+            .value(residual)
+            .limit(limit),
+    )
+}
+
+fn bit_table(of: &TableUse) -> Option<Finding> {
+    (of.outside_fraction > 0.0).then(|| {
+        Finding::new(Kind::BitTableLeft, Level::Warning)
+            .value(of.outside_fraction)
+            .limit(0.0)
+    })
+}
+
+/// The node that is most restless against its neighbours.
+fn unsettled(nodes: &NodeProfile) -> Option<Finding> {
+    let NodeProfile {
+        md_m,
+        tension_N,
+        tension_std_N: std_N,
+        ..
+    } = nodes;
+    let largest_N = tension_N.iter().fold(0.0, |of: f64, t| of.max(t.abs()));
+    let mut near: Vec<f64> = Vec::new();
+    let mut worst: Option<(f64, Finding)> = None;
+    for (i, std) in std_N.iter().enumerate() {
+        if *std <= SWINGS * largest_N {
+            continue;
+        }
+        let from = md_m.partition_point(|md| *md < md_m[i] - NEIGHBOURS_M);
+        let to = md_m.partition_point(|md| *md <= md_m[i] + NEIGHBOURS_M);
+        near.clear();
+        near.extend_from_slice(&std_N[from..to]);
+        near.sort_by(f64::total_cmp);
+        let expected_N = (RESTLESS * near[near.len() / 2]).max(SWINGS * largest_N);
+        let over = std / expected_N;
+        if over > 1.0 && worst.as_ref().is_none_or(|(most, _)| over > *most) {
+            let found = Finding::new(Kind::NodeUnsettled, Level::Warning)
+                .at(md_m[i])
+                .value(*std)
+                .limit(expected_N);
+            worst = Some((over, found));
+        }
+    }
+    worst.map(|(_, found)| found)
+}

@@ -1,0 +1,69 @@
+//! A pipe in its hole at one measured depth.
+
+use nalgebra::Vector3;
+
+use crate::{model::Model, well::PathPoint};
+
+/// What the buckling of a pipe depends on at one measured depth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place {
+    /// Bending stiffness `EI` of the body, N·m².
+    pub bending_stiffness_N_m2: f64,
+    /// Radial clearance between hole and what touches it, m.
+    pub clearance_m: f64,
+    /// Magnitude of the buoyed weight per length `w`, N/m.
+    pub weight_N_per_m: f64,
+    /// Its part across the hole `w sin θ`, N/m.
+    pub weight_across_N_per_m: f64,
+    /// Build rate `θ'`, rad/m; negative in a drop.
+    pub build_rad_per_m: f64,
+    /// Turn rate across the hole `sin θ φ'`, rad/m.
+    pub turn_rad_per_m: f64,
+}
+
+impl Place {
+    /// The pipe of a model at a measured depth with its bit at another, m.
+    pub fn of(model: &Model, bit_depth_m: f64, md_m: f64) -> Self {
+        Self::on(model, bit_depth_m, md_m, &model.well.path.at(md_m))
+    }
+
+    /// The same where the point of the path is known.
+    pub fn on(model: &Model, bit_depth_m: f64, md_m: f64, point: &PathPoint) -> Self {
+        let (_, component) = model.string.component_at(bit_depth_m - md_m);
+        let hole_radius_m = 0.5 * model.well.hole.at(md_m).diameter_m;
+        let weight_N_per_m =
+            component.buoyed_weight_per_length_N_per_m(model.mud.density_kg_per_m3);
+        // What floats presses to the high side as it would press to the low one if it sank.
+        let down = Vector3::z() * weight_N_per_m.signum();
+        let across = down - point.tangent * point.tangent.dot(&down);
+        let sin_inclination = across.norm();
+        let curvature = point.curvature_per_m;
+        let (build_rad_per_m, turn_rad_per_m) = match across.try_normalize(1e-9) {
+            // Compression presses a build to the side that the weight presses to.
+            Some(weight_side) => {
+                let build = -curvature.dot(&weight_side);
+                (build, (curvature + weight_side * build).norm())
+            }
+            None => (curvature.norm(), 0.0),
+        };
+        Self {
+            bending_stiffness_N_m2: component.bending_stiffness_N_m2(),
+            clearance_m: hole_radius_m - component.contact_radius_m(),
+            weight_N_per_m: weight_N_per_m.abs(),
+            weight_across_N_per_m: weight_N_per_m.abs() * sin_inclination,
+            build_rad_per_m,
+            turn_rad_per_m,
+        }
+    }
+
+    /// `w_n`: what presses a straight pipe against the wall under a compression, N/m; a negative compression is a tension.
+    pub fn wall_load_N_per_m(&self, compression_N: f64) -> f64 {
+        let built = self.weight_across_N_per_m + compression_N * self.build_rad_per_m;
+        built.hypot(compression_N * self.turn_rad_per_m)
+    }
+
+    /// Wall load that a helix adds under a compression, `r F²/(4 EI)`, N/m.
+    pub fn helix_load_N_per_m(&self, compression_N: f64) -> f64 {
+        self.clearance_m * compression_N * compression_N / (4.0 * self.bending_stiffness_N_m2)
+    }
+}

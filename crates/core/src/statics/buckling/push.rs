@@ -1,0 +1,119 @@
+//! Push through a string that slides down its hole, with the wall load of its helix.
+//!
+//! Upwards from the bit by `x`, the compression of a string that slides down grows by
+//!
+//! ```text
+//! dF/dx = μ (w_n(F) + [helical] r F²/(4 EI)) − w cos θ
+//! ```
+//!
+//! The helix's part (Mitchell, *Simple frictional analysis of helical buckling of tubing*, SPE Drilling Engineering 1, 1986)
+//! adds to the weight's, as is usual. It makes `F` infinite within a finite length: the string locks up, and no push from above adds
+//! anything below. The angle `φ = atan(F/F₀)`, which goes to a right angle there, is what is integrated.
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::{Criterion, Place};
+
+/// `F₀`, N: of the order of the critical loads of drill pipe.
+const SCALE_N: f64 = 1e5;
+
+/// A stretch of string on which everything but the compression is the same.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stretch {
+    /// Length, m.
+    pub length_m: f64,
+    /// Pipe and hole.
+    pub place: Place,
+    /// Coefficient of friction along the hole.
+    pub friction: f64,
+    /// Part of the buoyed weight along the hole `w cos θ`, N/m.
+    pub weight_along_N_per_m: f64,
+}
+
+/// What a push from the bit up comes to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Pushed {
+    /// Compression at the upper end, N; negative where the string hangs there.
+    Through(f64),
+    /// It grows beyond all bounds within this distance from the lower end, m.
+    LocksUp(f64),
+}
+
+impl Stretch {
+    /// `dF/dx` upwards.
+    fn rate_N_per_m(&self, compression_N: f64, helical: bool) -> f64 {
+        let mut wall_load = self.place.wall_load_N_per_m(compression_N);
+        if helical {
+            wall_load += self.place.helix_load_N_per_m(compression_N);
+        }
+        self.friction * wall_load - self.weight_along_N_per_m
+    }
+
+    /// `dφ/dx` upwards.
+    fn turn_per_m(&self, angle: f64, helical: bool) -> f64 {
+        let compression_N = SCALE_N * angle.tan();
+        // `cos²φ` as it follows from the tangent: both stay finite at the right angle.
+        let square = compression_N * compression_N + SCALE_N * SCALE_N;
+        SCALE_N * (self.rate_N_per_m(compression_N, helical) / square)
+    }
+
+    fn is_helical(&self, helix: Criterion, angle: f64) -> bool {
+        self.place.is_beyond(helix, SCALE_N * angle.tan())
+    }
+
+    /// One step of the classical Runge-Kutta method.
+    fn step(&self, angle: f64, by_m: f64, helical: bool) -> f64 {
+        let k1 = self.turn_per_m(angle, helical);
+        let k2 = self.turn_per_m(angle + 0.5 * by_m * k1, helical);
+        let k3 = self.turn_per_m(angle + 0.5 * by_m * k2, helical);
+        let k4 = self.turn_per_m(angle + by_m * k3, helical);
+        angle + by_m / 6.0 * (k1 + 2.0 * (k2 + k3) + k4)
+    }
+
+    /// The angle at the other end, `by_m` upwards (downwards where negative). Where the helix begins or ends the step is divided.
+    fn cross(&self, helix: Criterion, angle: f64, by_m: f64) -> f64 {
+        let helical = self.is_helical(helix, angle);
+        let whole = self.step(angle, by_m, helical);
+        if whole >= FRAC_PI_2 || self.is_helical(helix, whole) == helical {
+            return whole;
+        }
+        let (mut same, mut other) = (0.0, 1.0);
+        for _ in 0..50 {
+            let part = 0.5 * (same + other);
+            if self.is_helical(helix, self.step(angle, part * by_m, helical)) == helical {
+                same = part;
+            } else {
+                other = part;
+            }
+        }
+        let there = self.step(angle, other * by_m, helical);
+        self.step(there, (1.0 - other) * by_m, !helical)
+    }
+}
+
+/// Compression at the upper end of stretches, from the bit up, that slide down with a compression at their lower end, N. A pipe
+/// is helical beyond the load of `helix`.
+pub fn push_through(stretches: &[Stretch], at_bit_N: f64, helix: Criterion) -> Pushed {
+    let mut angle = (at_bit_N / SCALE_N).atan();
+    let mut below_m = 0.0;
+    for stretch in stretches {
+        let next = stretch.cross(helix, angle, stretch.length_m);
+        if next >= FRAC_PI_2 {
+            let part = (FRAC_PI_2 - angle) / (next - angle);
+            return Pushed::LocksUp(below_m + part * stretch.length_m);
+        }
+        angle = next;
+        below_m += stretch.length_m;
+    }
+    Pushed::Through(SCALE_N * angle.tan())
+}
+
+/// Compression at the lower end of the same stretches under a compression at their upper end, N, which may be infinite: what of a push
+/// arrives at the bit.
+pub fn weight_at_bit_N(stretches: &[Stretch], at_top_N: f64, helix: Criterion) -> f64 {
+    let mut angle = (at_top_N / SCALE_N).atan();
+    for stretch in stretches.iter().rev() {
+        angle = stretch.cross(helix, angle, -stretch.length_m);
+    }
+    SCALE_N * angle.tan()
+}

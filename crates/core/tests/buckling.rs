@@ -1,0 +1,256 @@
+//! Buckling of a pipe in its hole against `verification/`: critical loads (C01, C03, S2a) and lock-up (S2b).
+
+mod common;
+
+use common::*;
+use serde_json::Value;
+use wholestring::statics::buckling::{
+    Criterion, Criterion::*, Place, Pushed, Stretch, push_through, weight_at_bit_N,
+};
+
+fn number(of: &Value, key: &str) -> f64 {
+    of[key].as_f64().unwrap_or_else(|| panic!("{key}: {of}"))
+}
+
+fn numbers(of: &Value) -> Vec<f64> {
+    let all = of.as_array().expect("a list");
+    all.iter()
+        .map(|of| of.as_f64().expect("a number"))
+        .collect()
+}
+
+/// A pipe of stiffness, clearance and weight in a straight hole.
+fn straight(stiffness: f64, clearance_m: f64, weight: f64, inclination_deg: f64) -> Place {
+    Place {
+        bending_stiffness_N_m2: stiffness,
+        clearance_m,
+        weight_N_per_m: weight,
+        weight_across_N_per_m: weight * inclination_deg.to_radians().sin(),
+        build_rad_per_m: 0.0,
+        turn_rad_per_m: 0.0,
+    }
+}
+
+const PER_30_M: f64 = std::f64::consts::PI / 180.0 / 30.0;
+
+/// The loads of Dawson and Paslay, of Chen, Lin and Cheatham and of Wu and Juvkam-Wold.
+#[test]
+fn c01_straight_holes() {
+    let data = verification("C01_straight_hole_critical_loads.json");
+    for (criterion, key, whose) in [
+        (Sinusoidal, "F_sin_DawsonPaslay_N", "Dawson and Paslay"),
+        (
+            Helical,
+            "F_hel_sqrt2_ChenLinCheatham_N",
+            "Chen, Lin and Cheatham",
+        ),
+        (FullHelical, "F_hel_2sqrt2minus1_Wu_N", "Wu and Juvkam-Wold"),
+    ] {
+        let quantity = format!("critical load of {whose}, N");
+        let rows = data["cases"].as_array().expect("cases").iter().map(|row| {
+            let of = &row["inputs"];
+            let place = straight(
+                number(of, "E_Pa") * number(of, "I_m4"),
+                number(of, "clearance_m"),
+                number(of, "buoyed_w_N_m"),
+                number(of, "inc_deg"),
+            );
+            let [load] = place.critical_loads_N(criterion)[..] else {
+                panic!("one load: {row}");
+            };
+            Row {
+                case: "C01",
+                quantity: &quantity,
+                expected: number(&row["expected"], key),
+                computed: load,
+                tolerance: Tolerance::Relative(1e-12),
+                reason: "rounding",
+            }
+        });
+        report_worst(rows.collect::<Vec<_>>());
+    }
+}
+
+/// The curvature's contact force counts: builds, drops and turns.
+#[test]
+fn c03_curved_holes() {
+    let data = verification("C03_curved_hole_he_kyllingstad.json");
+    let rows = data["cases"].as_array().expect("cases").iter().map(|row| {
+        let of = &row["inputs"];
+        let inclination_deg = number(of, "inc_deg");
+        let place = Place {
+            build_rad_per_m: number(of, "build_deg_per_30m") * PER_30_M,
+            turn_rad_per_m: number(of, "turn_deg_per_30m")
+                * PER_30_M
+                * inclination_deg.to_radians().sin(),
+            ..straight(
+                number(of, "EI"),
+                number(of, "r_c"),
+                number(of, "w"),
+                inclination_deg,
+            )
+        };
+        let criterion = match of["mode"].as_str() {
+            Some("sin") => Sinusoidal,
+            _ => Helical,
+        };
+        Row {
+            case: "C03",
+            quantity: "critical load of He and Kyllingstad in a curved hole, N",
+            expected: number(&row["expected"], "F_crit_N"),
+            computed: place.critical_loads_N(criterion)[0],
+            tolerance: Tolerance::Relative(1e-6),
+            reason: "what its source asks for",
+        }
+    });
+    report_worst(rows.collect::<Vec<_>>());
+}
+
+/// All roots along a well with a build and a drop, and in drops so sharp that there are three.
+#[test]
+fn s2a_all_roots() {
+    let data = verification("S2a_buckling_along_string.json");
+    let pipe = &data["inputs"]["pipe"];
+    let clearance_m = number(&data["inputs"], "clearance_m");
+    let place = |inclination_deg: f64, curvature: f64| Place {
+        build_rad_per_m: curvature,
+        ..straight(
+            number(pipe, "EI"),
+            clearance_m,
+            number(pipe, "w"),
+            inclination_deg,
+        )
+    };
+    let mut rows = Vec::new();
+    let mut hold = |place: Place, criterion: Criterion, expected: &Value| {
+        let (found, expected) = (place.critical_loads_N(criterion), numbers(expected));
+        assert_eq!(found.len(), expected.len(), "{place:?}: {found:?}");
+        for (computed, expected) in found.into_iter().zip(expected) {
+            rows.push(Row {
+                case: "S2a",
+                quantity: "critical load along a well with a build and a drop, N",
+                expected,
+                computed,
+                tolerance: Tolerance::Relative(1e-6),
+                reason: "what its source asks for",
+            });
+        }
+    };
+    for row in data["critical"].as_array().expect("depths") {
+        let place = place(number(row, "inc_deg"), number(row, "curvature_rad_m"));
+        hold(place, Sinusoidal, &row["F_sin_all_roots_N"]);
+        let helical = &row["F_hel_HeKyllingstad_beta8_all_roots_N"];
+        hold(place, Helical, helical);
+    }
+    for row in data["strong_drop_points"].as_array().expect("drops") {
+        let of = &row["inputs"];
+        let place = place(
+            number(of, "inc_deg"),
+            number(of, "build_deg_30m") * PER_30_M,
+        );
+        hold(place, Sinusoidal, &row["expected"]["F_sin_all_roots_N"]);
+        hold(place, Helical, &row["expected"]["F_hel_all_roots_N"]);
+    }
+    report_worst(rows);
+    let vertical = place(0.0, 0.0);
+    report(&Row {
+        case: "S2a",
+        quantity: "Lubinski's load of the first order in a vertical hole, N",
+        expected: number(&data["vertical"], "Lubinski_sin_1p94_N"),
+        computed: vertical.threshold_N(Sinusoidal, 0.0),
+        tolerance: Tolerance::Relative(1e-12),
+        reason: "rounding",
+    });
+}
+
+/// In a sharp drop a pipe is straight, buckled, pressed straight to the high side, and buckled again as it is pushed harder;
+/// what it is held against is the load that it passed last.
+#[test]
+fn a_drop_has_three_critical_loads() {
+    let data = verification("S2a_buckling_along_string.json");
+    let pipe = &data["inputs"]["pipe"];
+    let place = Place {
+        build_rad_per_m: -6.0 * PER_30_M,
+        ..straight(number(pipe, "EI"), 0.04445, number(pipe, "w"), 60.0)
+    };
+    let [first, second, third] = place.critical_loads_N(Sinusoidal)[..] else {
+        panic!("three loads");
+    };
+    for (load, beyond, held_against) in [
+        (0.999 * first, false, first),
+        (1.001 * first, true, first),
+        (0.999 * second, true, first),
+        (1.001 * second, false, second),
+        (0.999 * third, false, second),
+        (1.001 * third, true, third),
+    ] {
+        assert_eq!(place.is_beyond(Sinusoidal, load), beyond, "{load}");
+        assert_eq!(place.critical_load_N(Sinusoidal, load), held_against);
+    }
+}
+
+/// A helix that is pushed through a horizontal hole locks up within a length of its own.
+#[test]
+fn s2b_lock_up() {
+    let data = verification("S2b_lockup_horizontal.json");
+    let pipe = &data["inputs"]["pipe"];
+    let mut rows = Vec::new();
+    for row in data["cases"].as_array().expect("cases") {
+        let (of, expected) = (&row["inputs"], &row["expected"]);
+        let helix = match of["F_hel_rule"].as_str() {
+            Some("WuJuvkamWold") => FullHelical,
+            _ => Helical,
+        };
+        let stretch = Stretch {
+            length_m: 5.0,
+            place: straight(
+                number(pipe, "EI"),
+                number(&data["inputs"], "clearance_m"),
+                number(pipe, "w"),
+                90.0,
+            ),
+            friction: number(of, "mu"),
+            weight_along_N_per_m: 0.0,
+        };
+        let at_bit_N = number(of, "F_at_bit_N");
+        let Pushed::LocksUp(length_m) = push_through(&[stretch; 2000], at_bit_N, helix) else {
+            panic!("it does not lock up: {row}");
+        };
+        let mut hold = |quantity, computed, expected| {
+            rows.push(Row {
+                case: "S2b",
+                quantity,
+                expected,
+                computed,
+                tolerance: Tolerance::Relative(1e-6),
+                reason: "what its source asks for",
+            });
+        };
+        let closed_m = number(expected, "closed_form_m");
+        hold("length that locks up, m", length_m, closed_m);
+        // Nine tenths of that length are a whole number of stretches of their own.
+        let part = Stretch {
+            length_m: 0.9 * closed_m / 1000.0,
+            ..stretch
+        };
+        let Pushed::Through(push_N) = push_through(&[part; 1000], at_bit_N, helix) else {
+            panic!("it locks up too early: {row}");
+        };
+        let expected_N = number(expected, "F_at_0p9_L_N");
+        hold("push at 0.9 of that length, N", push_N, expected_N);
+        // What goes up comes down.
+        let arrives_N = weight_at_bit_N(&[part; 1000], push_N, helix);
+        assert!((arrives_N - at_bit_N).abs() < 1.0, "{arrives_N}: {row}");
+        // Beyond that length the greatest push does not bring the load to the bit, short of it the load and more.
+        let whole = |length_m: f64| {
+            [Stretch {
+                length_m: length_m / 1000.0,
+                ..stretch
+            }; 1000]
+        };
+        let most_N = |length_m| weight_at_bit_N(&whole(length_m), f64::INFINITY, helix);
+        assert!(most_N(1.01 * closed_m) < at_bit_N, "{row}");
+        assert!(most_N(0.99 * closed_m) > at_bit_N, "{row}");
+    }
+    report_worst(rows);
+}
