@@ -54,7 +54,7 @@ await check("the legend hides curves, by click and by keyboard", async () => {
 
 await check("a point says its case", async () => {
   const spot = page.locator(".spot").first();
-  await spot.hover();
+  await spot.focus();
   const said = await page.locator(".tip").textContent();
   for (const part of ["friction 0.2", "bit_depth 300m", "Hook load without block"]) assert.ok(said.includes(part), said);
 });
