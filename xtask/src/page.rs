@@ -48,6 +48,7 @@ pub(crate) fn browser() -> Result<Finding, Failure> {
         r#"operation.kind=["trip_out", "rotate_off_bottom", "drill"]"#,
     ];
     page(["run", SLANT], &frames, &browser, "page.mjs")?;
+    works(&target().join("run-page"), &browser, "findings.mjs")?;
     let varied = [
         "--set",
         NASTY,

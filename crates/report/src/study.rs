@@ -48,6 +48,15 @@ pub enum StudyPart {
     },
 }
 
+impl StudyPart {
+    /// What stands over it.
+    fn title(&self) -> &str {
+        match self {
+            Self::Figure { title, .. } | Self::Table { title, .. } => title,
+        }
+    }
+}
+
 /// A table for people.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Grid {
@@ -96,8 +105,15 @@ pub fn study_html(page: &StudyPage) -> String {
         .enumerate()
         .map(|(index, of)| part(index, of))
         .collect();
+    let links: String = page
+        .parts
+        .iter()
+        .enumerate()
+        .map(|(index, of)| format!("<a href=\"#part-{index}\">{}</a>\n", escaped(of.title())))
+        .collect();
     let body = format!(
-        "<main class=\"study\">\n<header>\n<h1>{title}</h1>\n{about}</header>\n{parts}\
+        "<main class=\"study\">\n<header>\n<h1>{title}</h1>\n{about}</header>\n\
+         <nav class=\"contents noprint\" aria-label=\"Contents\">\n{links}</nav>\n{parts}\
          <footer><p>Made by {program}. The files beside this one hold every digit.</p></footer>\n</main>"
     );
     document(&page.title, &page.program, POLICY, &looks(), &body)
@@ -159,7 +175,7 @@ fn part(index: usize, part: &StudyPart) -> String {
         })
         .collect();
     format!(
-        "<section>\n<h2>{}</h2>\n{body}\n{}<p class=\"note\">{}</p>\n</section>\n",
+        "<section id=\"part-{index}\">\n<h2>{}</h2>\n{body}\n{}<p class=\"note\">{}</p>\n</section>\n",
         escaped(title),
         paragraphs(caption),
         links.join(" · ")

@@ -8,8 +8,8 @@ use crate::{
 
 /// How curves of some operations of one run or two look.
 ///
-/// Of one run, operations differ by colour, of two runs the runs do. Models differ by stroke, and by colour too where
-/// nothing else does.
+/// Of one run, operations differ by colour, of two runs the runs do; by stroke too where one model solved them. Where two did,
+/// models differ by stroke, and by colour too where nothing else does.
 pub(super) struct Looks<'a> {
     runs: &'a [Run<'a>],
     operations: &'a [&'a str],
@@ -56,7 +56,8 @@ impl<'a> Looks<'a> {
         match (self.soft && self.dynamic, solved.model.as_str()) {
             (true, "soft") if self.alone() => (Ink::Line(1), Stroke::Dashed),
             (true, "soft") => (Ink::Line(index), Stroke::Dashed),
-            _ => (Ink::Line(index), Stroke::Solid),
+            (true, _) => (Ink::Line(index), Stroke::Solid),
+            (false, _) => (Ink::Line(index), Stroke::of(index)),
         }
     }
 
@@ -90,7 +91,14 @@ impl<'a> Looks<'a> {
         let mut keys: Vec<Key> = names
             .iter()
             .enumerate()
-            .map(|(index, name)| line(name, Ink::Line(index), Stroke::Solid))
+            .map(|(index, name)| {
+                let stroke = if both {
+                    Stroke::Solid
+                } else {
+                    Stroke::of(index)
+                };
+                line(name, Ink::Line(index), stroke)
+            })
             .collect();
         if both {
             keys.push(line("dynamics, mean", Ink::Note, Stroke::Solid));

@@ -6,13 +6,13 @@ import { levelMark, LEVELS, worstOf } from "./levels.js";
 import { cellText } from "./sheet.js";
 import { chosen, modelName } from "./solutions.js";
 import { on, state } from "./state.js";
-import { quantity } from "./units.js";
+import { plain, quantity } from "./units.js";
 
 export function asked(report) {
   const list = el("dl", { class: "asked" });
   const draw = () =>
     list.replaceChildren(
-      ...report.asked.map(({ label, value }) => el("div", {}, el("dt", {}, label), el("dd", {}, cellText(value, value?.dimension === "length" ? 5 : 4)))),
+      ...report.asked.map(({ label, value }) => el("div", {}, el("dt", {}, label), el("dd", {}, cellText(value, value?.dimension === "length" ? 5 : 4, plain)))),
     );
   on("units", draw);
   draw();
@@ -29,7 +29,7 @@ function judged(part) {
 /** What says that a number has findings of its own: a card may not look well beside an error of the same quantity. */
 function flag(level, findings) {
   const few = findings.length === 1 ? "see the finding above" : `see the ${findings.length} findings above`;
-  return el("p", { class: `flag ${level}` }, levelMark(level), el("strong", {}, ` ${LEVELS[level][0]}`), `: ${few}`);
+  return el("p", { class: `flag level-${level}` }, levelMark(level), el("strong", {}, ` ${LEVELS[level][0]}`), `: ${few}`);
 }
 
 function card(answer, softAnswer, findings) {

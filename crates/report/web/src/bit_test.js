@@ -8,7 +8,7 @@ import { downloads } from "./downloads.js";
 import { figure } from "./figure.js";
 import { licences } from "./footer.js";
 import { header } from "./header.js";
-import { sheet } from "./sheet.js";
+import { sheet, sheetDownloads } from "./sheet.js";
 import { on } from "./state.js";
 import { quantity } from "./units.js";
 
@@ -55,7 +55,7 @@ export function bitTestPage(report) {
     page.append(section("bottom", "Bottom of the hole", chooser, bottom.element, told));
   }
   page.append(
-    section("points", "Points", sheet(points)),
+    section("points", ["Points", sheetDownloads(points)], sheet(points)),
     ...(inputs.length ? [section("inputs", "Inputs, defaults included", inputs.map(sheet))] : []),
     el(
       "footer",

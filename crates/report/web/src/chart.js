@@ -30,8 +30,16 @@ export function axes(label) {
 /** A number of a legend. */
 export const legendText = (_, value) => (value === null || value === undefined ? "–" : digits(value));
 
-/** The marker of a legend is the colour of its curve. */
-export const LEGEND = { live: true, markers: { width: 0, fill: (plot, i) => plot.series[i].stroke(plot, i) } };
+/** The marker of a legend has the colour and the stroke of its curve. */
+export const LEGEND = {
+  live: true,
+  markers: {
+    width: 2,
+    stroke: (plot, i) => plot.series[i].stroke(plot, i),
+    dash: (plot, i) => (plot.series[i].dash ? (plot.series[i].dash[0] < 2 ? "dotted" : "dashed") : "solid"),
+    fill: () => "transparent",
+  },
+};
 
 /** The interval with air, no shorter than the quantity's least span, SI: what hardly moves is not blown up to drama. */
 export function air(low, high, dimension, least) {

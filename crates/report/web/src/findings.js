@@ -2,10 +2,9 @@
 
 import { el } from "./dom.js";
 import { byLevel, levelMark, LEVELS } from "./levels.js";
-import { cellText } from "./sheet.js";
 import { modelName, spoken } from "./solutions.js";
 import { choose, on, state } from "./state.js";
-import { quantity } from "./units.js";
+import { depthText, plain, quantity } from "./units.js";
 
 /** More notes than this are folded away. */
 const MOST_NOTES = 3;
@@ -24,14 +23,16 @@ export const kindText = (kind) => kind.replaceAll("_", " ").replace(/^./, (lette
 /** Where a finding stands, in the reader's units; null where it has no place. */
 export function placeText({ md_m, to_md_m }) {
   if (md_m === null) return null;
-  const at = quantity(md_m, "length");
-  return to_md_m === null ? `at ${at}` : `${at} to ${quantity(to_md_m, "length")}`;
+  const at = depthText(md_m);
+  return to_md_m === null ? `at ${at}` : `${at} to ${depthText(to_md_m)}`;
 }
+
+const numberText = (cell) => (typeof cell === "number" ? plain(cell, 4) : quantity(cell.value, cell.dimension, 4, plain));
 
 /** What was found against its limit, in the reader's units; null where it is no number. */
 function numbers({ value, limit }) {
   if (value === null) return null;
-  return limit === null ? cellText(value, 4) : `${cellText(value, 4)} against ${cellText(limit, 4)}`;
+  return limit === null ? numberText(value) : `${numberText(value)} against ${numberText(limit)}`;
 }
 
 /** The list of all findings; `zoom` shows an interval of depths. */
@@ -48,7 +49,7 @@ export function findingList(report, zoom) {
     const whose = [many && spoken(solved.operation), models && modelName(solved.model)].filter(Boolean).join(", ");
     return el(
       "li",
-      { class: `finding ${level}` },
+      { class: `finding level-${level}` },
       el("span", { class: "level" }, levelMark(level), ` ${word}`),
       el(
         "span",

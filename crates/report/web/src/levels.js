@@ -39,5 +39,5 @@ export function countText(findings) {
 export const countMarks = (findings) =>
   RANK.flatMap((level) => {
     const count = findings.filter((of) => of.level === level).length;
-    return count ? [el("span", { class: `count ${level}` }, levelMark(level), String(count))] : [];
+    return count ? [el("span", { class: `count level-${level}` }, levelMark(level), String(count))] : [];
   });

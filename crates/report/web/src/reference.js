@@ -72,15 +72,18 @@ export function walls({ low, high }, [x, , z]) {
 export function reference(course, range, radius, from) {
   const box = bounds(course, range);
   const { low, high } = box;
-  const [behind, right, left] = walls(box, from);
+  const [behind, ...sides] = walls(box, from);
+  // What the reader sees to the left: up crosses the way to the reader to the right.
+  const along = ([x, z]) => x * from[2] - z * from[0];
+  const [left, right] = sides.sort((a, b) => along(a) - along(b));
   const size = high.clone().sub(low).length();
   const unit = symbol("length");
-  const along = ticks(shown(range[0], "length"), shown(range[1], "length"), 8);
-  const depths = along.values.map((value) => {
+  const marks = ticks(shown(range[0], "length"), shown(range[1], "length"), 8);
+  const depths = marks.values.map((value) => {
     const { place, high } = course.at(si(value, "length"), {});
     const away = radius + 0.012 * size;
     return label(
-      `${tickText(value, along.step)} ${unit}`,
+      `${tickText(value, marks.step)} ${unit}`,
       place.map((at, axis) => at + away * high[axis]),
       LETTERS,
       "text",

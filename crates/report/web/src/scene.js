@@ -13,7 +13,7 @@ import { LOOK_AROUND, noSpace, stage } from "./stage.js";
 import { choose, on, state } from "./state.js";
 import { digits, shown, symbol } from "./units.js";
 
-const HEIGHT = 520;
+const HEIGHT = 600;
 const SIDES = 10;
 
 export function scene(report) {

@@ -8,13 +8,13 @@ import { digits, grouped, plain, quantity, shown, symbol } from "./units.js";
 const bare = (value) => (Number.isInteger(value) && Math.abs(value) < 1e12 ? grouped(String(value)) : plain(value));
 
 /** A cell with its unit, in no more digits than it has; in so many where that is said. */
-export function cellText(cell, significant) {
+export function cellText(cell, significant, write = significant ? digits : plain) {
   if (cell === null || cell === "") return "–";
   if (typeof cell === "string") return cell;
   if (cell.href) return cell.text;
   if (typeof cell === "number") return bare(cell);
   if (cell.values) return listText(cell);
-  return quantity(cell.value, cell.dimension, significant ?? 6, significant ? digits : plain);
+  return quantity(cell.value, cell.dimension, significant ?? 6, write);
 }
 
 /** Several numbers, and their unit once. */
@@ -100,7 +100,7 @@ function keys(sheet) {
 }
 
 /** Heads and rows of a table for a file: numbers in the reader's units, deviations in columns of their own. */
-export function fileRows(sheet, results) {
+function fileRows(sheet, results) {
   const number = (cell) => {
     if (cell === null || typeof cell !== "object") return cell;
     if (cell.values || cell.href) return cellText(cell);
@@ -134,6 +134,10 @@ export function fileRows(sheet, results) {
   ];
 }
 
+/** Buttons that give a table as a file. */
+export const sheetDownloads = (sheet) =>
+  downloads(sheet.title, { csv: () => csv(...fileRows(sheet, ["results", "numerics"].includes(sheet.place))) });
+
 export function sheet(sheet) {
   const body = el("tbody", {});
   const head = el("thead", {});
@@ -161,13 +165,15 @@ export function sheet(sheet) {
   };
   on("units", draw);
   draw();
-  const save = downloads(sheet.title, { csv: () => csv(...fileRows(sheet, results)) });
+  const save = sheetDownloads(sheet);
   const table = el(
     "div",
     { class: "scrolls" },
     el("table", { class: sheet.heads.length ? "grid" : "keys" }, head, body),
   );
-  if (results || cases) return el("div", { class: cases ? "sheet cases" : "sheet" }, el("h3", {}, cases ? null : sheet.title, save), table);
+  // The table of a page of cases stands alone in its section, whose title has the downloads.
+  if (cases) return el("div", { class: "sheet cases" }, table);
+  if (results) return el("div", { class: "sheet" }, el("h3", {}, sheet.title, save), table);
   const long = sheet.rows.length > 24;
   return el(
     "details",

@@ -80,8 +80,11 @@ export function spectra(report) {
     // Nine decades below the highest is rounding.
     const least = Math.max(Math.min(...values), most * 1e-9);
     const [below, beside] = axes("Frequency, Hz");
-    const power = (_, splits) =>
-      splits.map((value) => (Number.isInteger(Math.log10(value)) ? `1e${Math.log10(value)}` : ""));
+    // Of many decades every few.
+    const every = Math.max(Math.ceil(Math.log10(most / least) / 6), 1);
+    const whole = (value) => Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-6;
+    const decades = (_, splits) => splits.map((value) => (whole(value) && Math.round(Math.log10(value)) % every === 0 ? value : null));
+    const power = (plot, splits) => decades(plot, splits).map((value) => (value === null ? "" : `1e${Math.round(Math.log10(value))}`));
     const made = new uPlot(
       {
         width: widthOf(body),
@@ -93,8 +96,8 @@ export function spectra(report) {
           y: { distr: 3, range: () => [least / 1.5, most * 1.5] },
         },
         axes: [
-          { ...below, values: (_, splits) => splits.map((value) => (value === null ? "" : String(Number(value.toPrecision(3))))) },
-          { ...beside, values: power },
+          { ...below, grid: { ...below.grid, filter: decades }, values: (_, splits) => splits.map((value) => (value === null ? "" : String(Number(value.toPrecision(3))))) },
+          { ...beside, grid: { ...beside.grid, filter: decades }, values: power },
         ],
         series: [
           { label: "frequency, Hz", value: legendText },

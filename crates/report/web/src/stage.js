@@ -76,7 +76,7 @@ export function stage(what, height, aside = 0) {
     sun.position.copy(camera.position).add(new Vector3(-off, off, 0).applyQuaternion(camera.quaternion));
     sun.target.position.copy(orbit.target);
     sun.target.updateMatrixWorld();
-    holder.dataset.labels = arrangeLabels().length;
+    holder.dataset.labels = JSON.stringify(arrangeLabels());
     renderer.render(world, camera);
     if (!isPrinting()) return;
     [paper.width, paper.height] = [canvas.width, canvas.height];

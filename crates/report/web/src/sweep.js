@@ -4,10 +4,10 @@ import { asked } from "./answer.js";
 import { contents } from "./contents.js";
 import { readReport } from "./data.js";
 import { el } from "./dom.js";
-import { csv, downloads } from "./downloads.js";
+import { downloads } from "./downloads.js";
 import { figure } from "./figure.js";
 import { header } from "./header.js";
-import { cellText, fileRows, sheet } from "./sheet.js";
+import { cellText, sheet, sheetDownloads } from "./sheet.js";
 import { useDimensions } from "./units.js";
 
 const report = readReport();
@@ -16,7 +16,8 @@ useDimensions(report.dimensions, report.units);
 /** What a point says: the case by its keys, what came out of it, and what was found. */
 function tell(row) {
   const { heads, rows } = report.sheet;
-  const { finding, page } = report.rows[row];
+  const { finding, findings, page } = report.rows[row];
+  const level = findings[0] ? "error" : findings[1] ? "warning" : null;
   const ends = heads.indexOf("Operation") + 1;
   const said = (i) => `${heads[i]}: ${cellText(rows[row][i], 4)}`;
   const keys = rows[row].slice(0, ends - 2).map((value, i) => `${heads[i]} ${cellText(value)}`);
@@ -24,22 +25,19 @@ function tell(row) {
   const lines = texts.filter((i) => rows[row][i] !== "").map((i) => ({ text: said(i) }));
   if (finding) lines.push({ text: finding, class: "mine" });
   if (page) lines.push({ text: "click for its report" });
-  return { title: keys.join(", "), rows: lines, href: page };
+  return { title: keys.join(", "), rows: lines, href: page, level };
 }
 
 const drawn = figure("figure", "Nothing was solved.", tell);
-const save = downloads("Sweep", {
-  svg: drawn.there() ? drawn.file : null,
-  csv: () => csv(...fileRows(report.sheet, false)),
-});
+const save = downloads("Sweep", { svg: drawn.there() ? drawn.file : null });
 const sections = [
-  el("section", { id: "sweep" }, el("h2", {}, "What came out of it", save), drawn.element),
-  el("section", { id: "cases" }, el("h2", {}, "All cases"), sheet(report.sheet)),
+  el("section", { id: "sweep" }, el("h2", {}, "What came out of it", save, sheetDownloads(report.sheet)), drawn.element),
+  el("section", { id: "cases" }, el("h2", {}, "All cases", sheetDownloads(report.sheet)), sheet(report.sheet)),
 ];
 const hint = el(
   "p",
   { class: "hint noprint" },
-  "point at a case to read it, click to open its report where it has one; click a name of the legend to hide its curves",
+  "point at a case to read it, click to open its report where it has one; click a name of the legend to hide its curves; a ring marks a case with errors, a dashed one a case with warnings",
 );
 sections[0].querySelector("h2").after(hint);
 document

@@ -316,8 +316,8 @@ export function tracks(report) {
       const height = Math.max(end - top, 2);
       const at = { y: top, height };
       const stretch = to_md_m !== null;
-      if (stretch) clip.append(svg("rect", { x: box.left, width: box.width, ...at, class: `found ${level}` }));
-      clip.append(svg("rect", { x: box.left + box.width - 5, width: 5, ...at, class: `found-bar ${level}` }));
+      if (stretch) clip.append(svg("rect", { x: box.left, width: box.width, ...at, class: `found level-${level}` }));
+      clip.append(svg("rect", { x: box.left + box.width - 5, width: 5, ...at, class: `found-bar level-${level}` }));
       if (level !== "error" && stretch)
         // Bars of lesser findings have gaps, so that no colour is needed to tell them.
         for (let gap = top + 6; gap < end; gap += level === "warning" ? 10 : 6)
@@ -503,8 +503,8 @@ export function tracks(report) {
         svg(
           "svg",
           { width: 20, height: 12 },
-          svg("rect", { width: 20, height: 12, class: `found ${level}` }),
-          svg("rect", { x: 15, width: 5, height: 12, class: `found-bar ${level}` }),
+          svg("rect", { width: 20, height: 12, class: `found level-${level}` }),
+          svg("rect", { x: 15, width: 5, height: 12, class: `found-bar level-${level}` }),
         ),
         `${LEVELS[level][0].toLowerCase()} here, ${spoken(state.operation)}`,
       ),

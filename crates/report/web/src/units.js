@@ -70,6 +70,9 @@ export function plain(value, significant = 6) {
   return /\.\d*0$/.test(text) ? text.replace(/\.?0+$/, "") : text;
 }
 
+/** A depth in whole units of length. */
+export const depthText = (md) => `${grouped(String(Math.round(shown(md, "length"))))}\u00a0${symbol("length")}`;
+
 /** A quantity with its unit. */
 export function quantity(value, dimension, significant = 4, write = digits) {
   const sign = symbol(dimension);

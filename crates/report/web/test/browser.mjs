@@ -36,7 +36,7 @@ export async function browse(executablePath, file, { args = [], timeout_ms }) {
       const paper = await page.pdf({ preferCSSPageSize: true, printBackground: true });
       assert.ok(paper.length > least, `${paper.length} bytes`);
     });
-    for (const width of [900, 1440]) {
+    for (const width of [420, 900, 1440]) {
       await check(`nothing sticks out at ${width} pixels`, async () => {
         const narrow = await open({ viewport: { width, height: 900 }, colorScheme: "dark" });
         const [content, window] = await narrow.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);

@@ -1,6 +1,7 @@
 // The report in a real browser: `node test/page.mjs CHROMIUM report.html`. Everything draws, what can be switched
 // switches, nothing is fetched and nothing is complained about.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { browse, colours, differs, picture, same, settled, SPACE, text } from "./browser.mjs";
 
 const [executablePath, file] = process.argv.slice(2);
@@ -10,6 +11,16 @@ const { check, open, close } = await browse(executablePath, file, {
 });
 
 const page = await open();
+const report = await page.evaluate(() => JSON.parse(document.getElementById("report").textContent));
+// The answer may open on an operation with a finding.
+await page.click(".operations [data-value=drill]");
+await settled(page);
+
+/** The name and the text of the file that a button gives. */
+async function downloaded(button) {
+  const [download] = await Promise.all([page.waitForEvent("download"), button.click()]);
+  return [download.suggestedFilename(), readFileSync(await download.path(), "utf8")];
+}
 
 await check("five answers", async () => {
   assert.equal(await page.locator(".answer").count(), 5);
@@ -97,8 +108,8 @@ await check("exaggeration and colours change the view", async () => {
 
 await check("units switch everywhere, by their factors", async () => {
   const number = async () => {
-    const [, digits, unit] = (await text(page, ".answer .number")).match(/^([\d\u202f.\u2212]+)\u00a0(\S+)$/);
-    return [Number(digits.replaceAll("\u202f", "").replace("\u2212", "-")), unit];
+    const [, digits, unit] = (await text(page, ".answer .number")).match(/^([\d\u202f,.\u2212]+)\u00a0(\S+)$/);
+    return [Number(digits.replace(/[\u202f,]/g, "").replace("\u2212", "-")), unit];
   };
   const seen = {};
   for (const units of ["field", "metric", "si"]) {
@@ -218,6 +229,155 @@ await check("another operation has its own answer, and no bit where it does not 
   await settled(page);
   assert.notDeepEqual(await page.locator(".answer .number").allTextContents(), before);
   assert.ok(!(await page.locator("#bit").isVisible()), "a trip drills nothing");
+});
+
+await check("the contents lead to every section that is shown", async () => {
+  const links = await page
+    .locator(".contents a:not([hidden])")
+    .evaluateAll((links) => links.map((link) => [link.getAttribute("href"), link.textContent]));
+  const sections = await page
+    .locator("section:not([hidden])")
+    .evaluateAll((all) => all.map((section) => [`#${section.id}`, section.querySelector("h2").firstChild.textContent]));
+  assert.deepEqual(links, sections);
+  assert.ok(!links.some(([href]) => href === "#bit"), "a trip has no bit");
+  await page.click(".operations [data-value=drill]");
+  assert.equal(await page.locator('.contents a[href="#bit"]:not([hidden])').count(), 1);
+});
+
+await check("the legend hides curves, by click and by keyboard, and colours are not all that differs", async () => {
+  const curves = () => page.locator(".tracks > svg > svg .curve").count();
+  const all = await curves();
+  const key = page.locator(".legend button").first();
+  await key.click();
+  const fewer = await curves();
+  assert.ok(fewer < all, `${fewer} of ${all}`);
+  await page.keyboard.press("Enter");
+  assert.equal(await curves(), all);
+  const shapes = await page
+    .locator(".legend button .marker")
+    .evaluateAll((markers) => new Set(markers.map((marker) => marker.getAttribute("d"))).size);
+  assert.equal(shapes, 3, "a marker for each operation");
+  // The charts of uPlot too.
+  const chart = page.locator("#history .history", { hasText: "Torque" }).first();
+  const torque = chart.locator(".u-legend .u-series").nth(1);
+  await torque.locator("th").focus();
+  await page.keyboard.press("Enter");
+  assert.match(await torque.getAttribute("class"), /u-off/);
+  await page.click(".controls [data-value=field]");
+  await settled(page);
+  assert.match(await torque.getAttribute("class"), /u-off/, "hidden when drawn anew");
+  await page.click(".controls [data-value=si]");
+  await torque.locator("th").click();
+  assert.doesNotMatch(await torque.getAttribute("class"), /u-off/);
+});
+
+await check("the pointer says names with values", async () => {
+  const cover = page.locator(".tracks .cover").first();
+  await cover.scrollIntoViewIfNeeded();
+  const box = await cover.boundingBox();
+  await page.mouse.move(box.x + 150, box.y + 0.5 * box.height);
+  const rows = await page.locator(".tip div").allTextContents();
+  assert.equal(rows.length, 6, JSON.stringify(rows));
+  assert.match(rows[0], /^trip out, soft string: [\d.\u2212]+\u00a0kN$/);
+  await page.mouse.move(2, 2);
+  await page.mouse.move(box.x + 150, box.y - 60);
+  assert.ok(!(await page.locator(".tip").isVisible()), "away from it, nothing");
+});
+
+await check("figures and tables are given as files", async () => {
+  const [profile, picture_] = await downloaded(page.locator("#tracks [data-download=svg]"));
+  assert.equal(profile, "along-the-hole.svg");
+  const seen = await page.evaluate((text) => {
+    const file = new DOMParser().parseFromString(text, "image/svg+xml");
+    const strokes = [...file.querySelectorAll(".curve")].map((curve) => curve.getAttribute("stroke"));
+    return [file.querySelector("parsererror")?.textContent ?? "", strokes.length, strokes.every((ink) => ink.startsWith("rgb"))];
+  }, picture_);
+  assert.deepEqual([seen[0], seen[2]], ["", true]);
+  assert.ok(seen[1] > 20, `${seen[1]} curves`);
+  const [name, table] = await downloaded(page.locator("#tracks [data-download=csv]"));
+  assert.equal(name, "along-the-hole.csv");
+  const lines = table.trim().split("\r\n");
+  assert.equal(lines[0], 'quantity,unit,operation,model,"md, m",value,p05,p95');
+  assert.ok(lines.some((line) => line.startsWith("Effective tension,kN,drill,dynamic,")));
+  for (const [section, endings] of [
+    ["#history", ["svg", "csv"]],
+    ["#bit", ["svg", "csv"]],
+    ["#contact", ["svg", "csv"]],
+    ["#scene", ["png", "csv"]],
+    ["#results", ["csv"]],
+    ["#numerics", ["csv"]],
+    ["#inputs", ["csv"]],
+  ])
+    for (const ending of endings) {
+      const [file, content] = await downloaded(page.locator(`${section} [data-download=${ending}]`).first());
+      assert.ok(file.endsWith(`.${ending}`) && content.length > 20, `${section} ${file}`);
+      if (ending !== "svg") continue;
+      const wrong = await page.evaluate(
+        (text) => new DOMParser().parseFromString(text, "image/svg+xml").querySelector("parsererror")?.textContent ?? "",
+        content,
+      );
+      assert.equal(wrong, "", file);
+    }
+  // Numbers of the file are those of the page.
+  const [, history] = await downloaded(page.locator("#history [data-download=csv]").first());
+  const [head, first] = history.split("\r\n");
+  assert.equal(head, '"time, s","hook load, kN","soft string, kN"');
+  assert.ok(first.split(",").every((cell) => Number.isFinite(Number(cell))), first);
+});
+
+await check("what hardly moves is not blown up", async () => {
+  // The hook load's axis spans 20 kN at least, whatever the load does.
+  const axis = await page.evaluate(() => {
+    const plot = document.querySelector("#history .history .u-over");
+    return plot.getBoundingClientRect().height;
+  });
+  const [, load] = await downloaded(page.locator("#history [data-download=svg]").first());
+  const marks = [...load.matchAll(/text-anchor="end"[^>]*>([^<]+)</g)].map(([, mark]) => Number(mark.replace("\u2212", "-")));
+  assert.ok(axis > 50 && Math.max(...marks) - Math.min(...marks) >= 12, `marks at ${marks}`);
+});
+
+await check("field units are rounded as people write them", async () => {
+  await page.click(".controls [data-value=field]");
+  await settled(page);
+  const value = (label) => report.solved.at(-1).answers.find((answer) => answer.label === label).value.value;
+  const cards = await page.locator(".answer .number").allTextContents();
+  const torque = value("Surface torque") / 1.3558179483;
+  const rounded = Number(torque.toPrecision(4)).toLocaleString("en-US");
+  assert.equal(cards[1].split("\u00a0")[0].replace(/\.0+$/, ""), rounded);
+  const depth = await page.locator(".asked div", { hasText: "Bit depth" }).locator("dd").textContent();
+  assert.match(depth, /^\d,\d{3}(\.\d)?\u00a0ft$/);
+});
+
+await check("the hook load says that it is without the block, everywhere", async () => {
+  for (const place of [".answer h3", "#history h3", "#results tbody th"])
+    assert.match(await text(page, place), /^Hook load without block/);
+});
+
+await check("units and colours are remembered", async () => {
+  const again = await page.context().newPage();
+  await again.goto(page.url());
+  await again.waitForSelector("html[data-ready]");
+  assert.equal(await again.locator('[aria-label="Units"] [aria-pressed="true"]').textContent(), "US field");
+  await again.close();
+  await page.click(".controls [data-value=si]");
+});
+
+await check("the whole well fills the stage, and no labels lie on each other", async () => {
+  await page.locator("#tracks input").first().fill("200");
+  await page.locator("#tracks input").first().press("Enter");
+  await settled(page);
+  await page.getByRole("button", { name: "Whole well" }).click();
+  await settled(page);
+  assert.equal(await page.locator("#tracks input").first().inputValue(), "0.0");
+  const [across, up] = (await page.locator("#scene .space-holder").getAttribute("data-spans")).split(" ").map(Number);
+  assert.ok(Math.max(across, up) > 0.85 && across <= 1 && up <= 1, `${across} across, ${up} up`);
+  const labels = JSON.parse(await page.locator("#scene .space-holder").getAttribute("data-labels"));
+  assert.ok(labels.length >= 5, `${labels.length} labels`);
+  labels.forEach((a, i) =>
+    labels.slice(0, i).forEach((b) =>
+      assert.ok(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top, JSON.stringify([a, b])),
+    ),
+  );
 });
 
 await check("dark looks different, and light comes back", async () => {

@@ -35,6 +35,22 @@ await check("a figure is as wide as the page lets it be, and says its title once
   }
 });
 
+await check("its letters are read on a telephone", async () => {
+  const narrow = await open({ viewport: { width: 420, height: 900 } });
+  const sizes = await narrow.locator("figure text").evaluateAll((texts) => texts.map((text) => {
+    const scale = text.ownerSVGElement.getBoundingClientRect().width / text.ownerSVGElement.viewBox.baseVal.width;
+    return scale * Number(text.getAttribute("font-size"));
+  }));
+  assert.ok(sizes.length > 50 && Math.min(...sizes) >= 9, `${Math.min(...sizes)} pixels`);
+  await narrow.context().close();
+});
+
+await check("its contents lead to every figure and table", async () => {
+  const links = await page.locator(".contents a").evaluateAll((links) => links.map((link) => [link.getAttribute("href"), link.textContent]));
+  const parts = await page.locator("section").evaluateAll((all) => all.map((part) => [`#${part.id}`, part.querySelector("h2").textContent]));
+  assert.deepEqual(links, parts);
+});
+
 await check("numbers are judged in words that need no colour", async () => {
   for (const [kind, mark] of [
     ["agrees", "\u2713"],

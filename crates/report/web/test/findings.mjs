@@ -1,0 +1,149 @@
+// Findings on the report of a run: `node test/findings.mjs CHROMIUM report.html`. A copy of the page gets findings that are
+// known, whatever the run itself has; they stand where the reader looks first.
+import assert from "node:assert/strict";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { browse, settled, SPACE, text } from "./browser.mjs";
+
+const [executablePath, file] = process.argv.slice(2);
+const folder = mkdtempSync(join(tmpdir(), "findings-"));
+const copy = join(folder, "report.html");
+
+const found = (kind, level, message, [md_m, to_md_m] = [null, null], value = null, limit = null) => ({
+  kind,
+  level,
+  md_m,
+  to_md_m,
+  value: value === null ? null : { value, dimension: "force" },
+  limit: limit === null ? null : { value: limit, dimension: "force" },
+  message,
+});
+const KNOWN = {
+  trip_out: [
+    found("hook_load_negative", "error", "The string does not go down. </script><b>", [null, null], -258e3, 0),
+    found("helical_buckling", "error", "Helically buckled.", [200, 400], 190e3, 95e3),
+  ],
+  rotate_off_bottom: [found("whirl", "note", "The assembly whirls.", [550, null])],
+  drill: [found("sinusoidal_buckling", "warning", "Sinusoidally buckled.", [300, 500], 80e3, 70e3)],
+};
+
+// The hoist's limit is far away: the bar would praise the load.
+const page_ = readFileSync(file, "utf8").replace(
+  /(<script type="application\/json" id="report">)(.*?)(<\/script>)/s,
+  (_, begin, json, end) => {
+    const report = JSON.parse(json);
+    for (const solved of report.solved) {
+      solved.findings = solved.model === "dynamic" ? KNOWN[solved.operation] : [];
+      Object.assign(solved.answers[0], { limit: 1e7, limit_label: "hoist's capacity" });
+    }
+    return begin + JSON.stringify(report).replaceAll("<", "\\u003c") + end;
+  },
+);
+writeFileSync(copy, page_);
+
+const { check, open, close } = await browse(executablePath, copy, { args: SPACE, timeout_ms: 120_000 });
+const page = await open();
+
+await check("the answer opens on the operation with the gravest finding", async () => {
+  assert.equal(await page.locator('.operations [aria-pressed="true"]').getAttribute("data-value"), "trip_out");
+});
+
+await check("all findings stand on top of the answer, the gravest first, with word and shape", async () => {
+  const levels = await page.locator("#answer .finding .level").allTextContents();
+  assert.deepEqual(
+    levels.map((level) => level.trim()),
+    ["Error", "Error", "Warning", "Note"],
+  );
+  assert.equal(await page.locator("#answer .finding .level-mark").count(), 4);
+  const outlines = await page
+    .locator("#answer .finding .level-mark path:first-child")
+    .evaluateAll((paths) => new Set(paths.map((path) => path.getAttribute("d"))).size);
+  assert.equal(outlines, 3, "a shape for each level");
+  const list = await page.locator("#answer .finding-list").boundingBox();
+  const cards = await page.locator("#answer .answers").boundingBox();
+  assert.ok(list.y + list.height <= cards.y, "above the numbers");
+  const first = await text(page, "#answer .finding");
+  for (const part of ["trip out", "The string does not go down. </script><b>", "\u2212258\u00a0kN against 0\u00a0kN"])
+    assert.ok(first.includes(part), `${part} in ${first}`);
+});
+
+await check("operations say what was found of them", async () => {
+  const labels = await page
+    .locator(".operations button")
+    .evaluateAll((buttons) => buttons.map((button) => [button.dataset.value, button.getAttribute("aria-label")]));
+  assert.deepEqual(labels, [
+    ["trip_out", "trip out: 2 errors"],
+    ["rotate_off_bottom", null],
+    ["drill", "drill: 1 warning"],
+  ]);
+});
+
+await check("no card praises a number that has an error", async () => {
+  const card = page.locator(".answer").first();
+  assert.match(await card.locator("h3").textContent(), /Hook load/);
+  const said = await card.textContent();
+  assert.match(said, /Error: see the finding above/);
+  assert.doesNotMatch(said, /within the limit/);
+  const bar = (place) => page.evaluate((place) => getComputedStyle(document.querySelectorAll(".answer")[place].querySelector(".used")).backgroundColor, place);
+  const over = await page.evaluate(() => {
+    const probe = document.body.appendChild(document.createElement("i"));
+    probe.style.background = "var(--over)";
+    return getComputedStyle(probe).backgroundColor;
+  });
+  assert.equal(await bar(0), over);
+  // What nothing was found of is judged as it was.
+  await page.click(".operations [data-value=rotate_off_bottom]");
+  await settled(page);
+  assert.match(await page.locator(".answer").first().textContent(), /within the limit/);
+  assert.notEqual(await bar(0), over);
+});
+
+await check("the tracks shade the stretches of the chosen operation", async () => {
+  const shaded = async (operation) => {
+    await page.click(`.operations [data-value=${operation}]`);
+    await settled(page);
+    return page.evaluate(() => {
+      const total = JSON.parse(document.getElementById("report").textContent).string.at(-1).to_m;
+      const track = [...document.querySelectorAll(".tracks > svg > svg")].find((track) => track.querySelector(".curve"));
+      const [, top, , height] = track.getAttribute("viewBox").split(" ").map(Number);
+      return [...track.querySelectorAll(".found")].map((band) => {
+        const [y, tall] = ["y", "height"].map((name) => Number(band.getAttribute(name)));
+        return [band.getAttribute("class"), ...[y, y + tall].map((at) => Math.round(((at - top) / height) * total))];
+      });
+    });
+  };
+  assert.deepEqual(await shaded("trip_out"), [["found level-error", 200, 400]]);
+  assert.deepEqual(await shaded("drill"), [["found level-warning", 300, 500]]);
+  // A place has a mark at the edge alone.
+  assert.deepEqual(await shaded("rotate_off_bottom"), []);
+  assert.ok((await page.locator(".tracks .found-bar.level-note").count()) >= 8);
+});
+
+await check("a finding leads to its operation and its depths", async () => {
+  await page.locator(".finding", { hasText: "Helically" }).getByRole("button").last().click();
+  await settled(page);
+  assert.equal(await page.locator('.operations [aria-pressed="true"]').getAttribute("data-value"), "trip_out");
+  const depths = await page.locator("#tracks input").evaluateAll((inputs) => inputs.map((input) => Number(input.value)));
+  assert.deepEqual(depths, [180, 420]);
+  await page.getByRole("button", { name: "All depths" }).click();
+});
+
+await check("the pointer says what was found there", async () => {
+  const cover = page.locator(".tracks .cover").first();
+  await cover.scrollIntoViewIfNeeded();
+  const box = await cover.boundingBox();
+  await page.mouse.move(box.x + 300, box.y + 0.5 * box.height);
+  assert.match(await text(page, ".tip"), /Error: Helical buckling/);
+});
+
+await check("numbers of findings follow the units", async () => {
+  await page.click(".controls [data-value=field]");
+  await settled(page);
+  assert.match(await text(page, "#answer .finding"), /\u221258\u00a0klbf against 0\u00a0klbf/);
+  assert.match(await page.locator(".finding", { hasText: "Helically" }).textContent(), /656\u00a0ft to 1,312\u00a0ft/);
+  await page.click(".controls [data-value=si]");
+});
+
+await close(page, 20_000, "findings on the page");
+rmSync(folder, { recursive: true });
