@@ -217,6 +217,8 @@ fn a_vertical_hole_has_a_scale_of_its_own() {
     let of = only(&helical, Kind::HelicalBuckling).expect("a stretch");
     assert_eq!(of.level, Level::Warning);
     assert_close("from", of.from_md_m.unwrap(), 1950.0, 1e-6);
+    // A helix is more than a bow.
+    none(&helical, Kind::SinusoidalBuckling);
     // Less than a joint of it is not told.
     none(&drill(5.55 * scale_N + 9.0 * 260.0), Kind::HelicalBuckling);
 }

@@ -186,15 +186,11 @@ title = "Errors"
 label = "little friction"
 column = "errors"
 only = { friction = 0.25 }
-expected = "0"
-tolerance = "0"
 
 [[table.row]]
 label = "much friction"
 column = "errors"
 only = { friction = 0.6 }
-expected = "2"
-tolerance = "0"
 "#;
     fs::write(desk.path("study.toml"), study).unwrap();
     let output = desk.run(&["study", "study.toml", "-o", "results"]);

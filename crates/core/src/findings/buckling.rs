@@ -124,21 +124,28 @@ impl<'a> Line<'a> {
     }
 }
 
-/// The buckled stretches, those of the helix first.
+/// The buckled stretches, those of the helix first. A bow in a vertical hole is not told where the same stretch is a helix.
 pub fn findings(line: &Line<'_>) -> Vec<Finding> {
-    let mut found = Vec::new();
-    for (criterion, kind, over) in [
-        (Criterion::Helical, Kind::HelicalBuckling, &line.helical),
-        (
-            Criterion::Sinusoidal,
-            Kind::SinusoidalBuckling,
-            &line.sinusoidal,
-        ),
-    ] {
+    let of = |criterion, kind, over: &[f64]| -> Vec<Finding> {
         let stretches = beyond_one(line.md_m, over).into_iter();
         let told = stretches.filter(|of| of.md_m[1] - of.md_m[0] >= SHORTEST_M);
-        found.extend(told.map(|interval| finding(line, criterion, kind, over, &interval)));
-    }
+        told.map(|interval| finding(line, criterion, kind, over, &interval))
+            .collect()
+    };
+    let mut found = of(Criterion::Helical, Kind::HelicalBuckling, &line.helical);
+    let bowed = of(
+        Criterion::Sinusoidal,
+        Kind::SinusoidalBuckling,
+        &line.sinusoidal,
+    );
+    let is_helix = |bow: &Finding| {
+        let mut helices = found.iter();
+        helices.any(|helix| helix.from_md_m < bow.to_md_m && bow.from_md_m < helix.to_md_m)
+    };
+    let told = bowed.into_iter();
+    let told = told.filter(|bow| bow.level > Level::Note || !is_helix(bow));
+    let told: Vec<Finding> = told.collect();
+    found.extend(told);
     found
 }
 
