@@ -67,7 +67,7 @@ table! {
     DynamicsTable in "[dynamics]" {
         /// Length of the window that the statistics cover.
         duration: f64 = default(
-            Quantity::si(Dimension::Time, Range::positive_to(86_400.0).usual(0.01, 14_400.0), "60 s"),
+            Quantity::si(Dimension::Time, Range::positive_to(86_400.0).usual(0.01, 86_400.0), "60 s"),
             DynamicsSettings::default().duration_s,
         );
         /// Simulated time before that window.

@@ -138,10 +138,12 @@ impl Entry<'_> {
     pub(crate) fn needs_unit(&self, reader: &Reader) -> Diagnostic {
         let set = reader.units();
         let fitting = self.fitting_units(set);
-        let unit = fitting
-            .first()
-            .map_or(self.dimension.unit_in(set), |unit| *unit)
-            .symbol;
+        let unit = match (fitting.first(), self.range.usual_numbers()) {
+            (Some(unit), _) => unit.symbol,
+            (None, Some(_)) => self.dimension.unit_in(set).symbol,
+            // Nothing is known of its size: what it was in a file.
+            (None, None) => self.unit,
+        };
         let symbols = self.dimension.units().iter().map(|unit| unit.symbol);
         let symbols: Vec<&str> = symbols.collect();
         let place = self.node.place;

@@ -327,7 +327,7 @@ fn the_command_line_sets_what_the_file_does_not() {
             "operation.kind=[\"drill\", \"slide\"]",
             "model=soft",
             "hoist.control=autodriller",
-            "hoist.gain=2e-7",
+            "hoist.gain=2e-7m/s/N",
             "name=two at once",
             "string.1.catalogue=5 in 19.50 lb/ft G-105",
         ],

@@ -176,3 +176,64 @@ fn describes_every_key() {
     }
     visit(&schema(), "case");
 }
+
+/// Every quantity says which numbers are usual, or stands here with the reason why none are.
+#[test]
+fn quantities_have_usual_numbers() {
+    const NONE: &[(&str, &str)] = &[
+        ("tie_in", "coordinates of any origin"),
+        ("stations", "rows of three, read one by one"),
+        ("bend_at", "a place on the component, which bounds it"),
+        ("bend_toolface", "any angle"),
+        ("eccentricity_phase", "any angle"),
+        ("face", "lengths that the bit's diameter bounds"),
+        ("rock", "angles, energies and margins that the rock bounds"),
+        ("hoist", "gains and speeds of controllers, of either sign"),
+        ("schedule", "times, and what starts and ends at rest"),
+        ("dynamics", "times and numbers of the method"),
+        (
+            "bit_test",
+            "times, and speeds down to one revolution in a minute",
+        ),
+        ("records", "times and depths that the run bounds"),
+        ("points", "rows of a table"),
+        ("table", "rows of a table"),
+        ("from", "checked against the section above"),
+    ];
+    fn visit(schema: &Json, path: &str, lacking: &mut Vec<String>) {
+        match schema {
+            Json::Object(object) => {
+                let quantity = object.get("anyOf").and_then(Json::as_array);
+                let number = quantity.and_then(|forms| {
+                    let text = forms.iter().any(|form| form.get("pattern").is_some());
+                    let number = forms.iter().find(|form| form["type"] == "number");
+                    number.filter(|_| text)
+                });
+                if let Some(number) = number
+                    && number.get("x-usual").is_none()
+                {
+                    lacking.push(path.to_owned());
+                }
+                for (key, value) in object {
+                    let skipped = ["properties", "items", "anyOf"].contains(&key.as_str());
+                    let inner = if skipped {
+                        path.to_owned()
+                    } else {
+                        format!("{path}.{key}")
+                    };
+                    visit(value, &inner, lacking);
+                }
+            }
+            Json::Array(items) => items.iter().for_each(|item| visit(item, path, lacking)),
+            _ => {}
+        }
+    }
+    let mut lacking = Vec::new();
+    visit(&schema(), "", &mut lacking);
+    lacking.retain(|path| {
+        !NONE
+            .iter()
+            .any(|(key, _)| path.split('.').any(|part| part == *key))
+    });
+    assert_eq!(lacking, Vec::<String>::new());
+}

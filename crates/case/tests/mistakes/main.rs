@@ -5,6 +5,7 @@ mod common;
 
 mod bit;
 mod dynamics;
+mod magnitudes;
 mod mud;
 mod operation;
 mod overrides;

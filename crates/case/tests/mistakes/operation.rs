@@ -14,11 +14,6 @@ fn kind() {
             "kind = \"driling\"",
         ),
         (
-            "operation_with_hyphen",
-            "kind = \"drill\"",
-            "kind = [\"drill\", \"trip-out\"]",
-        ),
-        (
             "operation_unknown",
             "kind = \"drill\"",
             "kind = \"cementing\"",
@@ -59,4 +54,51 @@ fn set_points() {
                 .replace("to = \"4305 m\"", "to = \"4500 m\""),
         ),
     );
+}
+
+/// Drillers' words, each for its own operation; half a word for none.
+#[test]
+fn words_of_drillers() {
+    for (word, name) in [
+        ("pick-up", "trip_out"),
+        ("Pick Up", "trip_out"),
+        ("pickup", "trip_out"),
+        ("tripping out", "trip_out"),
+        ("TRIP-OUT", "trip_out"),
+        ("POOH", "trip_out"),
+        ("pulling out of hole", "trip_out"),
+        ("slack-off", "trip_in"),
+        ("slack off", "trip_in"),
+        ("tripping in", "trip_in"),
+        ("RIH", "trip_in"),
+        ("running in hole", "trip_in"),
+        ("rotating off bottom", "rotate_off_bottom"),
+        ("rotate off-bottom", "rotate_off_bottom"),
+        ("drilling", "drill"),
+        ("rotating on bottom", "drill"),
+        ("sliding", "slide"),
+        ("slide drilling", "slide"),
+        ("reaming", "ream"),
+        ("ream in", "ream"),
+        ("back-reaming", "back_ream"),
+        ("backreaming", "back_ream"),
+        ("ream out", "back_ream"),
+    ] {
+        let text = changed("kind = \"drill\"", &format!("kind = \"{word}\""));
+        let case = read(&text).unwrap_or_else(|report| panic!("{word}: {report}"));
+        assert_eq!(case.operations[0].kind.name(), name, "{word}");
+    }
+    let drill = "kind = \"drill\"";
+    each_refused(&[
+        ("operation_triping_out", drill, "kind = \"triping out\""),
+        ("operation_slackof", drill, "kind = \"slackof\""),
+        ("operation_half_a_word", drill, "kind = \"tripping\""),
+        ("operation_rotating", drill, "kind = \"rotating\""),
+        ("operation_circulate", drill, "kind = \"circulate\""),
+        (
+            "operation_twice_by_another_word",
+            drill,
+            "kind = [\"trip_out\", \"pick-up\"]",
+        ),
+    ]);
 }

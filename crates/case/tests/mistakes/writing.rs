@@ -68,6 +68,34 @@ fn toml() {
     ]);
 }
 
+/// Paths as Windows writes them, in the quotes in which a backslash begins an escape.
+#[test]
+fn windows_paths() {
+    let survey = "\"np13-x1042-survey.csv\"";
+    each_refused(&[
+        (
+            "path_with_backslashes",
+            survey,
+            r#""C:\Users\me\survey.csv""#,
+        ),
+        ("path_with_valid_escapes", survey, r#""C:\temp\new.csv""#),
+        (
+            "path_with_backslash_in_text",
+            survey,
+            r#""wells\survey.csv" # "quoted""#,
+        ),
+    ]);
+    let files = {
+        let mut files = survey_files(SURVEY.as_bytes());
+        let survey = files.0.values().next().expect("a survey").clone();
+        files.0.insert(r"C:\Users\me\survey.csv".to_owned(), survey);
+        files
+    };
+    let text = changed(survey, r"'C:\Users\me\survey.csv'");
+    let case = parse("case.toml", text.as_bytes(), &files, &[]);
+    assert!(case.is_ok(), "{}", case.unwrap_err());
+}
+
 #[test]
 fn keys_at_the_top() {
     each_refused(&[
