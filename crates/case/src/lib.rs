@@ -62,6 +62,6 @@ pub use diagnostic::{Diagnostic, Label, Report, Severity};
 pub use overrides::{Override, OverrideError};
 pub use records::Records;
 pub use schema::{schema, study_schema};
-pub use source::{Disk, Files, InMemory, Place, Source};
+pub use source::{Disk, Files, InMemory, Place, Source, read_file};
 pub use template::Template;
 pub use vary::Variation;

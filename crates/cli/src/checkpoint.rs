@@ -80,6 +80,14 @@ impl<'a> Laid<'a> {
         let laid: Option<Self> = folder.read_checkpoint().map_err(|e| e.to_string())?;
         let Some(laid) = laid else { return Ok(None) };
         let settings: Value = serde_json::from_str(&laid.settings).map_err(|e| e.to_string())?;
+        if let Some(under_way) = &laid.under_way
+            && Duration::try_from_secs_f64(under_way.wall_time_s).is_err()
+        {
+            let place = folder.path().display();
+            return Err(format!(
+                "the checkpoint in {place} is damaged: its time on the clock"
+            ));
+        }
         match difference(&settings, &case.settings) {
             None => Ok(Some(laid)),
             Some(difference) => Err(format!(
