@@ -1,5 +1,5 @@
 //! Chores of the repository: `cargo xtask test` runs everything that CI runs, `cargo xtask verify` the
-//! tests that take minutes too.
+//! tests that take minutes too, `cargo xtask fuzz` reads damaged inputs for as long as is asked.
 
 mod command;
 mod count;
@@ -19,7 +19,9 @@ use count::Count;
 
 const USAGE: &str = "\
 usage: cargo xtask test      run everything that CI runs
-       cargo xtask verify    run all tests, those that take minutes too, and write the book's table of them";
+       cargo xtask verify    run all tests, those that take minutes too, and write the book's table of them
+       cargo xtask fuzz [SECONDS | --inputs N] [--seed S] [READER...]
+                             read damaged inputs with every reader, for an hour where nothing is said";
 
 /// What a step found out.
 enum Finding {
@@ -37,6 +39,7 @@ const TEST: &[Step] = &[
     ("Lints", lints),
     ("Tests", tests),
     ("Table of verification", verification::check_table),
+    ("Damaged inputs", damaged_inputs),
     ("Documentation examples", doc_tests),
     ("Documentation", documentation),
     ("Core for the browser", wasm),
@@ -54,6 +57,8 @@ fn main() -> ExitCode {
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["test"] => take(TEST),
         ["verify"] => take(VERIFY),
+        ["fuzz"] => told(fuzz(&["3600"])),
+        ["fuzz", ref asked @ ..] => told(fuzz(asked)),
         ["--help" | "-h"] => {
             println!("{USAGE}");
             ExitCode::SUCCESS
@@ -128,6 +133,32 @@ fn tests() -> Result<Finding, Failure> {
     verification::forget()?;
     runner.env(wholestring_verification::FILE, verification::reported());
     run_counted(&mut runner).map(Finding::Tested)
+}
+
+/// Damaged inputs for every reader, as the fuzzer is asked. Unoptimised checks of arithmetic stay in.
+fn fuzz(asked: &[&str]) -> Result<Finding, Failure> {
+    run(
+        cargo()
+            .args(["run", "--quiet", "--package", "wholestring-fuzz", "--"])
+            .args(asked),
+        "a reader did not stand an input: mend it, and keep the input as a test",
+    )?;
+    Ok(Finding::Done)
+}
+
+fn damaged_inputs() -> Result<Finding, Failure> {
+    fuzz(&["20"])
+}
+
+/// The end of a chore of one step.
+fn told(done: Result<Finding, Failure>) -> ExitCode {
+    match done {
+        Ok(_) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("{}", failure.reason);
+            ExitCode::FAILURE
+        }
+    }
 }
 
 fn doc_tests() -> Result<Finding, Failure> {

@@ -108,6 +108,9 @@ pub(crate) const SHORT: &[(&str, &str)] = &[
     ("wob", "operation.wob"),
 ];
 
+/// Parts of a key between its dots. The deepest key of a case has six; each is a table within the one before.
+const MOST_PARTS: usize = 32;
+
 /// What a diagnostic about an argument quotes.
 pub(crate) const COMMAND_LINE: &str = "command line";
 
@@ -141,6 +144,14 @@ pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) 
         .map_or(change.key.as_str(), |(_, long)| long)
         .split('.')
         .collect();
+    if path.len() > MOST_PARTS {
+        let message = format!("this key has {} parts", path.len());
+        let diagnostic = Diagnostic::error(message).at(
+            key_place,
+            format!("expected at most {MOST_PARTS}, parted by dots"),
+        );
+        return reader.report(diagnostic);
+    }
     let top_level = crate::schema::top_level();
     if path.len() == 1 && !top_level.iter().any(|name| name == path[0]) {
         let short_keys: Vec<&str> = SHORT.iter().map(|(short, _)| *short).collect();

@@ -60,6 +60,14 @@ impl Files for Disk {
 /// More than any survey or case holds; a file this large was named by mistake.
 pub(crate) const LARGEST_FILE_BYTES: u64 = 64 << 20;
 
+/// Reads a case, a study, a survey or another file of a user, of at most 64 MB.
+///
+/// # Errors
+/// Whatever the system says, and a sentence for what is no regular file or larger.
+pub fn read_file(path: &Path) -> io::Result<Vec<u8>> {
+    read_bounded(path)
+}
+
 /// Reads a regular file of a bearable size. A device or pipe could block or never end.
 pub(crate) fn read_bounded(path: &Path) -> io::Result<Vec<u8>> {
     let about = std::fs::metadata(path)?;

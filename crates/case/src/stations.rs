@@ -2,7 +2,7 @@
 
 use serde_json::json;
 use wholestring::well::{Station, TieIn};
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, Unit};
 
 use crate::{
     diagnostic::Diagnostic,
@@ -13,7 +13,7 @@ use crate::{
     reader::Reader,
     rule::{At, Rule},
     source::{Files, Place},
-    survey::{self, SurveyError},
+    survey::{self, Said, SurveyError},
 };
 
 /// No hole bends more sharply than this, rad/m: 10 deg/m is a radius of 5.7 m.
@@ -81,6 +81,40 @@ fn angle_between(a: &Station, b: &Station) -> f64 {
     let build = (b.inclination_rad - a.inclination_rad) / 2.0;
     let half = (build.sin().powi(2) + sines * turn.sin().powi(2)).clamp(0.0, 1.0);
     2.0 * half.sqrt().asin()
+}
+
+/// The name of a unit of length.
+pub(crate) struct LengthUnit;
+
+impl Rule for LengthUnit {
+    type Value = &'static Unit;
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<&'static Unit> {
+        let expected = "a unit of length, such as \"m\" or \"ft\"";
+        let Value::Text { text, .. } = &node.value else {
+            reader.expected(node, expected);
+            return None;
+        };
+        let unit = Dimension::Length.find_unit(text);
+        if unit.is_none() {
+            let message = format!("`{}` is no unit of length", short(text));
+            reader
+                .report(Diagnostic::error(message).at(node.place, format!("expected {expected}")));
+        }
+        unit
+    }
+
+    fn example(&self) -> Option<String> {
+        Some("\"m\"".to_owned())
+    }
+
+    fn schema(&self) -> serde_json::Value {
+        json!({ "type": "string", "minLength": 1, "maxLength": 64 })
+    }
+
+    fn json(&self, unit: &&'static Unit) -> serde_json::Value {
+        json!(unit.symbol)
+    }
 }
 
 /// One station in the case: `[md, inc, azi]`.
@@ -162,6 +196,7 @@ pub(crate) fn from_case(listed: &At<Vec<At<[f64; 3]>>>) -> Stations {
 /// The stations of a file beside the case.
 pub(crate) fn from_file(
     file: &At<String>,
+    said: &Said,
     files: &dyn Files,
     reader: &mut Reader,
 ) -> Option<Stations> {
@@ -183,7 +218,7 @@ pub(crate) fn from_file(
             return None;
         }
     };
-    match survey::read(&bytes, &file.value) {
+    match survey::read_as(&bytes, &file.value, said) {
         Ok(imported) => Some(Stations {
             list: imported.stations,
             places: Vec::new(),

@@ -1,7 +1,7 @@
 //! `[well]`: the survey, the path through it, and the hole around it.
 
 use wholestring::well::{Hole, Interpolation, Path, PathError, TieIn};
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, Unit};
 
 use crate::{
     diagnostic::Diagnostic,
@@ -13,7 +13,8 @@ use crate::{
     roughness::RoughnessTable,
     rule::{At, Choice, List, Section, Text},
     source::{Files, Place},
-    stations::{self, StationRule, Stations},
+    stations::{self, LengthUnit, StationRule, Stations},
+    survey::{Said, under_origin},
     table::{optional, required, table},
 };
 
@@ -49,6 +50,9 @@ table! {
             noun: "stations",
             most: 100_000,
         });
+        /// Unit of the lengths in the survey file, such as "m" or "ft", where the file does not tell it. Without one,
+        /// such a file is refused.
+        survey_unit: &'static Unit = optional(LengthUnit);
         /// Curve through the survey: "spline" (continuous curvature) or "minimum-curvature"
         /// (circular arcs).
         path: Interpolation = crate::table::default(
@@ -87,8 +91,20 @@ impl WellTable {
         let survey = self.survey.optional()?;
         let listed = self.stations.optional()?;
         match (survey, listed) {
-            (Some(file), None) => stations::from_file(file, files, reader),
-            (None, Some(listed)) => Some(stations::from_case(listed)),
+            (Some(file), None) => {
+                let length_unit = self.survey_unit.optional()?.map(|at| at.value);
+                stations::from_file(file, &Said { length_unit }, files, reader)
+            }
+            (None, Some(listed)) => {
+                if let Some(unit) = self.survey_unit.optional()? {
+                    reader.report(
+                        Diagnostic::warning("`survey_unit` has no effect")
+                            .at(unit.place, "it is said of a survey in a file")
+                            .at(listed.place, "`stations` in the case are in m, deg, deg"),
+                    );
+                }
+                Some(stations::from_case(listed))
+            }
             (Some(file), Some(listed)) => {
                 reader.report(
                     Diagnostic::error("the survey is given twice")
@@ -124,10 +140,7 @@ impl WellTable {
     }
 
     fn tie_in(&self, stations: &Stations) -> Option<TieIn> {
-        let under_origin = TieIn {
-            tvd_m: stations.list.first().map_or(0.0, |first| first.md_m),
-            ..TieIn::default()
-        };
+        let under_origin = under_origin(&stations.list);
         match self.tie_in.optional()? {
             Some(given) if self.tie_in.given().is_some() => Some(TieIn {
                 north_m: *given.value.north.get()?,

@@ -4,7 +4,9 @@ mod old_excel;
 
 use old_excel::Value;
 use rust_xlsxwriter::{ExcelDateTime, Format, Workbook, Worksheet};
-use wholestring_case::survey::{ImportedSurvey, Place, SurveyErrorKind, read, read_excel};
+use wholestring_case::survey::{
+    ImportedSurvey, Place, Said, SurveyErrorKind, read, read_as, read_excel,
+};
 
 /// Fills a sheet.
 type Fill<'a> = &'a dyn Fn(&mut Worksheet);
@@ -110,11 +112,17 @@ fn numbers_as_text_and_formulas_are_numbers() {
 }
 
 #[test]
-fn three_bare_columns_are_read() {
+fn three_bare_columns_are_read_in_the_unit_that_is_said() {
     let bytes = workbook(&[("S", &|sheet| {
         write(sheet, 0, 0, &[&["0", "0", "0"], &["9", "1", "2"]])
     })]);
-    assert_eq!(survey(&bytes).stations[1].md_m, 9.0);
+    let error = read(&bytes, "a.xlsx").unwrap_err();
+    assert_eq!(error.kind(), &SurveyErrorKind::NoUnits);
+    let said = Said {
+        length_unit: wholestring_units::Dimension::Length.find_unit("m"),
+    };
+    let survey = read_as(&bytes, "a.xlsx", &said).unwrap();
+    assert_eq!(survey.stations[1].md_m, 9.0);
 }
 
 #[test]
@@ -230,7 +238,7 @@ fn a_cell_in_the_far_corner_costs_nothing() {
             sheet,
             0,
             0,
-            &[&["md", "inc", "azi"], &["0", "0", "0"], &["9", "1", "2"]],
+            &[&["md_m", "inc", "azi"], &["0", "0", "0"], &["9", "1", "2"]],
         );
         sheet.write_number(1_048_575, 16_383, 1.0).unwrap();
     })]);
@@ -291,4 +299,125 @@ fn old_workbooks_that_claim_more_than_the_format_has_are_refused() {
             "{error}"
         );
     }
+}
+
+/// The refusal of a workbook by how much it holds, or claims to.
+#[track_caller]
+fn refused(bytes: &[u8], name: &str) -> String {
+    let error = read(bytes, name).unwrap_err();
+    assert!(
+        matches!(error.kind(), SurveyErrorKind::TooMuch { .. }),
+        "{error}"
+    );
+    error.to_string()
+}
+
+/// An archive of these parts beside those of a sound workbook, which they replace.
+fn with_parts(parts: &[(&str, &[u8])]) -> Vec<u8> {
+    use std::io::{Cursor, Read, Write};
+    let whole = workbook(&[("S", &|sheet| {
+        write(sheet, 0, 0, &[&["MD (m)", "Inc", "Azi"]])
+    })]);
+    let mut from = zip::ZipArchive::new(Cursor::new(whole)).unwrap();
+    let mut to = zip::ZipWriter::new(Cursor::new(Vec::new()));
+    let options = zip::write::SimpleFileOptions::default();
+    for index in 0..from.len() {
+        let mut part = from.by_index(index).unwrap();
+        let name = part.name().unwrap().to_string();
+        let mut content = Vec::new();
+        part.read_to_end(&mut content).unwrap();
+        let other = parts.iter().find(|(other, _)| *other == name);
+        to.start_file(name, options).unwrap();
+        to.write_all(other.map_or(&content, |(_, other)| other))
+            .unwrap();
+    }
+    to.finish().unwrap().into_inner()
+}
+
+/// Room was made for as many shared strings as a workbook of 2 KB claims: 96 GB.
+#[test]
+fn shared_strings_that_are_only_claimed_are_refused() {
+    for count in ["4000000000", "18446744073709551615", "99999999999999999999"] {
+        let strings = format!("<sst uniqueCount=\"{count}\"><si><t>MD (m)</t></si></sst>");
+        let bytes = with_parts(&[("xl/sharedStrings.xml", strings.as_bytes())]);
+        let message = refused(&bytes, "a.xlsx");
+        assert!(
+            message.contains("shared strings by its own count; at most 1"),
+            "{message}"
+        );
+        // The same in another encoding, which the reader of workbooks understands.
+        let wide: Vec<u8> = std::iter::once(0xfeff)
+            .chain(strings.encode_utf16())
+            .flat_map(u16::to_le_bytes)
+            .collect();
+        refused(&with_parts(&[("xl/sharedStrings.xml", &wide)]), "a.xlsx");
+    }
+}
+
+/// 65 KB that unpack to 65 MB, and a directory of parts that goes on.
+#[test]
+fn workbooks_that_unpack_to_too_much_are_refused() {
+    let blanks = vec![b' '; 65 << 20];
+    let bytes = with_parts(&[("xl/worksheets/sheet1.xml", &blanks)]);
+    assert!(bytes.len() < 1 << 17, "{}", bytes.len());
+    assert_eq!(
+        refused(&bytes, "a.xlsx"),
+        "a.xlsx: the file holds more than 64 MB when it is unpacked; at most 64 MB can be read"
+    );
+    let entries = [b"PK\x03\x04".as_slice(), &b"PK\x01\x02".repeat(10_001)].concat();
+    assert_eq!(
+        refused(&entries, "a.xlsx"),
+        "a.xlsx: the file holds 10001 parts; at most 10000 can be read"
+    );
+}
+
+#[test]
+fn new_workbooks_with_too_many_sheets_are_refused() {
+    let nothing: Fill = &|_| {};
+    let names: Vec<String> = (0..101).map(|i| format!("S{i}")).collect();
+    let sheets: Vec<(&str, Fill)> = names.iter().map(|name| (name.as_str(), nothing)).collect();
+    assert_eq!(
+        refused(&workbook(&sheets), "a.xlsx"),
+        "a.xlsx: the file holds 101 sheets; at most 100 can be read"
+    );
+}
+
+/// A cell of one letter far to the right fills its row with empty ones.
+#[test]
+fn rows_that_are_mostly_gaps_are_refused() {
+    let bytes = workbook(&[("S", &|sheet| {
+        for row in 0..2100 {
+            sheet.write_string(row, 499, "x").unwrap();
+        }
+    })]);
+    assert_eq!(
+        refused(&bytes, "a.xlsx"),
+        "a.xlsx: the file holds more than 1000000 cells; at most 1000000 can be read"
+    );
+}
+
+/// Each sheet of an old workbook becomes a table as large as its farthest cell says: forty that were the same one
+/// took 8 GB.
+#[test]
+fn old_workbooks_with_far_cells_are_refused() {
+    let corner = [
+        (0, 0, Value::Number(1.0)),
+        (65_534, 255, Value::Number(1.0)),
+    ];
+    assert_eq!(
+        refused(&old_excel::workbook(&corner), "a.xls"),
+        "a.xls: the file holds more than 1000000 cells; at most 1000000 can be read"
+    );
+    let near = [(0, 0, Value::Number(1.0)), (4_999, 9, Value::Number(1.0))];
+    assert!(matches!(
+        read(&old_excel::workbook_of(&near, 1), "a.xls")
+            .unwrap_err()
+            .kind(),
+        SurveyErrorKind::NoSurveySheet { .. }
+    ));
+    refused(&old_excel::workbook_of(&near, 40), "a.xls");
+    assert_eq!(
+        refused(&old_excel::workbook_of(&near, 101), "a.xls"),
+        "a.xls: the file holds 101 sheets; at most 100 can be read"
+    );
 }

@@ -1,6 +1,9 @@
 //! Surveys as text, in the ways people keep them.
 
-use wholestring_case::survey::{Column, ImportedSurvey, SurveyErrorKind, read, read_csv};
+use wholestring_case::survey::{
+    Column, ImportedSurvey, Said, SurveyErrorKind, read, read_as, read_csv,
+};
+use wholestring_units::Dimension;
 
 #[track_caller]
 fn survey(text: &str) -> ImportedSurvey {
@@ -94,23 +97,64 @@ fn tabs_titles_comments_quotes_and_empty_rows() {
     noted(&survey, "line 10 is passed over: 'End of survey'");
 }
 
+/// What is said of a file that does not tell its unit.
+fn said(unit: &str) -> Said {
+    Said {
+        length_unit: Some(Dimension::Length.find_unit(unit).unwrap()),
+    }
+}
+
+/// Metres for feet would go unseen: a well a third as deep is a well too.
 #[test]
-fn bare_headers_and_no_header_mean_metres_and_degrees_and_say_so() {
-    let expected = [[0.0, 0.0, 0.0], [30.0, 1.5, 45.0]];
-    let bare = survey("md,inc,azi\n0,0,0\n30,1.5,45\n");
-    assert_stations(&bare, &expected);
-    noted(&bare, "read in m, deg, deg");
+fn lengths_without_a_unit_are_refused_until_it_is_said() {
+    let foot = 0.3048;
+    let in_feet = [[0.0, 0.0, 0.0], [30.0 * foot, 1.5, 45.0]];
     for text in [
         "0,0,0\n30,1.5,45\n",
         "0 0 0\n30 1.5 45\n",
         "0;0;0\n30;1,5;45\n",
         "# x\n0\t0\t0\n30\t1.5\t45",
     ] {
-        let headless = survey(text);
-        assert_stations(&headless, &expected);
+        let error = read_csv(text.as_bytes(), "a.csv").unwrap_err();
+        assert_eq!(error.kind(), &SurveyErrorKind::NoUnits, "{text}");
+        let headless = read_as(text.as_bytes(), "a.csv", &said("ft")).unwrap();
+        assert_stations(&headless, &in_feet);
         noted(&headless, "no header");
-        noted(&headless, "three columns read as measured depth in m");
+        noted(
+            &headless,
+            "three columns read as measured depth in ft as was said",
+        );
     }
+    let text = b"md,inc,azi\n0,0,0\n30,1.5,45\n";
+    let error = read_csv(text, "a.csv").unwrap_err();
+    assert!(
+        matches!(error.kind(), SurveyErrorKind::MissingUnit { .. }),
+        "{error}"
+    );
+    let bare = read_as(text, "a.csv", &said("ft")).unwrap();
+    assert_stations(&bare, &in_feet);
+    noted(&bare, "no unit for measured depth: read in ft as was said");
+    noted(
+        &bare,
+        "no unit for inclination and azimuth: read in degrees",
+    );
+}
+
+#[test]
+fn what_is_said_must_be_what_the_file_tells() {
+    let text = b"MD (m),Inc,Azi\n0,0,0\n30,1.5,45\n";
+    assert!(read_as(text, "a.csv", &said("m")).is_ok());
+    let error = read_as(text, "a.csv", &said("ft")).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "a.csv, line 1, column 1: the measured depth is in 'm' by the file and in 'ft' by what was said; \
+         leave one of them"
+    );
+}
+
+#[test]
+fn angles_without_a_unit_are_degrees_and_say_so() {
+    let expected = [[0.0, 0.0, 0.0], [30.0, 1.5, 45.0]];
     let degrees = survey("MD (m),Inc,Azi\n0,0,0\n30,1.5,45\n");
     assert_stations(&degrees, &expected);
     noted(
@@ -159,6 +203,8 @@ fn the_first_row_ties_the_survey_in() {
 
     let no_depth = survey("MD (m),Inc (deg),Azi (deg),N (m),E (m)\n500,10,45,1,2\n530,10,45,3,4\n");
     assert_eq!(no_depth.tie_in, None);
+    assert_eq!(no_depth.start().tvd_m, 500.0);
+    noted(&no_depth, "the first station is at 500 m");
     noted(&no_depth, "north and east are not used");
     let surface = survey("MD (m),Inc (deg),Azi (deg),N (m),E (m)\n0,10,45,1,2\n530,10,45,3,4\n");
     assert_eq!(surface.tie_in.unwrap().north_m, 1.0);
@@ -179,7 +225,8 @@ fn the_ends_of_the_ranges_are_in_them() {
 
 #[test]
 fn bare_headers_may_have_a_bare_position() {
-    let survey = survey("md,inc,azi,tvd,north,east\n10,0,0,9,1,2\n30,1,1,29,1,2\n");
+    let text = b"md,inc,azi,tvd,north,east\n10,0,0,9,1,2\n30,1,1,29,1,2\n";
+    let survey = read_as(text, "a.csv", &said("m")).unwrap();
     let tie_in = survey.tie_in.unwrap();
     assert_eq!(
         (tie_in.tvd_m, tie_in.north_m, tie_in.east_m),
@@ -283,7 +330,8 @@ fn faults_in_the_header_are_underlined() {
         "Title\nMD;Inc;Azi\n0;0;0\n30;1;1\n",
         "MD",
         "a.csv, line 2, column 1: the measured depth under 'MD' has no unit; \
-         write it in the header, such as 'MD (m)', or in a row below it",
+         write it in the header, such as 'MD (m)', or in a row below it, or say it: \
+         `survey_unit = \"m\"` under [well], `--unit m` for `wholestring survey`",
     );
     refused(
         "MD (bar),Inc,Azi\n0,0,0\n30,1,1\n",
@@ -313,7 +361,8 @@ fn faults_in_the_header_are_underlined() {
         "MD (m),Inc,Azi,TVD\n0,0,0,0\n30,1,1,30\n",
         "TVD",
         "a.csv, line 1, column 16: the true vertical depth under 'TVD' has no unit; \
-         write it in the header, such as 'TVD (m)', or in a row below it",
+         write it in the header, such as 'TVD (m)', or in a row below it, or say it: \
+         `survey_unit = \"m\"` under [well], `--unit m` for `wholestring survey`",
     );
 }
 
@@ -439,5 +488,35 @@ fn files_that_are_no_survey_get_a_sentence() {
         message(b"MD (m),Inc,Azi\n", "a.xlsx").starts_with("a.xlsx: the workbook cannot be read")
     );
     // Text under the name of a workbook is common.
-    assert!(read(b"md\tinc\tazi\n0\t0\t0\n9\t0\t0\n", "a.xls").is_ok());
+    assert!(read(b"md_m\tinc\tazi\n0\t0\t0\n9\t0\t0\n", "a.xls").is_ok());
+}
+
+#[test]
+fn depths_from_the_kelly_bushing_are_in_feet() {
+    let foot = 0.3048;
+    let expected = [[0.0, 0.0, 0.0], [100.0 * foot, 1.0, 45.0]];
+    for text in [
+        "MD (ftKB),Inc,Azi\n0,0,0\n100,1,45\n",
+        "MD ftKB,Inc,Azi\n0,0,0\n100,1,45\n",
+        "MD,Inc,Azi\nftRKB,deg,deg\n0,0,0\n100,1,45\n",
+        "Depth [ft MD],Inc,Azi,TVD (ftTVDKB)\n0,0,0,0\n100,1,45,100\n",
+    ] {
+        assert_stations(&survey(text), &expected);
+    }
+}
+
+/// A text that is all signs or all ends of lines makes a table a hundred times as large as itself.
+#[test]
+fn texts_with_more_cells_than_any_survey_are_refused() {
+    for (text, message) in [
+        (",".repeat(1_000_000), "1000001 cells; at most 1000000"),
+        ("x\r\n".repeat(200_000), "200001 lines; at most 200000"),
+        (" 1".repeat(1_000_000), "1000001 cells; at most 1000000"),
+    ] {
+        let error = read_csv(text.as_bytes(), "a.csv").unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            format!("a.csv: the file holds {message} can be read")
+        );
+    }
 }

@@ -5,7 +5,7 @@ use std::{num::NonZeroUsize, path::PathBuf, str::FromStr, thread, time::Duration
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use wholestring::well::Interpolation;
 use wholestring_case::Override;
-use wholestring_units::{Dimension, UnitSet};
+use wholestring_units::{Dimension, Unit, UnitSet};
 
 /// Torque, drag and dynamics of a whole drill string in a deviated well.
 #[derive(Debug, Parser)]
@@ -288,6 +288,10 @@ pub(crate) struct SurveyArgs {
     #[arg(short, long, value_name = "OUT.csv")]
     pub(crate) output: Option<PathBuf>,
 
+    /// Unit of the lengths in the survey, such as ft, where the file does not tell it
+    #[arg(long, value_name = "UNIT", value_parser = length_unit)]
+    pub(crate) unit: Option<&'static Unit>,
+
     /// Curve between the stations
     #[arg(long, value_enum, default_value_t = PathKind::MinimumCurvature)]
     pub(crate) path: PathKind,
@@ -368,6 +372,13 @@ fn interval(text: &str) -> Result<Duration, String> {
     } else {
         Err("expected 0.01 s to 86400 s".to_owned())
     }
+}
+
+fn length_unit(text: &str) -> Result<&'static Unit, String> {
+    Dimension::Length.find_unit(text).ok_or_else(|| {
+        let units = Dimension::Length.units().iter().map(|unit| unit.symbol);
+        format!("expected one of {}", units.collect::<Vec<_>>().join(", "))
+    })
 }
 
 fn length(text: &str) -> Result<f64, String> {

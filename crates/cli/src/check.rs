@@ -15,9 +15,10 @@ use crate::{args::CheckArgs, failure::Failure, load, say};
 pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     let case = load(&args.case, false)?;
     say(&format!(
-        "{} is sound: {}\n{}{}",
+        "{} is sound: {}\n{}{}{}",
         args.case.case.display(),
         outline(&case),
+        survey(&case),
         case.drilling()
             .map_or_else(String::new, |spec| rock(spec, &case)),
         case.bit_test
@@ -43,6 +44,12 @@ fn outline(case: &Case) -> String {
         list(models),
         Dimension::Length.format(depth, case.units),
     )
+}
+
+/// How the survey was understood.
+fn survey(case: &Case) -> String {
+    let notes = case.survey_notes.iter();
+    notes.map(|note| format!("survey: {note}\n")).collect()
 }
 
 /// The rock and the bit's face, and how the bit is expected to drill.

@@ -85,6 +85,14 @@ impl<'a> Laid<'a> {
         let read = |text: &str| serde_json::from_str(text).map_err(|e| e.to_string());
         let (identity, settings): (Value, Value) = (read(&laid.identity)?, read(&laid.settings)?);
         let here = case.identity();
+        if let Some(under_way) = &laid.under_way
+            && Duration::try_from_secs_f64(under_way.wall_time_s).is_err()
+        {
+            let place = folder.path().display();
+            return Err(format!(
+                "the checkpoint in {place} is damaged: its time on the clock"
+            ));
+        }
         if identity == here {
             return Ok(Some(laid));
         }

@@ -4,8 +4,8 @@ use std::{fs, io, path::Path};
 
 use wholestring::well::{Interpolation, Path as WellPath};
 use wholestring_case::{
-    Diagnostic, Label, Place, Report, Severity, Source,
-    survey::{self, ImportedSurvey, SurveyError},
+    Diagnostic, Label, Place, Report, Severity, Source, read_file,
+    survey::{self, ImportedSurvey, Said, SurveyError},
 };
 
 use crate::{args::SurveyArgs, color, failure::Failure, say, tell};
@@ -24,13 +24,15 @@ const COLUMNS: [&str; 7] = [
 
 pub(crate) fn survey(args: &SurveyArgs) -> Result<(), Failure> {
     let file = args.survey.display();
-    let survey = read(&args.survey)?;
+    let said = Said {
+        length_unit: args.unit,
+    };
+    let survey = read(&args.survey, &said)?;
     for note in &survey.notes {
         tell(&format!("note: {note}\n"));
     }
     let interpolation = Interpolation::from(args.path);
-    let tie_in = survey.tie_in.unwrap_or_default();
-    let path = WellPath::new(&survey.stations, interpolation, tie_in)
+    let path = WellPath::new(&survey.stations, interpolation, survey.start())
         .map_err(|error| Failure::BadInput(format!("error: {file}: {error}")))?;
     let text = rows(&path, args.step);
     match &args.output {
@@ -41,22 +43,16 @@ pub(crate) fn survey(args: &SurveyArgs) -> Result<(), Failure> {
     }
 }
 
-fn read(path: &Path) -> Result<ImportedSurvey, Failure> {
+fn read(path: &Path, said: &Said) -> Result<ImportedSurvey, Failure> {
     let name = path.display().to_string();
     let unreadable = |reason: &str| {
         Failure::BadInput(format!("error: the survey {name} cannot be read: {reason}"))
     };
-    // A pipe or a device could block for ever.
-    match fs::metadata(path) {
-        Ok(about) if about.is_dir() => return Err(unreadable("it is a folder")),
-        Ok(about) if !about.is_file() => return Err(unreadable("it is no regular file")),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => {
-            return Err(unreadable("there is no such file"));
-        }
-        _ => {}
-    }
-    let bytes = fs::read(path).map_err(|error| unreadable(&error.to_string()))?;
-    survey::read(&bytes, &name).map_err(|error| match report(&error) {
+    let bytes = read_file(path).map_err(|error| match error.kind() {
+        io::ErrorKind::NotFound => unreadable("there is no such file"),
+        _ => unreadable(&error.to_string()),
+    })?;
+    survey::read_as(&bytes, &name, said).map_err(|error| match report(&error) {
         Some(report) => Failure::BadInput(report.render(color())),
         None => Failure::BadInput(format!("error: {error}")),
     })

@@ -9,8 +9,10 @@
 //! clockwise looking down the hole.
 #![warn(missing_docs)]
 
+mod damage;
 pub mod dynamics;
 pub mod findings;
+mod finite;
 pub mod model;
 pub mod mud;
 pub mod operation;
@@ -23,6 +25,8 @@ pub mod statics;
 pub mod string;
 pub mod wall;
 pub mod well;
+
+pub use damage::Damaged;
 
 /// Standard acceleration of gravity, m/s² (CGPM 1901, exact by definition).
 pub const GRAVITY_M_PER_S2: f64 = 9.80665;

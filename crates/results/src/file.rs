@@ -2,7 +2,7 @@
 
 use std::{
     fs::{self, File},
-    io::{self, BufWriter, Write},
+    io::{self, BufWriter, Read, Write},
     path::{Path, PathBuf},
 };
 
@@ -32,6 +32,23 @@ pub(crate) fn write_whole(
             source,
         }
     })
+}
+
+/// Reads a file that holds no more than so many bytes.
+pub(crate) fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, ResultsError> {
+    let unreadable = |source| ResultsError::Read {
+        path: path.to_owned(),
+        source,
+    };
+    let file = File::open(path).map_err(unreadable)?;
+    let mut bytes = Vec::new();
+    let read = file.take(most + 1).read_to_end(&mut bytes);
+    read.map_err(unreadable)?;
+    if bytes.len() as u64 > most {
+        let reason = format!("it holds more than {} MB", most >> 20);
+        return Err(ResultsError::format(path, reason));
+    }
+    Ok(bytes)
 }
 
 /// Where [`write_whole`] writes before the file takes its name; a killed program leaves it.

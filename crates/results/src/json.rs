@@ -1,10 +1,16 @@
 //! JSON files with a version of their layout.
 
-use std::{fs::File, io::BufReader, io::Write, path::Path};
+use std::{io::Write, path::Path};
 
 use serde::{Serialize, de::DeserializeOwned};
 
-use crate::{ResultsError, file::write_whole};
+use crate::{
+    ResultsError,
+    file::{read_at_most, write_whole},
+};
+
+/// More than any summary holds, bytes: as a tree it is sixteen times as large.
+const LARGEST: u64 = 32 << 20;
 
 /// Writes a value as indented JSON.
 pub(crate) fn write_json(value: &impl Serialize, path: &Path) -> Result<(), ResultsError> {
@@ -19,12 +25,9 @@ pub(crate) fn read_versioned<T: DeserializeOwned>(
     path: &Path,
     expected: u32,
 ) -> Result<T, ResultsError> {
-    let file = File::open(path).map_err(|source| ResultsError::Read {
-        path: path.to_owned(),
-        source,
-    })?;
-    let value: serde_json::Value = serde_json::from_reader(BufReader::new(file))
-        .map_err(|error| ResultsError::format(path, error))?;
+    let bytes = read_at_most(path, LARGEST)?;
+    let value: serde_json::Value =
+        serde_json::from_slice(&bytes).map_err(|error| ResultsError::format(path, error))?;
     // Before anything else, so that a newer file is not called malformed.
     match value.get("schema_version").and_then(|v| v.as_u64()) {
         Some(version) if version == u64::from(expected) => {}

@@ -13,13 +13,16 @@ mod error;
 mod file;
 mod finding;
 mod folder;
+mod formula;
 mod frames;
 mod hold;
 mod json;
 mod parquet_file;
+mod parquet_guard;
 mod spectrum;
 mod summary;
 mod table;
+mod thrift;
 
 pub use bit_test::{BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
 pub use columns::{BIT_TEST, BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};

@@ -19,7 +19,9 @@ use parquet::{
     schema::types::Type,
 };
 
-use crate::{Column, Data, ResultsError, Table, file::write_whole};
+use wholestring_contain::contain;
+
+use crate::{Column, Data, ResultsError, Table, file::write_whole, parquet_guard};
 
 /// Key of a column's unit and meaning in the file's metadata.
 fn key(column: &str, what: &str) -> String {
@@ -130,9 +132,9 @@ fn write_column<W: io::Write + Send>(
 }
 
 pub(crate) fn read(path: &Path) -> Result<Table, ResultsError> {
-    let reader = open(path)?;
-    let all = 0..reader.num_row_groups();
-    read_some(&reader, |_| true, all).map_err(|error| ResultsError::format(path, error))
+    let opened = Opened::new(path)?;
+    let all = 0..opened.reader.num_row_groups();
+    opened.read_some(|_| true, all)
 }
 
 /// Reads columns of these names, as far as the file has them, one row group after the other.
@@ -141,24 +143,69 @@ pub(crate) fn read_groups(
     names: &[&str],
     mut take: impl FnMut(Table),
 ) -> Result<(), ResultsError> {
-    let reader = open(path)?;
-    for group in 0..reader.num_row_groups() {
-        let table = read_some(&reader, |name| names.contains(&name), group..group + 1);
-        take(table.map_err(|error| ResultsError::format(path, error))?);
+    let opened = Opened::new(path)?;
+    for group in 0..opened.reader.num_row_groups() {
+        take(opened.read_some(|name| names.contains(&name), group..group + 1)?);
     }
     Ok(())
 }
 
-fn open(path: &Path) -> Result<SerializedFileReader<File>, ResultsError> {
+/// Calls the reader of Parquet, which is not ours and panics at some of what a damaged file holds.
+pub(crate) fn guarded<T>(
+    path: &Path,
+    of: impl FnOnce() -> Result<T, ParquetError>,
+) -> Result<T, ResultsError> {
+    match contain(of) {
+        Ok(done) => done.map_err(|error| ResultsError::format(path, error)),
+        Err(_) => Err(ResultsError::format(path, "it is damaged")),
+    }
+}
+
+/// Opens a file and sees that its footer is sound.
+pub(crate) fn open(path: &Path) -> Result<File, ResultsError> {
     let file = File::open(path).map_err(|source| ResultsError::Read {
         path: path.to_owned(),
         source,
     })?;
-    SerializedFileReader::new(file).map_err(|error| ResultsError::format(path, error))
+    parquet_guard::footer(&file).map_err(|reason| ResultsError::format(path, reason))?;
+    Ok(file)
 }
 
-/// Columns whose names are wanted, of some row groups.
-fn read_some(
+/// A file that is being read.
+struct Opened<'a> {
+    path: &'a Path,
+    file: File,
+    reader: SerializedFileReader<File>,
+}
+
+impl<'a> Opened<'a> {
+    fn new(path: &'a Path) -> Result<Self, ResultsError> {
+        let file = open(path)?;
+        let reader = guarded(path, || SerializedFileReader::new(file.try_clone()?))?;
+        Ok(Self { path, file, reader })
+    }
+
+    /// Columns whose names are wanted, of some row groups.
+    fn read_some(
+        &self,
+        wanted: impl Fn(&str) -> bool,
+        groups: Range<usize>,
+    ) -> Result<Table, ResultsError> {
+        let schema = self.reader.metadata().file_metadata().schema_descr();
+        let columns: Vec<(usize, bool)> = schema
+            .columns()
+            .iter()
+            .enumerate()
+            .filter(|(_, field)| wanted(field.name()))
+            .map(|(index, field)| (index, field.physical_type() == PhysicalType::BYTE_ARRAY))
+            .collect();
+        parquet_guard::columns(&self.file, &self.reader, groups.clone(), &columns)
+            .map_err(|reason| ResultsError::format(self.path, reason))?;
+        guarded(self.path, || read_columns(&self.reader, wanted, groups))
+    }
+}
+
+fn read_columns(
     reader: &SerializedFileReader<File>,
     wanted: impl Fn(&str) -> bool,
     groups: Range<usize>,
@@ -172,7 +219,8 @@ fn read_some(
             .and_then(|note| note.value.clone())
             .unwrap_or_default()
     };
-    let mut columns = Vec::new();
+    let mut columns: Vec<Column> = Vec::new();
+    let mut text_left = parquet_guard::MOST_TEXT;
     let fields = metadata.schema_descr().columns().iter().enumerate();
     for (index, field) in fields.filter(|(_, field)| wanted(field.name())) {
         let data = match field.physical_type() {
@@ -198,14 +246,27 @@ fn read_some(
         for group in groups.clone() {
             let rows = reader.metadata().row_group(group).num_rows() as usize;
             let reader = reader.get_row_group(group)?.get_column_reader(index)?;
-            read_column(reader, rows, &mut column)?;
+            let before = column.data.len();
+            read_column(reader, rows, &mut column, &mut text_left)?;
+            let found = column.data.len() - before;
+            if found != rows {
+                return Err(ParquetError::General(format!(
+                    "column `{}` has {found} values for {rows} rows",
+                    column.name
+                )));
+            }
         }
         columns.push(column);
     }
     Ok(Table::new(columns))
 }
 
-fn read_column(reader: ColumnReader, rows: usize, column: &mut Column) -> Result<(), ParquetError> {
+fn read_column(
+    reader: ColumnReader,
+    rows: usize,
+    column: &mut Column,
+    text_left: &mut usize,
+) -> Result<(), ParquetError> {
     match (reader, &mut column.data) {
         (ColumnReader::DoubleColumnReader(reader), Data::Number(all)) => {
             read_numbers(reader, rows, all)?;
@@ -226,6 +287,11 @@ fn read_column(reader: ColumnReader, rows: usize, column: &mut Column) -> Result
                 }
             }
             for word in words {
+                // A dictionary's word may stand in every row.
+                *text_left = text_left.checked_sub(word.len()).ok_or_else(|| {
+                    let most = parquet_guard::MOST_TEXT >> 20;
+                    ParquetError::General(format!("it holds more than {most} MB of text"))
+                })?;
                 all.push(word.as_utf8()?.to_owned());
             }
         }

@@ -4,7 +4,15 @@ use std::{io, path::Path};
 
 use serde::{Deserialize, Serialize};
 
-use crate::{ColumnSpec, ResultsError, file::write_whole, parquet_file};
+use crate::{
+    ColumnSpec, ResultsError,
+    file::{read_at_most, write_whole},
+    formula, parquet_file,
+};
+
+/// More than any table that is read back from CSV holds.
+const LARGEST_CSV: u64 = 64 << 20;
+const MOST_CELLS: usize = 8_000_000;
 
 /// The values of one column.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -45,8 +53,28 @@ pub struct Column {
 
 /// A table: columns of equal length.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Unchecked")]
 pub struct Table {
     columns: Vec<Column>,
+}
+
+/// A table as it is stored.
+#[derive(Deserialize)]
+struct Unchecked {
+    columns: Vec<Column>,
+}
+
+impl TryFrom<Unchecked> for Table {
+    type Error = &'static str;
+
+    fn try_from(stored: Unchecked) -> Result<Self, Self::Error> {
+        let columns = stored.columns;
+        let rows = columns.first().map_or(0, |first| first.data.len());
+        if columns.iter().any(|column| column.data.len() != rows) {
+            return Err("its columns differ in length");
+        }
+        Ok(Self { columns })
+    }
 }
 
 impl Table {
@@ -110,6 +138,18 @@ impl Table {
         }
     }
 
+    /// Whether another table has the same columns: their names, units and kinds.
+    pub fn is_like(&self, other: &Self) -> bool {
+        let about = |column: &Column| {
+            let is_text = matches!(column.data, Data::Text(_));
+            (column.name.clone(), column.unit.clone(), is_text)
+        };
+        self.columns
+            .iter()
+            .map(about)
+            .eq(other.columns.iter().map(about))
+    }
+
     /// The columns, in the order of the file.
     pub fn columns(&self) -> &[Column] {
         &self.columns
@@ -146,7 +186,8 @@ impl Table {
     }
 
     /// Writes the table as CSV: a header row of column names, numbers with the digits that make them
-    /// exact, nothing where a number does not apply.
+    /// exact, nothing where a number does not apply. A text that a spreadsheet would take for a formula gets
+    /// an apostrophe before it, which [`Table::read_csv`] takes away again.
     pub fn write_csv(&self, path: &Path) -> Result<(), ResultsError> {
         write_whole(path, |writer| {
             let mut csv = csv::Writer::from_writer(writer);
@@ -156,23 +197,29 @@ impl Table {
     }
 
     /// Reads back a CSV file, every column as words.
+    ///
+    /// # Errors
+    /// A file that cannot be read, is no table, or holds more than 64 MB or 8 million cells.
     pub fn read_csv(path: &Path) -> Result<Self, ResultsError> {
-        let bytes = std::fs::read(path).map_err(|source| ResultsError::Read {
-            path: path.to_owned(),
-            source,
-        })?;
+        let bytes = read_at_most(path, LARGEST_CSV)?;
         let mut csv = csv::Reader::from_reader(&bytes[..]);
         let malformed = |error: csv::Error| ResultsError::format(path, error);
         let names = csv.headers().map_err(malformed)?.clone();
         let mut columns: Vec<Vec<String>> = vec![Vec::new(); names.len()];
+        let mut cells = 0;
         for record in csv.records() {
+            cells += columns.len();
+            if cells > MOST_CELLS {
+                let reason = format!("it holds more than {MOST_CELLS} cells");
+                return Err(ResultsError::format(path, reason));
+            }
             for (column, cell) in columns.iter_mut().zip(&record.map_err(malformed)?) {
-                column.push(cell.to_owned());
+                column.push(formula::unguarded(cell).to_owned());
             }
         }
         let columns = names.iter().zip(columns);
         let column = |(name, words): (&str, Vec<String>)| Column {
-            name: name.to_owned(),
+            name: formula::unguarded(name).to_owned(),
             unit: String::new(),
             meaning: String::new(),
             data: Data::Text(words),
@@ -181,7 +228,8 @@ impl Table {
     }
 
     fn write_records(&self, csv: &mut csv::Writer<impl io::Write>) -> csv::Result<()> {
-        csv.write_record(self.columns.iter().map(|column| &column.name))?;
+        let names = self.columns.iter().map(|column| column.name.as_str());
+        csv.write_record(names.map(|name| formula::guarded(name).into_owned()))?;
         for row in 0..self.rows() {
             for column in &self.columns {
                 match &column.data {
@@ -189,7 +237,7 @@ impl Table {
                         Some(value) => csv.write_field(value.to_string())?,
                         None => csv.write_field("")?,
                     },
-                    Data::Text(values) => csv.write_field(&values[row])?,
+                    Data::Text(values) => csv.write_field(&*formula::guarded(&values[row]))?,
                 }
             }
             csv.write_record(None::<&[u8]>)?;

@@ -226,8 +226,15 @@ impl Dimension {
     /// Capitals count first (`mPa.s` against `MPa`); where no unit has exactly these, a unit with
     /// other capitals is found if it is the only one (`KN`, `RPM`). Milli and mega are never
     /// taken for each other.
+    ///
+    /// A unit of length may tell, as depths do, from where and along what it is measured: `ftKB`, `m MD`,
+    /// `mTVDRT`.
     pub fn find_unit(self, symbol: &str) -> Option<&'static Unit> {
-        symbol::find(self.units(), symbol)
+        let depth = || match self {
+            Dimension::Length => symbol::find_depth(self.units(), symbol),
+            _ => None,
+        };
+        symbol::find(self.units(), symbol).or_else(depth)
     }
 
     /// Reads a number and a unit, and returns the value in SI.

@@ -77,6 +77,33 @@ pub(crate) fn find<'a>(units: &'a [Unit], written: &str) -> Option<&'a Unit> {
     }
 }
 
+/// From where and along what a depth is measured: measured depth or true vertical depth or along the hole, from the
+/// kelly bushing, rotary table, derrick floor or ground level. Depths below the sea are not among them: their zero
+/// is elsewhere.
+const DEPTHS: &[&str] = &[
+    "md", "tvd", "ah", "brkb", "rkb", "bkb", "kb", "brte", "rte", "brt", "rt", "bdf", "df", "bgl",
+    "gl",
+];
+
+/// The unit before such words: of `ftKB` it is `ft`.
+pub(crate) fn find_depth<'a>(units: &'a [Unit], written: &str) -> Option<&'a Unit> {
+    if written.len() > LONGEST {
+        return None;
+    }
+    let bare = bare(written);
+    let mut rest = bare.as_str();
+    while let Some(shorter) = DEPTHS.iter().find_map(|word| {
+        let (head, tail) = rest.split_at_checked(rest.len().checked_sub(word.len())?)?;
+        (!head.is_empty() && tail.eq_ignore_ascii_case(word)).then_some(head)
+    }) {
+        rest = shorter;
+        if let Some(unit) = find(units, rest) {
+            return Some(unit);
+        }
+    }
+    None
+}
+
 /// Equal but for capitals, milli and mega kept apart: `KN` is `kN`, but `mN` is not `MN`.
 fn same_but_for_capitals(spelling: &str, written: &str) -> bool {
     if !spelling.eq_ignore_ascii_case(written) {
@@ -118,6 +145,38 @@ pub(crate) fn nearest(units: &'static [Unit], written: &str) -> Option<&'static 
 #[cfg(test)]
 mod tests {
     use super::bare;
+    use crate::Dimension;
+
+    #[test]
+    fn depths_tell_from_where_they_are_measured() {
+        let length = |text: &str| Dimension::Length.find_unit(text).map(|unit| unit.symbol);
+        for text in [
+            "ftKB", "ft KB", "FTKB", "ftRKB", "ftMD", "ft MD RT", "ftMDBRT", "ft TVD",
+        ] {
+            assert_eq!(length(text), Some("ft"), "{text}");
+        }
+        for text in [
+            "mKB", "mMD", "m MD", "m RT", "mTVDRKB", "mBRT", "mAH", "mGL",
+        ] {
+            assert_eq!(length(text), Some("m"), "{text}");
+        }
+        assert_eq!(length("usftKB"), Some("usft"));
+        // Words alone, depths below the sea, and what is no unit before the words.
+        for text in [
+            "KB",
+            "MD",
+            "mSS",
+            "ftMSL",
+            "mTVDSS",
+            "furlongKB",
+            "cmd",
+            "kbm",
+        ] {
+            assert_eq!(length(text), None, "{text}");
+        }
+        assert_eq!(Dimension::Length.parse("1000 ftKB"), Ok(304.8));
+        assert_eq!(Dimension::Diameter.find_unit("inKB"), None);
+    }
 
     #[test]
     fn spellings_of_a_product_have_one_bare_form() {

@@ -164,7 +164,12 @@ fn data<'a>(
 /// The headings of a line, one per column; a column without one has an empty cell.
 fn headings(text: &str, line: &Range<usize>, columns: &[Range<usize>]) -> Vec<Range<usize>> {
     let phrases = phrases(text, line);
-    let words = words(text, line);
+    let mut words = words(text, line);
+    // Headings may stand in a comment.
+    let is_sign = |word: &Range<usize>| matches!(&text[word.clone()], "#" | "%" | "//");
+    if words.len() == columns.len() + 1 && is_sign(&words[0]) {
+        words.remove(0);
+    }
     if phrases.len() == columns.len() {
         return phrases;
     }

@@ -1,10 +1,15 @@
-//! The guard before old workbooks (`.xls`).
+//! The file around old workbooks (`.xls`): a compound file of sectors, of which the stream of the workbook is taken
+//! out, and put into a new one that is sound.
 //!
-//! The reader of workbooks makes room for as many cells as the file claims. A damaged claim can ask
-//! for more memory than there is, which ends the program and not only the reading. So the claims
-//! are checked first against the limits of the format: 65 536 rows, 256 columns.
+//! The reader of workbooks follows the chains of sectors without end and trusts their lengths. So it is
+//! given a file that was written here.
 //!
-//! Formats: \[MS-CFB\] Compound File Binary File Format, \[MS-XLS\] Excel Binary File Format.
+//! Format: \[MS-CFB\] Compound File Binary File Format.
+
+use std::collections::HashSet;
+
+use super::error::SurveyErrorKind;
+use super::limits::{self, too_much};
 
 /// Streams below this size stand in the mini stream, in sectors of [`MINI_SECTOR`] bytes.
 const MINI_STREAM: usize = 4096;
@@ -13,137 +18,186 @@ const MINI_SECTOR: usize = 64;
 /// Ids from here on are marks and no sectors.
 const LAST_SECTOR: u32 = 0xffff_fffa;
 
-/// Rows and columns of a sheet.
-const ROWS: u32 = 65_536;
-const COLUMNS: u16 = 256;
+/// Marks: a sector of the table of sectors, the end of a chain, a free sector.
+const TABLE: u32 = 0xffff_fffd;
+const END: u32 = 0xffff_fffe;
+const FREE: u32 = 0xffff_ffff;
 
-/// Whether every cell of the workbook, and every claim of how many there are, is within the limits
-/// of the format. A file without a workbook's stream is not.
-pub(super) fn is_plausible(bytes: &[u8]) -> bool {
-    let Some(stream) = workbook_stream(bytes) else {
-        return false;
-    };
-    let mut sheets = Vec::new();
-    for (kind, data) in Records(&stream) {
-        match kind {
-            0x0085 => sheets.extend(u32_at(data, 0)),
-            0x000a => break,
-            _ => {}
-        }
-    }
-    sheets.iter().all(|&start| {
-        let start = (start as usize).min(stream.len());
-        Records(&stream[start..]).all(|(kind, data)| is_within_limits(kind, data))
-    })
-}
-
-fn is_within_limits(kind: u16, data: &[u8]) -> bool {
-    let column = |at| u16_at(data, at).is_none_or(|column| column < COLUMNS);
-    match kind {
-        // Number, Label, RString, BoolErr, RK, LabelSst, Formula: row, column.
-        0x0203 | 0x0204 | 0x00d6 | 0x0205 | 0x027e | 0x00fd | 0x0006 => column(2),
-        // MulRk: row, first column, values, last column.
-        0x00bd => column(2) && data.len().checked_sub(2).is_none_or(column),
-        // Dimensions: first row, row after the last, first column, column after the last.
-        0x0200 => {
-            let (first, after, columns) = if data.len() < 14 {
-                let wide = |at| u16_at(data, at).map(u32::from);
-                (wide(0), wide(2), u16_at(data, 6))
-            } else {
-                (u32_at(data, 0), u32_at(data, 4), u16_at(data, 10))
-            };
-            after.is_none_or(|after| after <= ROWS && (after == 0 || first < Some(after)))
-                && columns.is_none_or(|columns| columns <= COLUMNS)
-        }
-        _ => true,
-    }
-}
-
-/// The records of a stream: their kind and data.
-struct Records<'a>(&'a [u8]);
-
-impl<'a> Iterator for Records<'a> {
-    type Item = (u16, &'a [u8]);
-
-    fn next(&mut self) -> Option<Self::Item> {
-        let kind = u16_at(self.0, 0)?;
-        let length = usize::from(u16_at(self.0, 2)?);
-        let data = self.0.get(4..4 + length)?;
-        self.0 = &self.0[4 + length..];
-        Some((kind, data))
-    }
-}
+/// What every compound file begins with.
+pub(super) const MARK: &[u8; 8] = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1";
 
 /// The stream in a compound file that holds the workbook.
-fn workbook_stream(bytes: &[u8]) -> Option<Vec<u8>> {
-    let size = match u16_at(bytes, 30)? {
-        9 => 512,
-        12 => 4096,
-        _ => return None,
-    };
-    let sector = |id: u32| {
-        let start = (id as usize).checked_add(1)?.checked_mul(size)?;
-        let end = bytes.len().min(start.checked_add(size)?);
-        bytes.get(start..end)
-    };
-
-    // The header names the first 109 sectors of the table of sectors; a chain names the rest.
-    let mut table_sectors: Vec<u32> = (0..109).filter_map(|i| u32_at(bytes, 76 + 4 * i)).collect();
-    let mut more = u32_at(bytes, 68)?;
-    for _ in 0..bytes.len() / size {
-        if more >= LAST_SECTOR {
-            break;
-        }
-        let ids = sector(more)?;
-        let mut ids: Vec<u32> = (0..ids.len() / 4)
-            .filter_map(|i| u32_at(ids, 4 * i))
-            .collect();
-        more = ids.pop()?;
-        table_sectors.extend(ids);
-    }
-    let table: Vec<u32> = table_sectors
-        .into_iter()
-        .filter(|&id| id < LAST_SECTOR)
-        .filter_map(sector)
-        .flat_map(numbers)
-        .collect();
-
-    let directory = chain(u32_at(bytes, 48)?, &table, sector);
+pub(super) fn workbook_stream(bytes: &[u8]) -> Result<Vec<u8>, SurveyErrorKind> {
+    let file = File::open(bytes).ok_or_else(|| damaged("it is no compound file"))?;
+    let directory = file.chain(u32_at(bytes, 48), &file.table)?;
     let entries: Vec<&[u8]> = directory.chunks_exact(128).collect();
     let entry = ["Workbook", "Book"]
         .iter()
-        .find_map(|name| entries.iter().find(|entry| has_name(entry, name)))?;
-    let (start, length) = (u32_at(entry, 116)?, u32_at(entry, 120)? as usize);
+        .find_map(|name| entries.iter().find(|entry| has_name(entry, name)))
+        .ok_or_else(|| damaged("it holds no workbook"))?;
+    let length = u32_at(entry, 120).unwrap_or(0) as usize;
+    if length > limits::STREAM_BYTES {
+        let [found, most] =
+            [length, limits::STREAM_BYTES].map(|bytes| format!("{} MB", bytes >> 20));
+        return Err(too_much(found, "of records", most));
+    }
+    let start = u32_at(entry, 116);
     let mut stream = if length < MINI_STREAM {
-        let mini = chain(u32_at(entries.first()?, 116)?, &table, sector);
-        let table: Vec<u32> = numbers(&chain(u32_at(bytes, 60)?, &table, sector)).collect();
-        let mini_sector = |id: u32| {
+        let mini = file.chain(u32_at(entries[0], 116), &file.table)?;
+        let table = file.chain(u32_at(bytes, 60), &file.table)?;
+        let table: Vec<u32> = numbers(&table).collect();
+        let sector = |id: u32| {
             let start = (id as usize).checked_mul(MINI_SECTOR)?;
             mini.get(start..mini.len().min(start.checked_add(MINI_SECTOR)?))
         };
-        chain(start, &table, mini_sector)
+        chain(start, &table, sector)?
     } else {
-        chain(start, &table, sector)
+        file.chain(start, &file.table)?
     };
     stream.truncate(length);
-    (!stream.is_empty()).then_some(stream)
+    if stream.is_empty() {
+        return Err(damaged("its workbook is empty"));
+    }
+    Ok(stream)
 }
 
-/// The bytes of a chain of sectors. One that runs in a circle ends after as many as there are.
-fn chain<'a>(start: u32, table: &[u32], sector: impl Fn(u32) -> Option<&'a [u8]>) -> Vec<u8> {
-    let mut bytes = Vec::new();
-    let mut id = start;
-    for _ in 0..table.len() {
-        let Some(sector) = (id < LAST_SECTOR).then(|| sector(id)).flatten() else {
-            break;
+fn damaged(reason: &str) -> SurveyErrorKind {
+    SurveyErrorKind::NotAWorkbook {
+        reason: reason.to_owned(),
+    }
+}
+
+/// A compound file and its table of sectors: which one follows each.
+struct File<'a> {
+    bytes: &'a [u8],
+    sector: usize,
+    table: Vec<u32>,
+}
+
+impl<'a> File<'a> {
+    fn open(bytes: &'a [u8]) -> Option<Self> {
+        if !bytes.starts_with(MARK) {
+            return None;
+        }
+        let mut file = Self {
+            bytes,
+            sector: match u16_at(bytes, 30)? {
+                9 => 512,
+                12 => 4096,
+                _ => return None,
+            },
+            table: Vec::new(),
         };
+        // The header names the first 109 sectors of the table; a chain of sectors names the rest.
+        let mut named: Vec<u32> = (0..109).filter_map(|i| u32_at(bytes, 76 + 4 * i)).collect();
+        let mut more = u32_at(bytes, 68)?;
+        for _ in 0..bytes.len() / file.sector {
+            if more >= LAST_SECTOR {
+                break;
+            }
+            let mut ids: Vec<u32> = numbers(file.sector(more)?).collect();
+            more = ids.pop()?;
+            named.extend(ids);
+        }
+        // A sector that is named twice would make the table larger than the file.
+        let mut seen = HashSet::new();
+        for id in named.into_iter().filter(|id| *id < LAST_SECTOR) {
+            if !seen.insert(id) {
+                return None;
+            }
+            if let Some(sector) = file.sector(id) {
+                file.table.extend(numbers(sector));
+            }
+        }
+        Some(file)
+    }
+
+    fn sector(&self, id: u32) -> Option<&'a [u8]> {
+        let start = (id as usize).checked_add(1)?.checked_mul(self.sector)?;
+        let end = self.bytes.len().min(start.checked_add(self.sector)?);
+        self.bytes.get(start..end)
+    }
+
+    fn chain(&self, start: Option<u32>, table: &[u32]) -> Result<Vec<u8>, SurveyErrorKind> {
+        chain(start, table, |id| self.sector(id))
+    }
+}
+
+/// The bytes of a chain of sectors, which ends with the file at the latest.
+fn chain<'a>(
+    start: Option<u32>,
+    table: &[u32],
+    sector: impl Fn(u32) -> Option<&'a [u8]>,
+) -> Result<Vec<u8>, SurveyErrorKind> {
+    let mut bytes = Vec::new();
+    let mut id = start.unwrap_or(END);
+    let mut met = 0;
+    while id < LAST_SECTOR {
+        met += 1;
+        if met > table.len() {
+            return Err(damaged("its sectors run in a circle"));
+        }
+        let Some(sector) = sector(id) else { break };
         bytes.extend_from_slice(sector);
         let Some(&next) = table.get(id as usize) else {
             break;
         };
         id = next;
     }
-    bytes
+    Ok(bytes)
+}
+
+/// A compound file that holds nothing but this stream of a workbook.
+pub(super) fn file_of(stream: &[u8]) -> Vec<u8> {
+    const SECTOR: usize = 4096;
+    const PER_SECTOR: usize = SECTOR / 4;
+    let length = stream.len().max(MINI_STREAM);
+    let sectors = length.div_ceil(SECTOR);
+    // One more for the directory, and those of the table itself: at most 109 would do for 450 MB.
+    let tables = (sectors + 1).div_ceil(PER_SECTOR - 1);
+    let [directory_at, stream_at] = [tables as u32, tables as u32 + 1];
+
+    let mut file = vec![0; SECTOR];
+    let mut put = |at: usize, bytes: &[u8]| file[at..at + bytes.len()].copy_from_slice(bytes);
+    put(0, MARK);
+    // Versions, order of the bytes, sectors of 2^12 bytes and of 2^6.
+    put(24, &[0x3e, 0, 3, 0, 0xfe, 0xff, 12, 0, 6, 0]);
+    put(44, &(tables as u32).to_le_bytes());
+    put(48, &directory_at.to_le_bytes());
+    put(56, &(MINI_STREAM as u32).to_le_bytes());
+    put(60, &END.to_le_bytes());
+    put(68, &END.to_le_bytes());
+    for i in 0..109 {
+        let id = if i < tables { i as u32 } else { FREE };
+        put(76 + 4 * i, &id.to_le_bytes());
+    }
+    let mut table = vec![TABLE; tables];
+    table.push(END);
+    table.extend((1..sectors as u32).map(|next| stream_at + next));
+    table.push(END);
+    table.resize(tables * PER_SECTOR, FREE);
+    file.extend(table.into_iter().flat_map(u32::to_le_bytes));
+
+    let mut directory = entry("Root Entry", 5, END, 0);
+    directory.extend(entry("Workbook", 2, stream_at, length as u64));
+    directory.resize(SECTOR, 0);
+    file.extend(directory);
+    file.extend_from_slice(stream);
+    file.resize((1 + tables + 1 + sectors) * SECTOR, 0);
+    file
+}
+
+fn entry(name: &str, kind: u8, start: u32, length: u64) -> Vec<u8> {
+    let mut entry = vec![0; 128];
+    for (i, unit) in name.encode_utf16().enumerate() {
+        entry[2 * i..2 * i + 2].copy_from_slice(&unit.to_le_bytes());
+    }
+    entry[64] = (2 * name.len() + 2) as u8;
+    entry[66] = kind;
+    entry[68..80].fill(0xff);
+    entry[116..120].copy_from_slice(&start.to_le_bytes());
+    entry[120..128].copy_from_slice(&length.to_le_bytes());
+    entry
 }
 
 /// Whether a directory entry has this name; names are UTF-16 with a zero at the end.
@@ -162,12 +216,46 @@ fn numbers(bytes: &[u8]) -> impl Iterator<Item = u32> {
         .map(|four| u32::from_le_bytes([four[0], four[1], four[2], four[3]]))
 }
 
-fn u16_at(bytes: &[u8], at: usize) -> Option<u16> {
+pub(super) fn u16_at(bytes: &[u8], at: usize) -> Option<u16> {
     let two = bytes.get(at..at.checked_add(2)?)?;
     Some(u16::from_le_bytes([two[0], two[1]]))
 }
 
-fn u32_at(bytes: &[u8], at: usize) -> Option<u32> {
+pub(super) fn u32_at(bytes: &[u8], at: usize) -> Option<u32> {
     let four = bytes.get(at..at.checked_add(4)?)?;
     Some(u32::from_le_bytes([four[0], four[1], four[2], four[3]]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is written is read back, however many sectors of the table it takes.
+    #[test]
+    fn a_stream_is_found_again() {
+        for length in [4096, 5000, 4096 * 1022, 4096 * 1023 + 1, 5 << 20] {
+            let stream: Vec<u8> = (0..length).map(|i| (i % 251) as u8).collect();
+            assert!(workbook_stream(&file_of(&stream)) == Ok(stream), "{length}");
+        }
+    }
+
+    /// A chain that runs in a circle was followed until memory ended.
+    #[test]
+    fn a_circle_of_sectors_is_refused() {
+        let mut file = file_of(&[7; 20_000]);
+        // The third sector of the stream is followed by the first.
+        let table = 4096;
+        file[table + 4 * 4..][..4].copy_from_slice(&2_u32.to_le_bytes());
+        assert_eq!(
+            workbook_stream(&file),
+            Err(damaged("its sectors run in a circle"))
+        );
+        // The directory by itself.
+        let mut file = file_of(&[7; 20_000]);
+        file[table + 4..][..4].copy_from_slice(&1_u32.to_le_bytes());
+        assert_eq!(
+            workbook_stream(&file),
+            Err(damaged("its sectors run in a circle"))
+        );
+    }
 }

@@ -52,6 +52,9 @@ fn letters(column: u32) -> String {
     letters.iter().rev().collect()
 }
 
+/// How the unit of a survey that does not tell it is said.
+const SAY: &str = "`survey_unit = \"m\"` under [well], `--unit m` for `wholestring survey`";
+
 /// What is wrong with a survey.
 ///
 /// Its `Display` is one sentence: what was found and what was expected.
@@ -70,6 +73,14 @@ pub enum SurveyErrorKind {
     NotAWorkbook {
         /// What the reader of workbooks says.
         reason: String,
+    },
+    /// More of something than any survey has.
+    #[error("the file holds {found}; at most {most} can be read")]
+    TooMuch {
+        /// How much of what.
+        found: String,
+        /// How much is read.
+        most: String,
     },
     /// No sheet has the columns.
     #[error(
@@ -110,10 +121,17 @@ pub enum SurveyErrorKind {
         /// The other.
         second: String,
     },
+    /// Three columns of numbers without a header, and nothing tells the unit of the depths.
+    #[error(
+        "no header names the columns and their units; \
+         write 'MD (m),Inc (deg),Azi (deg)' above them, or say the unit: {SAY}"
+    )]
+    NoUnits,
     /// Lengths whose unit nothing tells.
     #[error(
         "the {column} under '{header}' has no unit; \
-         write it in the header, such as '{}', or in a row below it", column.example()
+         write it in the header, such as '{}', or in a row below it, or say it: {SAY}",
+        column.example()
     )]
     MissingUnit {
         /// The column.
@@ -141,6 +159,18 @@ pub enum SurveyErrorKind {
         header: &'static str,
         /// Symbol of the unit in the row below.
         row: &'static str,
+    },
+    /// The file tells another unit than the one that was said for it.
+    #[error(
+        "the {column} is in '{file}' by the file and in '{said}' by what was said; leave one of them"
+    )]
+    OtherUnit {
+        /// The column.
+        column: Column,
+        /// Symbol of the unit in the file.
+        file: &'static str,
+        /// Symbol of the unit that was said.
+        said: &'static str,
     },
     /// A cell that should hold a number.
     #[error("'{found}' is not a number; the {column} was expected")]

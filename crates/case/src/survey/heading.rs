@@ -29,6 +29,9 @@ pub(super) enum HeadingUnit {
 /// Headings longer than this, in bytes, are sentences.
 const LONGEST: usize = 80;
 
+/// A unit is written in at most this many words, such as `ft MD KB`.
+const UNIT_WORDS: usize = 3;
+
 /// What a heading says, if it names a column of a survey.
 pub(super) fn recognise(text: &str) -> Option<Heading> {
     if text.len() > LONGEST {
@@ -48,14 +51,15 @@ pub(super) fn recognise(text: &str) -> Option<Heading> {
         return None;
     }
 
-    // "MD (m)": the whole name; "md_m": its last word is the unit.
+    // "MD (m)": the whole name; "md_m": its last word is the unit; "MD ftKB": its last words.
     let (column, mut rank, last) = match named(&words) {
         Some((column, rank)) => (column, rank, None),
-        None => {
-            let (last, rest) = words.split_last()?;
+        None => (1..words.len().min(UNIT_WORDS + 1)).find_map(|count| {
+            let (rest, last) = words.split_at(words.len() - count);
             let (column, rank) = named(rest)?;
-            (column, rank, Some(column.dimension().find_unit(last)?))
-        }
+            let unit = column.dimension().find_unit(&last.concat())?;
+            Some((column, rank, Some(unit)))
+        })?,
     };
     let has = |word: &str| {
         words
@@ -217,6 +221,11 @@ mod tests {
             ("DEPTH (FEET)", MeasuredDepth, "ft"),
             ("Depth (metres)", MeasuredDepth, "m"),
             ("Inc[deg]", Inclination, "deg"),
+            ("MD (ftKB)", MeasuredDepth, "ft"),
+            ("MD ftKB", MeasuredDepth, "ft"),
+            ("Measured Depth [m RT]", MeasuredDepth, "m"),
+            ("Depth (ftMDRKB)", MeasuredDepth, "ft"),
+            ("TVD (mTVDRT)", TrueVerticalDepth, "m"),
             ("inc_deg", Inclination, "deg"),
             ("INCL", Inclination, ""),
             ("Incl. (°)", Inclination, "deg"),
@@ -255,6 +264,7 @@ mod tests {
             "TVDSS (m)",
             "TVD SS",
             "TVD (subsea)",
+            "TVD (mMSL)",
             "DLS (deg/30m)",
             "Dogleg",
             "Vertical Section",

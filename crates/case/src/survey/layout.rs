@@ -2,12 +2,12 @@
 
 use wholestring_units::Unit;
 
-use super::Column;
 use super::error::{SurveyError, SurveyErrorKind};
 use super::header::Header;
 use super::heading::{self, HeadingUnit};
 use super::number;
 use super::table::{Position, Table};
+use super::{Column, Said};
 
 /// One column of the survey in the table.
 #[derive(Debug, Clone)]
@@ -36,17 +36,17 @@ impl Layout {
 }
 
 /// The layout below a header: its units, and where the numbers begin.
-pub(super) fn below(table: &Table, header: Header) -> Result<Layout, SurveyError> {
+pub(super) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout, SurveyError> {
     let row = table.source.row_name(table.rows[header.row].end);
     let mut notes = vec![table.note(&format!("header in {row}"))];
     for text in &header.passed_over {
         notes.push(format!("the column '{text}' is not used"));
     }
     let (units_row, data) = units_row(table, &header);
-    let bare = bare_md_inc_azi(&header, units_row.is_some());
 
     let mut columns = Vec::new();
     let mut in_degrees = Vec::new();
+    let mut as_said = Vec::new();
     for (index, text, heading) in &header.headings {
         let column = heading.column;
         let header_at = header_position(table, header.row, *index);
@@ -78,16 +78,32 @@ pub(super) fn below(table: &Table, header: Header) -> Result<Layout, SurveyError
                     in_degrees.push(column.to_string());
                     named_unit(column, "deg")
                 }
-                _ if bare => named_unit(column, "m"),
-                _ => {
-                    let kind = SurveyErrorKind::MissingUnit {
-                        column,
-                        header: text.clone(),
-                    };
-                    return Err(table.source.error(kind, Some(header_at)));
-                }
+                _ => match said.length_unit {
+                    Some(unit) => {
+                        as_said.push(column.to_string());
+                        unit
+                    }
+                    None => {
+                        let kind = SurveyErrorKind::MissingUnit {
+                            column,
+                            header: text.clone(),
+                        };
+                        return Err(table.source.error(kind, Some(header_at)));
+                    }
+                },
             },
         };
+        if let Some(said) = said.length_unit
+            && column == Column::MeasuredDepth
+            && said != unit
+        {
+            let kind = SurveyErrorKind::OtherUnit {
+                column,
+                file: unit.symbol,
+                said: said.symbol,
+            };
+            return Err(table.source.error(kind, Some(header_at)));
+        }
         notes.push(format!("{column} from '{text}' in {}", unit.symbol));
         columns.push(Found {
             column,
@@ -95,9 +111,14 @@ pub(super) fn below(table: &Table, header: Header) -> Result<Layout, SurveyError
             unit,
         });
     }
-    if bare {
-        notes.push("the header 'md, inc, azi' has no units: read in m, deg, deg".to_owned());
-    } else if !in_degrees.is_empty() {
+    if let Some(unit) = said.length_unit.filter(|_| !as_said.is_empty()) {
+        notes.push(format!(
+            "no unit for {}: read in {} as was said",
+            as_said.join(" and "),
+            unit.symbol
+        ));
+    }
+    if !in_degrees.is_empty() {
         notes.push(format!(
             "no unit for {}: read in degrees",
             in_degrees.join(" and ")
@@ -111,9 +132,10 @@ pub(super) fn below(table: &Table, header: Header) -> Result<Layout, SurveyError
     })
 }
 
-/// Three columns of numbers without a header, from the first row that is such; `Err` if the
-/// numbers stand in more columns, or under a header that names none of them.
-pub(super) fn without_header(table: &Table) -> Option<Layout> {
+/// Three columns of numbers without a header, from the first row that is such; none if the
+/// numbers stand in more columns, or under a header that names none of them. It is an error where
+/// the unit of the depths was not said.
+pub(super) fn without_header(table: &Table, said: &Said) -> Option<Result<Layout, SurveyError>> {
     let first = table.rows.iter().position(|row| {
         !row.is_empty() && row.texts().count() > 1 && row.texts().all(number::is_number)
     })?;
@@ -123,7 +145,13 @@ pub(super) fn without_header(table: &Table) -> Option<Layout> {
     if headed || table.rows[first].texts().count() != Column::NEEDED.len() {
         return None;
     }
-    let cells = &table.rows[first].cells;
+    let row = &table.rows[first];
+    let cells = &row.cells;
+    let Some(length_unit) = said.length_unit else {
+        let at = cells.iter().find(|cell| !cell.is_empty());
+        let at = at.map_or(row.end, |cell| cell.at);
+        return Some(Err(table.source.error(SurveyErrorKind::NoUnits, Some(at))));
+    };
     let filled = cells
         .iter()
         .enumerate()
@@ -131,28 +159,31 @@ pub(super) fn without_header(table: &Table) -> Option<Layout> {
     let columns = filled
         .zip(Column::NEEDED)
         .map(|((index, _), column)| {
-            let symbol = if column == Column::MeasuredDepth {
-                "m"
+            let unit = if column == Column::MeasuredDepth {
+                length_unit
             } else {
-                "deg"
+                named_unit(column, "deg")
             };
             Found {
                 column,
                 index,
-                unit: named_unit(column, symbol),
+                unit,
             }
         })
         .collect();
     let notes = vec![
         table.note("no header"),
-        "three columns read as measured depth in m, inclination in deg, azimuth in deg".to_owned(),
+        format!(
+            "three columns read as measured depth in {} as was said, inclination in deg, azimuth in deg",
+            length_unit.symbol
+        ),
     ];
-    Some(Layout {
+    Some(Ok(Layout {
         columns,
         data: first,
         header: Vec::new(),
         notes,
-    })
+    }))
 }
 
 /// The row of units below a header, if there is one, and the row after it.
@@ -209,24 +240,6 @@ fn unit_in_row(
             Err(table.source.error(kind, Some(cell.at)))
         }
     }
-}
-
-/// The header is `md`, `inc`, `azi` as the case file's own keys, and nothing gives a unit.
-fn bare_md_inc_azi(header: &Header, units_row: bool) -> bool {
-    let is = |column, name| {
-        header
-            .headings
-            .iter()
-            .any(|(_, text, heading)| heading.column == column && text == name)
-    };
-    !units_row
-        && is(Column::MeasuredDepth, "md")
-        && is(Column::Inclination, "inc")
-        && is(Column::Azimuth, "azi")
-        && header
-            .headings
-            .iter()
-            .all(|(_, _, heading)| heading.unit == HeadingUnit::None)
 }
 
 fn header_position(table: &Table, row: usize, index: usize) -> Position {

@@ -6,9 +6,9 @@
 //! or blanks between the columns, decimal commas and thousands separators are taken as they come.
 //! What was recognised is told in [`ImportedSurvey::notes`].
 //!
-//! Nothing is guessed where a mistake would go unseen: lengths without any unit are an error.
-//! There are two conventions, and both are noted: angles without a unit are degrees, and a header
-//! of just `md,inc,azi`, or no header above three columns, means m, deg, deg.
+//! Nothing is guessed where a mistake would go unseen: lengths without any unit are an error until
+//! their unit is [said](Said), with which three columns need no header either. Angles without a unit are
+//! degrees, which is noted.
 //!
 //! ```
 //! let text = "MD (ft),Inc,Azi\n0,0,0\n1000,0,0\n1100,3,45\n";
@@ -23,6 +23,7 @@
 //! # Ok::<(), wholestring_case::survey::SurveyError>(())
 //! ```
 
+mod archive;
 mod blanks;
 mod column;
 mod compound;
@@ -32,8 +33,10 @@ mod error;
 mod header;
 mod heading;
 mod layout;
+mod limits;
 mod names;
 mod number;
+mod records;
 mod stations;
 mod table;
 mod workbook;
@@ -43,6 +46,7 @@ pub use error::{Place, SurveyError, SurveyErrorKind};
 
 use table::{Source, Table};
 use wholestring::well::{Station, TieIn};
+use wholestring_units::Unit;
 
 /// A survey and how it was understood.
 #[derive(Debug, Clone, PartialEq)]
@@ -56,6 +60,29 @@ pub struct ImportedSurvey {
     pub notes: Vec<String>,
 }
 
+impl ImportedSurvey {
+    /// Where the first station lies: as the file says, or else on the vertical under the origin, as deep as its
+    /// measured depth.
+    pub fn start(&self) -> TieIn {
+        self.tie_in.unwrap_or_else(|| under_origin(&self.stations))
+    }
+}
+
+/// The first station on the vertical under the origin, as deep as its measured depth.
+pub(crate) fn under_origin(stations: &[Station]) -> TieIn {
+    TieIn {
+        tvd_m: stations.first().map_or(0.0, |first| first.md_m),
+        ..TieIn::default()
+    }
+}
+
+/// What is said of a survey beside its file.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Said {
+    /// Unit of the lengths whose unit the file does not tell.
+    pub length_unit: Option<&'static Unit>,
+}
+
 /// The signs that part cells, in the order in which they are tried.
 const SIGNS: [(u8, &str); 3] = [(b'\t', "tabs"), (b';', "semicolons"), (b',', "commas")];
 
@@ -64,15 +91,33 @@ const SIGNS: [(u8, &str); 3] = [(b'\t', "tabs"), (b';', "semicolons"), (b',', "c
 /// # Errors
 /// Everything that [`SurveyErrorKind`] lists, with its place.
 pub fn read(bytes: &[u8], name: &str) -> Result<ImportedSurvey, SurveyError> {
+    read_as(bytes, name, &Said::default())
+}
+
+/// Reads a survey as [`read`] does, of which something is said that its file may not tell.
+///
+/// ```
+/// use wholestring_case::survey::{Said, read, read_as};
+///
+/// let bare = b"0 0 0\n1000 0 0\n";
+/// assert!(read(bare, "a.txt").is_err());
+/// let said = Said { length_unit: wholestring_units::Dimension::Length.find_unit("ft") };
+/// assert_eq!(read_as(bare, "a.txt", &said)?.stations[1].md_m, 304.8);
+/// # Ok::<(), wholestring_case::survey::SurveyError>(())
+/// ```
+///
+/// # Errors
+/// As [`read`].
+pub fn read_as(bytes: &[u8], name: &str, said: &Said) -> Result<ImportedSurvey, SurveyError> {
     let extension = name.rsplit_once('.').map_or("", |(_, extension)| extension);
     let named_so = ["xlsx", "xlsm", "xlsb", "ods"]
         .iter()
         .any(|workbook| extension.eq_ignore_ascii_case(workbook));
     // A text under the name .xls is common; a workbook by its content is one under any name.
     if workbook::is_workbook(bytes) || (named_so && !bytes.is_empty()) {
-        read_excel(bytes, name)
+        excel(bytes, name, said)
     } else {
-        read_csv(bytes, name)
+        csv(bytes, name, said)
     }
 }
 
@@ -83,6 +128,10 @@ pub fn read(bytes: &[u8], name: &str) -> Result<ImportedSurvey, SurveyError> {
 /// # Errors
 /// Everything that [`SurveyErrorKind`] lists but what concerns workbooks, with its place.
 pub fn read_csv(bytes: &[u8], name: &str) -> Result<ImportedSurvey, SurveyError> {
+    csv(bytes, name, &Said::default())
+}
+
+fn csv(bytes: &[u8], name: &str, said: &Said) -> Result<ImportedSurvey, SurveyError> {
     let Some(text) = decode::text(bytes) else {
         return Err(SurveyError::new(name, SurveyErrorKind::NotText, None, None));
     };
@@ -94,13 +143,35 @@ pub fn read_csv(bytes: &[u8], name: &str) -> Result<ImportedSurvey, SurveyError>
         return Err(source.error(SurveyErrorKind::Empty, None));
     }
 
+    fits(&text).map_err(|kind| SurveyError::new(name, kind, None, None))?;
     let mut tables: Vec<Table> = SIGNS
         .iter()
         .filter(|(sign, _)| text.as_bytes().contains(sign))
         .map(|&(sign, parted_by)| delimited::cut(source, &text, sign, parted_by))
         .collect();
     tables.push(blanks::cut(source, &text));
-    read_first(&tables).unwrap_or_else(|| Err(source.error(SurveyErrorKind::NoHeader, None)))
+    read_first(&tables, said).unwrap_or_else(|| Err(source.error(SurveyErrorKind::NoHeader, None)))
+}
+
+/// Whether a text has no more rows and cells than are read, by whatever sign it is cut.
+fn fits(text: &str) -> Result<(), SurveyErrorKind> {
+    let count = |of: &dyn Fn(u8) -> bool| text.bytes().filter(|byte| of(*byte)).count();
+    let rows = count(&|byte| matches!(byte, b'\n' | b'\r')) + 1;
+    // Lines that end with two signs count twice.
+    let rows = rows - text.matches("\r\n").count();
+    if rows > limits::ROWS {
+        return Err(limits::too_much(rows, "lines", limits::ROWS));
+    }
+    let blanks = text.split_whitespace().count();
+    let cells = SIGNS
+        .map(|(sign, _)| count(&|byte| byte == sign))
+        .into_iter()
+        .fold(blanks, usize::max)
+        + rows;
+    if cells > limits::CELLS {
+        return Err(limits::too_much(cells, "cells", limits::CELLS));
+    }
+    Ok(())
 }
 
 /// Reads a survey from the bytes of an Excel workbook, `.xlsx` or `.xls`.
@@ -110,23 +181,29 @@ pub fn read_csv(bytes: &[u8], name: &str) -> Result<ImportedSurvey, SurveyError>
 /// # Errors
 /// Everything that [`SurveyErrorKind`] lists but what concerns text, with its place.
 pub fn read_excel(bytes: &[u8], name: &str) -> Result<ImportedSurvey, SurveyError> {
+    excel(bytes, name, &Said::default())
+}
+
+fn excel(bytes: &[u8], name: &str, said: &Said) -> Result<ImportedSurvey, SurveyError> {
     let sheets =
         workbook::sheets(bytes).map_err(|kind| SurveyError::new(name, kind, None, None))?;
-    let tables: Vec<Table> = sheets
+    let (names, rows): (Vec<String>, Vec<_>) = sheets
+        .into_iter()
+        .map(|sheet| (sheet.name, sheet.rows))
+        .unzip();
+    let tables: Vec<Table> = names
         .iter()
-        .map(|sheet| Table {
-            source: Source::Sheet {
-                file: name,
-                sheet: &sheet.name,
-            },
-            rows: sheet.rows.clone(),
+        .zip(rows)
+        .map(|(sheet, rows)| Table {
+            source: Source::Sheet { file: name, sheet },
+            rows,
             parted_by: None,
             counted: None,
             notes: Vec::new(),
         })
         .collect();
-    read_first(&tables).unwrap_or_else(|| {
-        let sheets = sheets.into_iter().map(|sheet| sheet.name).collect();
+    read_first(&tables, said).unwrap_or_else(|| {
+        let sheets = names.clone();
         let kind = SurveyErrorKind::NoSurveySheet { sheets };
         Err(SurveyError::new(name, kind, None, None))
     })
@@ -134,12 +211,12 @@ pub fn read_excel(bytes: &[u8], name: &str) -> Result<ImportedSurvey, SurveyErro
 
 /// The first of the tables with a header that names the needed columns; or else the first of three
 /// bare columns; or else the error of the header that comes nearest. `None` if none comes near.
-fn read_first(tables: &[Table]) -> Option<Result<ImportedSurvey, SurveyError>> {
+fn read_first(tables: &[Table], said: &Said) -> Option<Result<ImportedSurvey, SurveyError>> {
     let mut nearest: Option<(header::Partial, &Table)> = None;
     for table in tables {
         match header::find(table) {
             Ok(header) => {
-                let layout = layout::below(table, header);
+                let layout = layout::below(table, header, said);
                 return Some(layout.and_then(|layout| stations::read(table, layout)));
             }
             Err(Some(partial)) => {
@@ -160,9 +237,9 @@ fn read_first(tables: &[Table]) -> Option<Result<ImportedSurvey, SurveyError>> {
     {
         let bare = tables
             .iter()
-            .find_map(|table| Some((table, layout::without_header(table)?)));
+            .find_map(|table| Some((table, layout::without_header(table, said)?)));
         if let Some((table, layout)) = bare {
-            return Some(stations::read(table, layout));
+            return Some(layout.and_then(|layout| stations::read(table, layout)));
         }
     }
     let (partial, table) = nearest.filter(|(partial, _)| partial.is_header())?;

@@ -2,6 +2,8 @@
 
 use wholestring::well::{Station, TieIn};
 
+use crate::range::number_text;
+
 use super::error::{SurveyError, SurveyErrorKind};
 use super::layout::{Found, Layout};
 use super::number::{self, Fault, Style};
@@ -83,6 +85,15 @@ pub(super) fn read(table: &Table, layout: Layout) -> Result<ImportedSurvey, Surv
         Some(&first) => reader.tie_in(&layout, &table.rows[first], stations[0].md_m, &mut notes)?,
         None => None,
     };
+    if let (None, Some(first)) = (tie_in, stations.first())
+        && first.md_m != 0.0
+    {
+        notes.push(format!(
+            "the first station is at {} m and the file does not say where it lies: taken to be as deep, \
+             vertically under the origin",
+            number_text(first.md_m)
+        ));
+    }
     notes.extend(table.notes.iter().cloned());
     notes.push(format!("{} stations", stations.len()));
     Ok(ImportedSurvey {

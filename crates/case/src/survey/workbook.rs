@@ -3,28 +3,24 @@
 use std::collections::BTreeMap;
 use std::io::Cursor;
 
-use calamine::{Data, Reader, SheetType, Xls, Xlsx};
+use calamine::{Data, DataRef, Reader, SheetType, Xls, Xlsx};
+use wholestring_contain::contain;
 
-use super::compound;
 use super::error::SurveyErrorKind;
+use super::limits::{self, Budget, too_much};
 use super::table::{Cell, Position, Row};
-use crate::caught::caught;
+use super::{archive, compound, records};
 
 /// A sheet with its rows, empty ones above the last included.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(super) struct Sheet {
     pub(super) name: String,
     pub(super) rows: Vec<Row>,
 }
 
-/// Cells further down or to the right are not read: no survey has so many stations or columns, and
-/// a single cell at the far corner would make a table of the whole sheet.
-const ROWS: u32 = 200_000;
-const COLUMNS: u32 = 500;
-
 /// Whether the bytes begin as a workbook does: a zip archive or a compound file.
 pub(super) fn is_workbook(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1")
+    bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(compound::MARK)
 }
 
 /// The workbook's sheets.
@@ -33,55 +29,58 @@ pub(super) fn sheets(bytes: &[u8]) -> Result<Vec<Sheet>, SurveyErrorKind> {
         return Err(SurveyErrorKind::Empty);
     }
     // The reader of workbooks is not ours, and a damaged file may make it panic.
-    let sheets = caught(|| {
+    let sheets = contain(|| {
         if bytes.starts_with(b"PK") {
             xlsx(bytes)
         } else {
             xls(bytes)
         }
     });
-    match sheets {
-        Ok(Ok(sheets)) => Ok(sheets),
-        Ok(Err(reason)) => Err(SurveyErrorKind::NotAWorkbook { reason }),
-        Err(_) => Err(SurveyErrorKind::NotAWorkbook {
-            reason: "it is damaged".to_owned(),
-        }),
+    sheets.unwrap_or_else(|_| Err(unreadable("it is damaged")))
+}
+
+fn unreadable(reason: impl ToString) -> SurveyErrorKind {
+    SurveyErrorKind::NotAWorkbook {
+        reason: reason.to_string(),
     }
 }
 
-fn xlsx(bytes: &[u8]) -> Result<Vec<Sheet>, String> {
-    let mut workbook = Xlsx::new(Cursor::new(bytes)).map_err(|error| error.to_string())?;
+fn xlsx(bytes: &[u8]) -> Result<Vec<Sheet>, SurveyErrorKind> {
+    archive::check(bytes)?;
+    let mut workbook = Xlsx::new(Cursor::new(bytes)).map_err(unreadable)?;
     let mut sheets = Vec::new();
-    for name in worksheets(workbook.sheets_metadata()) {
+    let mut budget = Budget::default();
+    for name in worksheets(workbook.sheets_metadata())? {
         // Cell by cell: the whole range of a sheet is as large as its farthest cell says.
-        let mut reader = workbook
-            .worksheet_cells_reader(&name)
-            .map_err(|error| error.to_string())?;
+        let mut reader = workbook.worksheet_cells_reader(&name).map_err(unreadable)?;
         let mut cells = BTreeMap::new();
-        while let Some(cell) = reader.next_cell().map_err(|error| error.to_string())? {
+        while let Some(cell) = reader.next_cell().map_err(unreadable)? {
+            budget.cells(1)?;
+            // Before it is copied: many cells may show one long text.
+            if let DataRef::SharedString(text) = cell.get_value() {
+                budget.text(text.len())?;
+            }
             let (row, column) = cell.get_position();
             if let Some(cell) = self::cell(&Data::from(cell.get_value().clone()), row, column) {
                 cells.insert((row, column), cell);
             }
         }
-        sheets.push(Sheet {
-            name,
-            rows: rows(cells),
-        });
+        let rows = rows(cells, &mut budget)?;
+        sheets.push(Sheet { name, rows });
     }
     Ok(sheets)
 }
 
-fn xls(bytes: &[u8]) -> Result<Vec<Sheet>, String> {
-    if !compound::is_plausible(bytes) {
-        return Err("it holds no workbook, or it is damaged".to_owned());
-    }
-    let mut workbook = Xls::new(Cursor::new(bytes)).map_err(|error| error.to_string())?;
+fn xls(bytes: &[u8]) -> Result<Vec<Sheet>, SurveyErrorKind> {
+    let mut stream = compound::workbook_stream(bytes)?;
+    records::check(&mut stream)?;
+    let file = compound::file_of(&stream);
+    drop(stream);
+    let mut workbook = Xls::new(Cursor::new(file)).map_err(unreadable)?;
     let mut sheets = Vec::new();
-    for name in worksheets(workbook.sheets_metadata()) {
-        let range = workbook
-            .worksheet_range(&name)
-            .map_err(|error| error.to_string())?;
+    let mut budget = Budget::default();
+    for name in worksheets(workbook.sheets_metadata())? {
+        let range = workbook.worksheet_range(&name).map_err(unreadable)?;
         let (top, left) = range.start().unwrap_or((0, 0));
         let cells = range
             .used_cells()
@@ -90,27 +89,25 @@ fn xls(bytes: &[u8]) -> Result<Vec<Sheet>, String> {
                 Some(((row, column), cell(data, row, column)?))
             })
             .collect();
-        sheets.push(Sheet {
-            name,
-            rows: rows(cells),
-        });
+        let rows = rows(cells, &mut budget)?;
+        sheets.push(Sheet { name, rows });
     }
     Ok(sheets)
 }
 
 /// The names of the sheets that hold cells and not a chart.
-fn worksheets(sheets: &[calamine::Sheet]) -> Vec<String> {
+fn worksheets(sheets: &[calamine::Sheet]) -> Result<Vec<String>, SurveyErrorKind> {
+    if sheets.len() > limits::SHEETS {
+        return Err(too_much(sheets.len(), "sheets", limits::SHEETS));
+    }
     let holds_cells = |sheet: &&calamine::Sheet| sheet.typ == SheetType::WorkSheet;
-    sheets
-        .iter()
-        .filter(holds_cells)
-        .map(|sheet| sheet.name.clone())
-        .collect()
+    let names = sheets.iter().filter(holds_cells);
+    Ok(names.map(|sheet| sheet.name.clone()).collect())
 }
 
-/// One cell, unless it is empty or too far out.
+/// One cell, unless it is empty or too far out: a single cell at the far corner would make a table of the whole sheet.
 fn cell(data: &Data, row: u32, column: u32) -> Option<Cell> {
-    if row >= ROWS || column >= COLUMNS {
+    if row as usize >= limits::ROWS || column >= limits::COLUMNS {
         return None;
     }
     let (text, number) = match data {
@@ -129,7 +126,10 @@ fn cell(data: &Data, row: u32, column: u32) -> Option<Cell> {
 }
 
 /// Cells as rows without gaps.
-fn rows(cells: BTreeMap<(u32, u32), Cell>) -> Vec<Row> {
+fn rows(
+    cells: BTreeMap<(u32, u32), Cell>,
+    budget: &mut Budget,
+) -> Result<Vec<Row>, SurveyErrorKind> {
     let mut rows: Vec<Row> = Vec::new();
     for ((row, column), cell) in cells {
         let (row, column) = (row as usize, column as usize);
@@ -140,6 +140,7 @@ fn rows(cells: BTreeMap<(u32, u32), Cell>) -> Vec<Row> {
             });
         }
         let row = &mut rows[row];
+        budget.cells(column - row.cells.len())?;
         while row.cells.len() < column {
             let at = Position(row.end.0, row.cells.len());
             row.cells.push(Cell {
@@ -151,5 +152,5 @@ fn rows(cells: BTreeMap<(u32, u32), Cell>) -> Vec<Row> {
         row.cells.push(cell);
         row.end.1 = row.cells.len();
     }
-    rows
+    Ok(rows)
 }

@@ -8,6 +8,11 @@ pub(crate) enum Value<'a> {
 
 /// A workbook whose sheet "Survey" holds these cells at row and column.
 pub(crate) fn workbook(cells: &[(u16, u16, Value)]) -> Vec<u8> {
+    workbook_of(cells, 1)
+}
+
+/// A workbook that names the sheet so many times.
+pub(crate) fn workbook_of(cells: &[(u16, u16, Value)], times: usize) -> Vec<u8> {
     let rows = cells.iter().map(|cell| cell.0 + 1).max().unwrap_or(0);
     let columns = cells.iter().map(|cell| cell.1 + 1).max().unwrap_or(0);
 
@@ -34,13 +39,15 @@ pub(crate) fn workbook(cells: &[(u16, u16, Value)]) -> Vec<u8> {
 
     let mut stream = record(0x0809, &[&[0, 6, 5, 0], &[0; 12][..]].concat());
     let name = b"Survey";
-    let sheet_at = (stream.len() + 4 + 8 + name.len() + 4) as u32;
+    let sheet_at = (stream.len() + times * (4 + 8 + name.len()) + 4) as u32;
     let bound = [
         &sheet_at.to_le_bytes()[..],
         &[0, 0, name.len() as u8, 0],
         name,
     ];
-    stream.extend(record(0x0085, &bound.concat()));
+    for _ in 0..times {
+        stream.extend(record(0x0085, &bound.concat()));
+    }
     stream.extend(record(0x000a, &[]));
     assert_eq!(stream.len(), sheet_at as usize);
     stream.extend(sheet);

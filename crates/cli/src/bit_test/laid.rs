@@ -4,7 +4,7 @@ use std::{borrow::Cow, path::Path};
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use wholestring::rock::{Stepper, Trial, TrialOutcome};
+use wholestring::rock::{DrillingSpec, Stepper, Trial, TrialOutcome};
 use wholestring_results::{BIT_TEST_VERSION, BitTestOutcome, ResultsError, ResultsFolder};
 
 use super::points::Point;
@@ -38,17 +38,25 @@ impl Laid<'static> {
     ///
     /// # Errors
     /// Why the point cannot go on from it.
-    pub(super) fn read(folder: &ResultsFolder, point: &Point) -> Result<Option<Self>, String> {
+    pub(super) fn read(
+        folder: &ResultsFolder,
+        point: &Point,
+        drilling: &DrillingSpec,
+    ) -> Result<Option<Self>, String> {
         let laid: Option<Self> = folder.read_checkpoint().map_err(|e| e.to_string())?;
         let Some(laid) = laid else { return Ok(None) };
         let settings: Value = serde_json::from_str(&laid.settings).map_err(|e| e.to_string())?;
-        match difference(&settings, &point.settings) {
-            None => Ok(Some(laid)),
-            Some(difference) => Err(format!(
-                "the checkpoint in {} is of another test: {difference}",
-                folder.path().display()
-            )),
+        let place = folder.path().display();
+        if let Some(difference) = difference(&settings, &point.settings) {
+            return Err(format!(
+                "the checkpoint in {place} is of another test: {difference}"
+            ));
         }
+        let sound = laid.trial.check(&point.spec, drilling);
+        sound.map_err(|error| {
+            format!("the checkpoint in {place} cannot be gone on with: {error}")
+        })?;
+        Ok(Some(laid))
     }
 }
 

@@ -179,7 +179,7 @@ impl<'a> Trials<'a> {
     /// What an earlier test began of the point; nothing where it left none to go on with, or none that one can.
     fn begun(&self, point: &Point, folder: &ResultsFolder) -> Option<Trial> {
         let watch = Watch::Sweep(self.bar.clone());
-        match Laid::read(folder, point) {
+        match Laid::read(folder, point, &self.test.drilling) {
             Ok(laid) => laid.map(|laid| {
                 let now = self.stepper.instructions;
                 if let Some(warning) = other_processor(&laid.instructions, now) {

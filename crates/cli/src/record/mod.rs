@@ -85,6 +85,17 @@ impl Record {
         let frames = solved.frames.map(Cow::into_owned);
         let frames = Frames::begin(case, folder, frames).map_err(|e| e.to_string())?;
         let mut record = Self::empty(case, units, frames);
+        let tables = [
+            (&solved.nodes, &record.nodes),
+            (&solved.time, &record.time),
+            (&solved.wear, &record.wear),
+            (&solved.contact, &record.contact),
+            (&solved.bottom_hole, &record.bottom_hole),
+            (&solved.spectra, &record.spectra),
+        ];
+        if tables.iter().any(|(stored, empty)| !stored.is_like(empty)) {
+            return Err("the checkpoint is damaged: a table lacks a column".to_owned());
+        }
         let operations = serde_json::from_str(&solved.operations);
         record.summary.operations = operations.map_err(|e| e.to_string())?;
         record.nodes = solved.nodes.into_owned();

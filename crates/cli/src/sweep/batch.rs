@@ -7,7 +7,8 @@ use std::{
 };
 
 use indicatif::ProgressBar;
-use wholestring_case::{Case, caught};
+use wholestring_case::Case;
+use wholestring_contain::{Panicked, contain};
 use wholestring_results::{Occupant, OperationSummary, ResultsFolder, Status, Summary, digest};
 
 use super::{
@@ -207,8 +208,8 @@ impl<'a> Batch<'a> {
         }
         let simulated_s = self.checked[case].simulated_s;
         // A mistake of the program in one case is no reason to lose the others.
-        let ending = caught(|| self.ending(&self.points[case], simulated_s))
-            .unwrap_or_else(|mistake| {
+        let ending = contain(|| self.ending(&self.points[case], simulated_s))
+            .unwrap_or_else(|Panicked(mistake)| {
                 Err(Stop::Unsolved(format!(
                     "a mistake of the program, please report it: {mistake}"
                 )))

@@ -32,7 +32,16 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, Res
         names.eq(["model", "operation", SCALARS[0]])
     };
     let columns = table.columns();
-    let varied = columns.windows(3).position(begins).unwrap_or(0);
+    let path = folder.join(FILE);
+    let Some(varied) = columns.windows(3).position(begins).filter(|keys| *keys > 0) else {
+        return Err(ResultsError::Format {
+            path,
+            reason: format!(
+                "its columns are not those of a sweep: expected the keys that were varied, then model, operation, {}",
+                SCALARS[0]
+            ),
+        });
+    };
     let (varied, others) = columns.split_at(varied);
     let value = |column: &Column, row: usize| match &column.data {
         Data::Text(words) => words[row].clone(),

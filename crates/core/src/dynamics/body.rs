@@ -10,6 +10,7 @@ use super::{
     imbalance::Imbalance,
     step::StepInput,
 };
+use crate::damage::{Damaged, sound};
 use crate::{
     GRAVITY_M_PER_S2,
     model::Model,
@@ -167,6 +168,22 @@ pub struct Body {
 }
 
 impl Body {
+    /// Whether stored bends and masses stand where those of the model do.
+    pub(super) fn check(&self, fresh: &Self) -> Result<(), Damaged> {
+        let bends = |of: &Self| of.bends.iter().map(|bend| bend.index).collect::<Vec<_>>();
+        let masses = |of: &Self| {
+            of.imbalances
+                .iter()
+                .map(|one| one.index)
+                .collect::<Vec<_>>()
+        };
+        // Loads are of one step: they are made anew in the next.
+        let fits = bends(self) == bends(fresh)
+            && masses(self) == masses(fresh)
+            && self.loads.loads.is_empty();
+        sound(fits, "the bends and eccentric masses")
+    }
+
     /// Bends and eccentric masses of `model` on the nodes of `mesh`. Their directions are set by [`Self::orient`]: until
     /// then `toward` holds the part towards the high side and the part to the right of it.
     pub fn new(model: &Model, mesh: &Mesh) -> Self {

@@ -13,11 +13,14 @@ mod rows;
 use serde::{Deserialize, Serialize};
 
 use super::layout::{Layout, Strands};
-use crate::rod::{
-    element::{Pose, Stiffness},
-    lanes::SINGLES,
-    number::{Number, Real},
-    vector::Vector,
+use crate::{
+    damage::{Damaged, sound},
+    rod::{
+        element::{Pose, Stiffness},
+        lanes::SINGLES,
+        number::{Number, Real},
+        vector::Vector,
+    },
 };
 
 pub use blocks::{ElementBlock, NO_WALL_M, NodeBlock, StateBlock};
@@ -105,7 +108,7 @@ impl<R: Real> Chain<R> {
         self.moved_into(Self::in_strands(
             self.nodes,
             self.pattern,
-            Strands::from(rows),
+            Strands::of(rows),
         ))
     }
 
@@ -118,6 +121,18 @@ impl<R: Real> Chain<R> {
             chain.element_blocks[row].copy_lane(lane, &self.element_blocks[from], from_lane);
         }
         chain
+    }
+
+    /// Whether a stored chain is one of so many nodes with this pattern.
+    pub(crate) fn check(&self, nodes: usize, pattern: usize) -> Result<(), Damaged> {
+        let strands = Strands::new(nodes, R::LANES, pattern);
+        let rows = strands.rows();
+        let fits = (self.nodes, self.pattern, self.strands) == (nodes, pattern, strands)
+            && self.lengths_m.len() == nodes
+            && self.states.len() == rows + 1
+            && self.node_blocks.len() == rows
+            && self.element_blocks.len() == rows;
+        sound(fits, "the string")
     }
 
     /// Where what is kept of its nodes in double precision lies.

@@ -115,30 +115,43 @@ pub fn least_J(mesh: &Mesh) -> f64 {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct EnergyBalance {
     /// Work of the top drive on the string.
+    #[serde(with = "crate::finite")]
     pub top_drive_work_J: f64,
     /// Work of the hoist on the string: negative while the string goes down.
+    #[serde(with = "crate::finite")]
     pub hoist_work_J: f64,
     /// Work of bit and rock on the string: negative while the bit cuts.
+    #[serde(with = "crate::finite")]
     pub bit_work_J: f64,
     /// Work of bends while they are put in: zero once a prepared start has done so.
+    #[serde(with = "crate::finite")]
     pub bend_work_J: f64,
     /// Work of the streaming mud's pull and of the bit's jets on the string.
+    #[serde(with = "crate::finite")]
     pub flow_work_J: f64,
     /// Lost to friction on the wall.
+    #[serde(with = "crate::finite")]
     pub friction_loss_J: f64,
     /// Lost in impacts on the wall.
+    #[serde(with = "crate::finite")]
     pub contact_loss_J: f64,
     /// Lost to the mud's drag and to mass-proportional damping.
+    #[serde(with = "crate::finite")]
     pub mud_loss_J: f64,
     /// Lost to stiffness-proportional damping.
+    #[serde(with = "crate::finite")]
     pub damping_loss_J: f64,
     /// Gain of kinetic energy.
+    #[serde(with = "crate::finite")]
     pub kinetic_change_J: f64,
     /// Gain of elastic energy.
+    #[serde(with = "crate::finite")]
     pub elastic_change_J: f64,
     /// Gain of potential energy: the buoyed weight, lifted.
+    #[serde(with = "crate::finite")]
     pub gravity_change_J: f64,
     /// What the integration itself gained or lost: work less losses less changes.
+    #[serde(with = "crate::finite")]
     pub residual_J: f64,
 }
 

@@ -49,8 +49,10 @@ pub struct StickSlip {
     /// the window holds less than two of them.
     pub period_s: Option<f64>,
     /// Part of the time in which the bit turned slower than 1 rev/min.
+    #[serde(with = "crate::finite")]
     pub stuck_fraction: f64,
     /// Largest rotary speed of the bit, rad/s.
+    #[serde(with = "crate::finite")]
     pub bit_speed_max_rad_per_s: f64,
 }
 
@@ -58,12 +60,16 @@ pub struct StickSlip {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Whirl {
     /// Measured depth of the node that goes round fastest, m.
+    #[serde(with = "crate::finite")]
     pub md_m: f64,
     /// Its angular velocity about the hole's axis, rad/s; clockwise looking down the hole is positive.
+    #[serde(with = "crate::finite")]
     pub rate_rad_per_s: f64,
     /// That over the rotary speed.
+    #[serde(with = "crate::finite")]
     pub ratio: f64,
     /// Part of the string's length that whirls in this direction.
+    #[serde(with = "crate::finite")]
     pub length_fraction: f64,
 }
 
@@ -71,8 +77,10 @@ pub struct Whirl {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TorqueUse {
     /// 95th percentile of the surface torque over the rated torque.
+    #[serde(with = "crate::finite")]
     pub p95: f64,
     /// Largest surface torque over the rated torque.
+    #[serde(with = "crate::finite")]
     pub max: f64,
 }
 

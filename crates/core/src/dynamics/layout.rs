@@ -9,7 +9,7 @@ use crate::rod::{lanes::DOUBLES, number::Real};
 /// Every number of a node is asked for by its place, and divisions would take most of the time: the inverse of the
 /// length, rounded up, is multiplied with instead.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(from = "usize", into = "usize")]
+#[serde(try_from = "usize", into = "usize")]
 pub struct Strands {
     rows: usize,
     inverse: u64,
@@ -31,11 +31,20 @@ impl Strands {
         let rows = nodes.div_ceil(lanes);
         let fitting = rows.next_multiple_of(pattern);
         let spare = (fitting - rows) as f64;
-        Self::from(if spare <= Self::SPARE * rows as f64 {
+        let rows = if spare <= Self::SPARE * rows as f64 {
             fitting
         } else {
             rows
-        })
+        };
+        Self::of(rows)
+    }
+
+    /// Of so many rows.
+    ///
+    /// # Panics
+    /// If there are more than any string has.
+    pub fn of(rows: usize) -> Self {
+        Self::try_from(rows).unwrap_or_else(|reason| panic!("{reason}"))
     }
 
     /// Number of rows.
@@ -52,13 +61,17 @@ impl Strands {
     }
 }
 
-impl From<usize> for Strands {
-    fn from(rows: usize) -> Self {
-        assert!(rows <= Self::LONGEST, "strands of {rows} nodes");
-        Self {
+impl TryFrom<usize> for Strands {
+    type Error = String;
+
+    fn try_from(rows: usize) -> Result<Self, String> {
+        if rows > Self::LONGEST {
+            return Err(format!("strands of {rows} nodes"));
+        }
+        Ok(Self {
             rows,
             inverse: (1 << Self::PLACES) / rows.max(1) as u64 + 1,
-        }
+        })
     }
 }
 
@@ -142,7 +155,7 @@ mod tests {
     fn a_place_is_the_quotient_and_its_rest() {
         let longest = Strands::LONGEST;
         for rows in (1..300).chain([4095, 4096, 4097, longest - 1, longest]) {
-            let strands = Strands::from(rows);
+            let strands = Strands::of(rows);
             for lane in 0..SINGLES {
                 for row in [0, 1, rows / 2, rows - 1].map(|row| row.min(rows - 1)) {
                     assert_eq!(strands.place(lane * rows + row), (row, lane));

@@ -27,8 +27,10 @@ pub const MOST_LIFT_RUNS: usize = 20;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TunedLift {
     /// Lifting force on the top of the string, block excluded, N.
+    #[serde(with = "crate::finite")]
     pub hook_load_N: f64,
     /// Mean weight on bit over the window that it gives, N.
+    #[serde(with = "crate::finite")]
     pub weight_on_bit_N: f64,
     /// Runs of the whole case that it took to find.
     pub runs: usize,

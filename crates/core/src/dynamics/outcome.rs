@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{bit::TableUse, energy::EnergyBalance, indicators::Indicators, signal::Probed};
+use crate::damage::{Damaged, sound};
 use crate::{mud::Hydraulics, outcome::Scalars};
 
 /// Distribution of one quantity over the window.
@@ -316,6 +317,85 @@ pub struct TimeSeries {
     pub cutoff_depth_m: Vec<Option<f64>>,
     /// What single nodes showed, as the settings ask for it.
     pub probes: Vec<Probed>,
+}
+
+impl TimeSeries {
+    /// Whether a stored series is one of so many nodes, all its columns of one length; how many rows it has.
+    pub(super) fn check(&self, nodes: usize) -> Result<usize, Damaged> {
+        // Every field is named: a new one is looked at too.
+        let Self {
+            time_s,
+            bit_depth_m,
+            hook_load_N,
+            surface_torque_N_m,
+            friction_torque_N_m,
+            axial_friction_N,
+            side_force_total_N,
+            weight_on_bit_N,
+            bit_torque_N_m,
+            bit_force_high_N,
+            bit_force_right_N,
+            bit_moment_N_m,
+            depth_of_cut_m,
+            rate_of_penetration_m_per_s,
+            motor_speed_rad_per_s,
+            motor_pressure_Pa,
+            twist_rad,
+            stretch_m,
+            block_velocity_m_per_s,
+            bit_rotary_speed_rad_per_s,
+            rotary_speed_rad_per_s,
+            rotary_speed_set_rad_per_s,
+            block_velocity_set_m_per_s,
+            weight_on_bit_set_N,
+            flow_rate_m3_per_s,
+            pump_pressure_Pa,
+            schedule_line,
+            neutral_point_m,
+            cutoff_depth_m,
+            probes,
+        } = self;
+        let rows = time_s.len();
+        let numbers = [
+            bit_depth_m,
+            hook_load_N,
+            surface_torque_N_m,
+            friction_torque_N_m,
+            axial_friction_N,
+            side_force_total_N,
+            weight_on_bit_N,
+            bit_torque_N_m,
+            bit_force_high_N,
+            bit_force_right_N,
+            bit_moment_N_m,
+            depth_of_cut_m,
+            rate_of_penetration_m_per_s,
+            twist_rad,
+            stretch_m,
+            block_velocity_m_per_s,
+            bit_rotary_speed_rad_per_s,
+            rotary_speed_rad_per_s,
+            rotary_speed_set_rad_per_s,
+            flow_rate_m3_per_s,
+        ];
+        let some = [
+            motor_speed_rad_per_s,
+            motor_pressure_Pa,
+            block_velocity_set_m_per_s,
+            weight_on_bit_set_N,
+            pump_pressure_Pa,
+            neutral_point_m,
+            cutoff_depth_m,
+        ];
+        let fits = numbers.iter().all(|column| column.len() == rows)
+            && some.iter().all(|column| column.len() == rows)
+            && schedule_line.len() == rows
+            && probes
+                .iter()
+                .all(|probe| probe.node < nodes && probe.samples.len() == rows);
+        sound(fits, "the series against time")?;
+        Ok(rows)
+    }
 }
 
 impl DynamicOutcome {

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::damage::{Damaged, sound};
 use crate::operation::Operation;
 
 /// What moves the top of the string along the hole.
@@ -222,6 +223,12 @@ pub struct SetPoints {
 }
 
 impl SetPoints {
+    /// Whether stored set points are those of this schedule.
+    pub(super) fn check(&self, schedule: &Schedule) -> Result<(), Damaged> {
+        let fits = self.steps == schedule.steps && self.next <= self.steps.len();
+        sound(fits, "the schedule")
+    }
+
     /// The set points of `operation` until `schedule` changes them.
     pub fn new(operation: &Operation, schedule: &Schedule) -> Self {
         Self {

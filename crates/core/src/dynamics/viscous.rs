@@ -19,6 +19,7 @@ use super::{
     energy::middle_m,
     flow_pressures::FlowPressures,
 };
+use crate::damage::{Damaged, sound};
 use crate::rod::number::Real;
 use crate::{
     model::Model,
@@ -88,6 +89,19 @@ pub struct Viscous {
 }
 
 impl Viscous {
+    /// Whether stored mud is that around this string.
+    pub(super) fn check(&self, mesh: &Mesh) -> Result<(), Damaged> {
+        let nodes = mesh.nodes.len();
+        let fits = self.passages.len() == mesh.elements.len()
+            && [&self.weight_N, &self.pull_N]
+                .iter()
+                .all(|each| each.len() == nodes)
+            && [&self.pressures, &self.sum_pressures]
+                .iter()
+                .all(|of| of.outside_Pa.len() == nodes && of.inside_Pa.len() == nodes);
+        sound(fits, "the mud")
+    }
+
     /// The mud around a string that moves as `operation` has it, its bit at `bit_md_m`; none without a
     /// rheology.
     pub fn new(

@@ -2,6 +2,7 @@
 
 use super::{carry::LONGEST_REACH_M, chain::Chain};
 use crate::{
+    damage::{Damaged, sound},
     outcome::{HOLE_STEP_M, hole_steps, spread},
     rod::number::Real,
 };
@@ -23,6 +24,15 @@ pub struct Wear {
 }
 
 impl Wear {
+    /// Whether stored wear is that of a string of so many nodes in a hole down to `hole_end_m`.
+    pub(super) fn check(&self, nodes: usize, hole_end_m: f64) -> Result<(), Damaged> {
+        let stretches = Self::new(0, hole_end_m, 0.0).hole_J.len();
+        let fits = [&self.string_J, &self.laid_J]
+            .iter()
+            .all(|each| each.len() == nodes);
+        sound(fits && self.hole_J.len() == stretches, "the wear")
+    }
+
     /// No wear yet of a string of `nodes` in a hole down to `hole_end_m`, its bit at `bit_md_m`.
     pub fn new(nodes: usize, hole_end_m: f64, bit_md_m: f64) -> Self {
         Self {

@@ -7,21 +7,29 @@ use std::ops::{Add, Mul};
 pub struct Hydraulics {
     /// What the mud's friction adds to the hook load, N: positive where the string is pulled out, negative
     /// where mud streams up along it.
+    #[serde(with = "crate::finite")]
     pub mud_drag_N: f64,
     /// What it adds to the surface torque, N·m.
+    #[serde(with = "crate::finite")]
     pub mud_torque_N_m: f64,
     /// Upward thrust of the bit's jets on the string, N.
+    #[serde(with = "crate::finite")]
     pub jet_thrust_N: f64,
     /// Friction in the bore, Pa.
+    #[serde(with = "crate::finite")]
     pub bore_loss_Pa: f64,
     /// Pressure drop of the bit, Pa.
+    #[serde(with = "crate::finite")]
     pub bit_loss_Pa: f64,
     /// Pressure drop of a mud motor, Pa.
     #[serde(default)]
+    #[serde(with = "crate::finite")]
     pub motor_loss_Pa: f64,
     /// Friction in the annulus, Pa: with the mud's weight, the pressure at the bottom.
+    #[serde(with = "crate::finite")]
     pub annulus_loss_Pa: f64,
     /// Pressure that the pump delivers at, Pa: the sum of the four.
+    #[serde(with = "crate::finite")]
     pub pump_pressure_Pa: f64,
 }
 

@@ -336,6 +336,11 @@ impl Block {
         }
     }
 
+    /// Layers of bricks that are worked on together.
+    pub(super) fn layers_per_slab(&self) -> usize {
+        self.layers_per_slab
+    }
+
     /// The grid that the bricks stand in.
     pub fn grid(&self) -> &Grid {
         &self.grid

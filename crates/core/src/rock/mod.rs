@@ -28,6 +28,7 @@ mod kernel;
 mod material;
 mod plasticity;
 mod press;
+mod stored;
 mod surface;
 mod trial;
 

@@ -42,6 +42,30 @@ impl Surface {
         surface
     }
 
+    /// Whether the same nodes are exposed by the same faces, in whatever order, and each stands where its place says.
+    pub fn is_like(&self, other: &Self) -> bool {
+        let stands = |(node, place): (usize, &u32)| match *place {
+            NOWHERE => true,
+            place => self.exposed.get(place as usize) == Some(&(node as u32)),
+        };
+        let exposed = self.place.iter().filter(|place| **place != NOWHERE);
+        self.faces == other.faces
+            && self.place.len() == other.place.len()
+            && exposed.count() == self.exposed.len()
+            && self.exposed.len() == other.exposed.len()
+            && self.place.iter().enumerate().all(stands)
+            && self
+                .exposed
+                .iter()
+                .all(|node| other.is_exposed(*node as usize))
+    }
+
+    /// Names a node that is not there.
+    #[cfg(test)]
+    pub fn forge(&mut self) {
+        self.exposed[0] = NOWHERE - 1;
+    }
+
     /// Places of the exposed nodes.
     pub fn exposed(&self) -> &[u32] {
         &self.exposed

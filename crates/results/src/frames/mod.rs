@@ -21,7 +21,11 @@ use serde::{Deserialize, Serialize};
 use wholestring::dynamics::{Channel, Frame};
 
 use self::rows::{FrameRows, Layout};
-use crate::{ResultsError, checkpoint, file::write_whole, parquet_file::io_error};
+use crate::{
+    ResultsError, checkpoint,
+    file::write_whole,
+    parquet_file::{self, io_error},
+};
 
 /// Rows that are held until they are written: 0.5 MB a column.
 const GROUP_ROWS: usize = 1 << 17;
@@ -80,11 +84,15 @@ impl FrameWriter {
         channels: &[Channel],
         so_far: FramesSoFar,
     ) -> Result<Self, ResultsError> {
+        let unfit = |reason: &str| ResultsError::Checkpoint {
+            path: folder.join(checkpoint::NAME),
+            reason: reason.into(),
+        };
         if !so_far.waiting.are_of(channels) {
-            return Err(ResultsError::Checkpoint {
-                path: folder.join(checkpoint::NAME),
-                reason: "its frames have other columns".into(),
-            });
+            return Err(unfit("its frames have other columns"));
+        }
+        if !so_far.waiting.is_sound() {
+            return Err(unfit("it is damaged (its frames)"));
         }
         let layout = Layout::of(channels)
             .map_err(|error| ResultsError::format(&folder.join(NAME), error))?;
@@ -178,12 +186,10 @@ struct Part {
 impl Part {
     fn open(folder: &Path, number: usize) -> Result<Self, ResultsError> {
         let path = part_path(folder, number);
-        let file = match File::open(&path) {
-            Ok(file) => file,
-            Err(source) => return Err(ResultsError::Read { path, source }),
-        };
-        let metadata = ParquetMetaDataReader::new().parse_and_finish(&file);
-        let metadata = metadata.map_err(|error| ResultsError::format(&path, error))?;
+        let file = parquet_file::open(&path)?;
+        let metadata = parquet_file::guarded(&path, || {
+            ParquetMetaDataReader::new().parse_and_finish(&file)
+        })?;
         Ok(Self { file, metadata })
     }
 

@@ -63,6 +63,25 @@ impl FrameRows {
         names.eq(specs(channels).map(|spec| spec.name))
     }
 
+    /// Whether every column has as many rows as there are, and the kind of values that its name asks for.
+    pub(super) fn is_sound(&self) -> bool {
+        self.columns.iter().all(|(name, values)| {
+            let (kind, rows) = match values {
+                Values::Words(words) => (
+                    "operation",
+                    words
+                        .iter()
+                        .try_fold(0_usize, |sum, (_, rows)| sum.checked_add(*rows)),
+                ),
+                Values::Time(times) => ("time_s", Some(times.len())),
+                Values::Node(nodes) => ("node", Some(nodes.len())),
+                Values::Number(numbers) => ("", Some(numbers.len())),
+            };
+            let named = ["operation", "time_s", "node"].contains(&name.as_str());
+            rows == Some(self.rows) && if named { kind == name } else { kind.is_empty() }
+        })
+    }
+
     pub(super) fn push(&mut self, operation: &str, frame: &Frame, channels: &[Channel]) {
         let rows = frame.md_m.len();
         let given: Vec<(&str, &[f64])> = channels

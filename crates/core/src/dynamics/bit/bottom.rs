@@ -1,5 +1,6 @@
 //! The bottom of the hole as the blades have left it.
 
+use crate::damage::{Damaged, sound};
 use serde::{Deserialize, Serialize};
 
 /// Points of the surface between one blade and the next.
@@ -26,6 +27,12 @@ pub(super) struct Bottom {
 }
 
 impl Bottom {
+    /// Whether a stored bottom has all its points, and the blades stand at one of them.
+    pub(super) fn check(&self) -> Result<(), Damaged> {
+        let fits = self.surface_m.len() == POINTS && self.passed < POINTS;
+        sound(fits && self.spacing_rad > 0.0, "the bottom under the bit")
+    }
+
     /// A bottom that `blades` have left in drilling steadily: at `depth_m` now, each of them cutting
     /// `depth_of_cut_m`.
     pub(super) fn new(blades: u32, depth_m: f64, depth_of_cut_m: f64) -> Self {

@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use super::settings::BitLaw;
+use crate::damage::{Damaged, sound};
 use serde::{Deserialize, Serialize};
 
 use super::{
@@ -98,6 +100,19 @@ impl Press {
 }
 
 impl FrontCut {
+    /// Whether a stored front is one of this law.
+    pub(super) fn check(&self, law: &BitLaw) -> Result<(), Damaged> {
+        let fits = match (&self.law, law) {
+            (FrontLaw::Rate(_), BitLaw::Rate(_)) => true,
+            (FrontLaw::DetournayDefourny(ours), BitLaw::DetournayDefourny(theirs)) => {
+                ours == theirs
+            }
+            (FrontLaw::Table(ours, _), BitLaw::Table(theirs)) => ours == theirs,
+            _ => false,
+        };
+        sound(fits, "the law of the bit")
+    }
+
     /// The front under a bit that drills steadily.
     pub(super) fn new(
         law: FrontLaw,

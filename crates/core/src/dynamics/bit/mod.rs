@@ -41,6 +41,7 @@ use super::{
     chain::{Chain, node},
     crew::Crew,
 };
+use crate::damage::Damaged;
 use crate::{
     operation::Operation,
     rock::Drilling,
@@ -143,6 +144,17 @@ impl Default for BitStep {
 }
 
 impl Bit {
+    /// Whether a stored bit is one of these settings.
+    pub(in crate::dynamics) fn check(&self, settings: &BitSettings) -> Result<(), Damaged> {
+        match (&self.cut, &settings.law) {
+            (None, _) => Ok(()),
+            (Some(Cut::Front(front)), law) => front.check(law),
+            (Some(Cut::Regenerative(cut)), BitLaw::Regenerative(_)) => cut.check(),
+            (Some(Cut::Rock(cut)), BitLaw::Rock(law)) => cut.check(&law.drilling),
+            _ => Err(Damaged("the law of the bit")),
+        }
+    }
+
     /// The bit of `operation` at `depth_m`, pressed on the rock with the operation's weight as it is
     /// while drilling steadily. `seed` is that of the excitation. Solid rock comes under it with [`Self::stand`].
     pub fn new(settings: &BitSettings, operation: &Operation, depth_m: f64, seed: u64) -> Self {

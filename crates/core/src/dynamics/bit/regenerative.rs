@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Answer, Approach, Cutters, SteadyCut, bottom::Bottom, motor::Drive};
+use crate::damage::Damaged;
 use crate::operation::Operation;
 
 /// The law of Richard, Germay and Detournay for drag bits (*Journal of Sound and Vibration* 305, 2007),
@@ -52,6 +53,11 @@ pub(super) struct RegenerativeCut {
 }
 
 impl RegenerativeCut {
+    /// Whether a stored bottom is whole.
+    pub(super) fn check(&self) -> Result<(), Damaged> {
+        self.bottom.check()
+    }
+
     pub(super) fn new(law: RegenerativeLaw, operation: &Operation, depth_m: f64) -> Self {
         let weight = operation.weight_on_bit_now_N();
         let depth_of_cut = law.steady(weight, 0.0).depth_of_cut_m;

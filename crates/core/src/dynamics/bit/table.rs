@@ -331,14 +331,19 @@ impl BitTable {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TableUse {
     /// Part of the time on the rock that the bit was outside its table, in weight or in speed.
+    #[serde(with = "crate::finite")]
     pub outside_fraction: f64,
     /// Least and largest weight on bit of the bit on the rock, N.
+    #[serde(with = "crate::finite::pair")]
     pub weights_N: [f64; 2],
     /// Least and largest weight on bit of the table, N.
+    #[serde(with = "crate::finite::pair")]
     pub table_weights_N: [f64; 2],
     /// Least and largest rotary speed of the bit on the rock, rad/s.
+    #[serde(with = "crate::finite::pair")]
     pub speeds_rad_per_s: [f64; 2],
     /// Least and largest rotary speed of the table, rad/s.
+    #[serde(with = "crate::finite::pair")]
     pub table_speeds_rad_per_s: [f64; 2],
 }
 

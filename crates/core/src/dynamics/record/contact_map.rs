@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Record;
+use crate::damage::{Damaged, sound};
 use crate::{
     dynamics::{
         assembly::Anchor,
@@ -41,6 +42,28 @@ pub(super) struct MapKeeper {
 }
 
 impl MapKeeper {
+    /// Whether a stored map is one of so many nodes.
+    pub(super) fn check(&self, nodes: usize) -> Result<(), Damaged> {
+        let ContactMap {
+            time_s,
+            md_m,
+            side_force_N_per_m,
+            contact_force_N_per_m,
+        } = &self.map;
+        let rows = time_s.len();
+        let fits = self.from_bit_m.len() == nodes
+            && self.before.len() == nodes
+            && self.stretches.len() <= nodes
+            && self
+                .stretches
+                .iter()
+                .all(|of| of.first < nodes && of.last < nodes)
+            && [md_m, side_force_N_per_m, contact_force_N_per_m]
+                .iter()
+                .all(|column| column.len() == rows);
+        sound(fits, "the map of contact")
+    }
+
     pub(super) fn new(mesh: &Mesh) -> Self {
         let nodes = mesh.nodes.len();
         let many = nodes.div_ceil(MOST_STRETCHES);

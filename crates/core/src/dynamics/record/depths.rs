@@ -24,6 +24,11 @@ pub(super) struct Sides {
 }
 
 impl Sides {
+    /// Whether they are of so many nodes.
+    pub(super) fn is_of(&self, nodes: usize) -> bool {
+        self.before.len() == nodes
+    }
+
     pub(super) fn new(nodes: usize) -> Self {
         Self {
             before: vec![0.0; nodes],

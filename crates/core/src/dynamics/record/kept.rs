@@ -4,6 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::look::{Lane, Look};
+use crate::damage::{Damaged, sound};
 use crate::{dynamics::outcome::percentile, rod::lanes::DOUBLES};
 
 /// What is kept of every node.
@@ -78,6 +79,20 @@ impl KeptRow<'_> {
 }
 
 impl Kept {
+    /// Whether stored samples are those of a chain of so many blocks.
+    pub(super) fn check(&self, blocks: usize) -> Result<(), Damaged> {
+        let fresh = Self::new(blocks, self.expected);
+        let fits = (self.width, self.most_rows) == (fresh.width, fresh.most_rows)
+            && self.rows <= self.most_rows
+            && self.stride > 0
+            && self.place < self.stride
+            && self
+                .values
+                .iter()
+                .all(|all| all.len() == self.rows * self.width);
+        sound(fits, "the samples that are kept")
+    }
+
     /// None yet of a chain of so many blocks, of which so many samples are expected.
     pub fn new(blocks: usize, expected: u64) -> Self {
         let width = blocks * DOUBLES;

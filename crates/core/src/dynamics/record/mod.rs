@@ -9,6 +9,7 @@ mod sums;
 #[cfg(test)]
 mod tests;
 
+use crate::damage::{Damaged, sound};
 use serde::{Deserialize, Serialize};
 
 use super::{
@@ -74,6 +75,20 @@ pub struct Record {
 }
 
 impl Record {
+    /// Whether a stored record is one of so many nodes: what it sums and keeps is as long as its layout asks for.
+    pub(in crate::dynamics) fn check(&self, nodes: usize) -> Result<(), Damaged> {
+        let rows = self.series.check(nodes)?;
+        let fits = self.sums.len() == self.layout.blocks()
+            && self.sides.is_of(nodes)
+            && self.squeezed_m.len() + 1 == nodes
+            && self.window_row <= rows
+            && (rows > 0 || self.samples == 0);
+        sound(fits, "the record")?;
+        self.strength.check(nodes, self.layout)?;
+        self.kept.check(self.layout.blocks())?;
+        self.contact.check(nodes)
+    }
+
     /// An empty record of a string, beside a chain of that layout, whose window is expected to take so many `samples`.
     pub fn new(model: &Model, mesh: &Mesh, layout: Layout, samples: u64) -> Self {
         Self {

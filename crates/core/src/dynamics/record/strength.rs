@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::look::Lane;
+use crate::damage::{Damaged, sound};
 use crate::{
     dynamics::layout::Layout,
     model::Model,
@@ -53,6 +54,14 @@ impl Metal {
 }
 
 impl Strength {
+    /// Whether a stored one is that of so many nodes in this layout.
+    pub(super) fn check(&self, nodes: usize, layout: Layout) -> Result<(), Damaged> {
+        let fits = self.layout == layout
+            && self.blocks.len() == layout.blocks()
+            && self.yield_Pa.len() == nodes;
+        sound(fits, "the bodies of the string")
+    }
+
     /// The bodies of a string.
     pub fn new(model: &Model, mesh: &Mesh, layout: Layout) -> Self {
         let mut blocks = vec![

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Run, state::State};
 use crate::{
+    damage::Damaged,
     dynamics::{
         chain::Chain,
         settings::DynamicsSettings,
@@ -48,6 +49,9 @@ pub enum ResumeError {
     /// The checkpoint is that of a run in another precision.
     #[error("the checkpoint is that of a run in another precision")]
     AnotherPrecision,
+    /// What the checkpoint holds does not fit together, or not the model.
+    #[error("the checkpoint cannot be gone on with: {0}")]
+    Damaged(#[from] Damaged),
 }
 
 impl Checkpoint<'_> {
@@ -99,11 +103,14 @@ impl<R: Real> Run<R> {
         if found != expected {
             return Err(ResumeError::AnotherString { found, expected });
         }
+        let pattern = basis.mesh.nodes_per_joint();
+        checkpoint.chain.check(expected, pattern)?;
         let chain = checkpoint.chain.converted::<R>();
         if checkpoint.state.record.layout() != chain.layout() {
             return Err(ResumeError::AnotherPrecision);
         }
         let state = checkpoint.state.into_owned();
+        state.check(model, settings, &basis.mesh, chain.layout())?;
         Ok(Self::of(model, operation, settings, basis, chain, state))
     }
 }

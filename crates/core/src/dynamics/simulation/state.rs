@@ -3,9 +3,15 @@
 use serde::{Deserialize, Serialize};
 
 use super::{sampling::SinceSample, squeezed::Squeezed};
-use crate::dynamics::{
-    assembly::Anchor, bit::Bit, body::Body, chain::Rows, energy::Ledger, hoist::Hoist,
-    record::Record, schedule::SetPoints, top_drive::TopDrive, viscous::Viscous, wear::Wear,
+use crate::{
+    damage::{Damaged, sound},
+    dynamics::{
+        assembly::Anchor, bit::Bit, body::Body, chain::Rows, energy::Ledger, hoist::Hoist,
+        layout::Layout, record::Record, schedule::SetPoints, settings::DynamicsSettings,
+        top_drive::TopDrive, viscous::Viscous, wear::Wear,
+    },
+    model::Model,
+    rod::mesh::Mesh,
 };
 
 /// Everything of a run, beside its chain, that changes while it goes on: plain data, which a checkpoint holds as it
@@ -34,4 +40,36 @@ pub(super) struct State {
     pub(super) high: Vec<Rows<f64>>,
     pub(super) ledger: Ledger,
     pub(super) window_open: bool,
+}
+
+impl State {
+    /// Whether a stored state is one of a run of this model: its lengths fit and its places are there.
+    pub(super) fn check(
+        &self,
+        model: &Model,
+        settings: &DynamicsSettings,
+        mesh: &Mesh,
+        layout: Layout,
+    ) -> Result<(), Damaged> {
+        let nodes = mesh.nodes.len();
+        sound(self.anchors.len() == nodes, "the anchors")?;
+        sound(
+            self.squeezed.each_m.len() == mesh.elements.len(),
+            "the pressure of the mud at rest",
+        )?;
+        sound(self.high.len() == layout.blocks(), "the high side")?;
+        sound(
+            self.viscous.is_some() == model.mud.rheology.is_some(),
+            "the mud",
+        )?;
+        self.set_points.check(&settings.schedule)?;
+        self.body.check(&Body::new(model, mesh))?;
+        self.bit.check(&settings.bit)?;
+        if let Some(viscous) = &self.viscous {
+            viscous.check(mesh)?;
+        }
+        let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
+        self.wear.check(nodes, hole_end_m)?;
+        self.record.check(nodes)
+    }
 }

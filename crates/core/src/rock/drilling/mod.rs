@@ -18,6 +18,8 @@ pub use self::{
     progress::Progress,
     spec::{DrillingError, DrillingSpec},
 };
+use crate::damage::{Damaged, sound};
+
 use super::{
     bit_face::{ContactLaw, Pose},
     block::Block,
@@ -90,6 +92,22 @@ impl Drilling {
             drilling.seat();
         }
         Ok(drilling)
+    }
+
+    /// Whether stored rock and bit are of this kind.
+    ///
+    /// # Errors
+    /// What of it does not fit: a length, a place, or a number of the rock.
+    pub fn check(&self, spec: &DrillingSpec) -> Result<(), Damaged> {
+        let fits = *self.bit.shape() == spec.bit
+            && self.contact == spec.contact
+            && self.wall_m == spec.wall_m;
+        sound(fits, "the bit")?;
+        self.block.check(&spec.block)?;
+        sound(
+            self.dropped <= self.block.removed().0,
+            "the number of bricks that have gone",
+        )
     }
 
     /// Moves bit and rock through a time, in equal steps that the rock bears.

@@ -14,6 +14,8 @@ pub use self::{
     response::DrillingResponse,
     spec::{TrialError, TrialSpec},
 };
+use crate::damage::{Damaged, sound};
+
 use super::{
     drilling::{Drilling, DrillingSpec},
     executor::Executor,
@@ -50,6 +52,15 @@ impl Trial {
             steps: 0,
             count: Count::default(),
         })
+    }
+
+    /// Whether a stored trial is this one of this bit.
+    ///
+    /// # Errors
+    /// What of it does not fit.
+    pub fn check(&self, spec: &TrialSpec, drilling: &DrillingSpec) -> Result<(), Damaged> {
+        sound(self.spec == *spec, "the trial")?;
+        self.drilling.check(drilling)
     }
 
     /// Goes on by at most so many steps, as far as there are any left. The pieces do not matter: the same steps come to the same bits.

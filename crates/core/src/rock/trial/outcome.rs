@@ -15,24 +15,32 @@ use crate::rock::drilling::{Advance, Progress};
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TrialOutcome {
     /// Weight that was put on the bit, N.
+    #[serde(with = "crate::finite")]
     pub weight_on_bit_N: f64,
     /// Rotary speed, rad/s.
+    #[serde(with = "crate::finite")]
     pub rotary_speed_rad_per_s: f64,
     /// Mean rate of penetration, m/s.
+    #[serde(with = "crate::finite")]
     pub rate_of_penetration_m_per_s: f64,
     /// Its standard error, m/s.
     pub rate_of_penetration_error_m_per_s: Option<f64>,
     /// Mean depth of cut per revolution, m.
+    #[serde(with = "crate::finite")]
     pub depth_of_cut_m: f64,
     /// Mean torque of the bit on the rock, N·m.
+    #[serde(with = "crate::finite")]
     pub torque_N_m: f64,
     /// Its standard error, N·m.
     pub torque_error_N_m: Option<f64>,
     /// Standard deviation of the torque, N·m.
+    #[serde(with = "crate::finite")]
     pub torque_std_N_m: f64,
     /// Mean weight that the rock bore, N: that put on the bit but for what speeds it up.
+    #[serde(with = "crate::finite")]
     pub weight_borne_N: f64,
     /// Standard deviation of the weight that the rock bore, N.
+    #[serde(with = "crate::finite")]
     pub weight_on_bit_std_N: f64,
     /// Work of the bit per volume of rock that it broke, Pa; none where it broke nothing.
     pub specific_energy_Pa: Option<f64>,
@@ -42,12 +50,16 @@ pub struct TrialOutcome {
     /// Bricks that it broke.
     pub bricks_broken: u64,
     /// Largest kinetic energy of the rock over the work of its deformation.
+    #[serde(with = "crate::finite")]
     pub kinetic_fraction: f64,
     /// Revolutions counted.
+    #[serde(with = "crate::finite")]
     pub revolutions: f64,
     /// Time counted, s.
+    #[serde(with = "crate::finite")]
     pub time_s: f64,
     /// Time of the means that go into standard deviations, s.
+    #[serde(with = "crate::finite")]
     pub averaging_time_s: f64,
 }
 

@@ -6,6 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
 use super::RunIn;
+use crate::damage::Damaged;
 use crate::{
     dynamics::{
         assembly::Anchor,
@@ -13,7 +14,7 @@ use crate::{
         chain::{Chain, element, node},
         crew::Crew,
     },
-    rock::{BitMotion, Drilling, Inertia, bit_face::Pose},
+    rock::{BitMotion, Drilling, DrillingSpec, Inertia, bit_face::Pose},
     rod::{number::Real, vector::Vector},
 };
 
@@ -42,6 +43,11 @@ pub struct RockCut {
 }
 
 impl RockCut {
+    /// Whether stored rock is that of this bit and block.
+    pub(in crate::dynamics::bit) fn check(&self, spec: &DrillingSpec) -> Result<(), Damaged> {
+        self.drilling.check(spec)
+    }
+
     /// Puts the block on which the bit was run in in the hole where the string's bit is.
     pub(in crate::dynamics::bit) fn new(
         run_in: RunIn,

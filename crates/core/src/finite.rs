@@ -1,0 +1,67 @@
+//! Numbers in files for people and other programs, which know no infinity.
+//!
+//! JSON has neither infinities nor what is no number: they become `null`, which is read back as not a number.
+//! Without this, what was written so could not be read. Binary formats keep every bit.
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+pub(crate) fn serialize<S: Serializer>(value: &f64, to: S) -> Result<S::Ok, S::Error> {
+    if to.is_human_readable() {
+        value.is_finite().then_some(*value).serialize(to)
+    } else {
+        value.serialize(to)
+    }
+}
+
+pub(crate) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+    if from.is_human_readable() {
+        Ok(Option::<f64>::deserialize(from)?.unwrap_or(f64::NAN))
+    } else {
+        f64::deserialize(from)
+    }
+}
+
+/// The same of two numbers.
+pub(crate) mod pair {
+    use super::*;
+
+    #[derive(Serialize, Deserialize)]
+    struct One(#[serde(with = "super")] f64);
+
+    pub(crate) fn serialize<S: Serializer>(pair: &[f64; 2], to: S) -> Result<S::Ok, S::Error> {
+        pair.map(One).serialize(to)
+    }
+
+    pub(crate) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<[f64; 2], D::Error> {
+        Ok(<[One; 2]>::deserialize(from)?.map(|One(value)| value))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde::{Deserialize, Serialize};
+
+    #[derive(Debug, Serialize, Deserialize)]
+    struct Numbers {
+        #[serde(with = "crate::finite")]
+        one: f64,
+        #[serde(with = "crate::finite::pair")]
+        two: [f64; 2],
+    }
+
+    #[test]
+    fn what_is_not_finite_is_null_in_text_and_kept_in_bits() {
+        let numbers = Numbers {
+            one: f64::INFINITY,
+            two: [-0.0, f64::NEG_INFINITY],
+        };
+        let text = serde_json::to_string(&numbers).unwrap();
+        assert_eq!(text, r#"{"one":null,"two":[-0.0,null]}"#);
+        let back: Numbers = serde_json::from_str(&text).unwrap();
+        assert!(back.one.is_nan() && back.two[1].is_nan());
+        let stored = postcard::to_allocvec(&numbers).unwrap();
+        let back: Numbers = postcard::from_bytes(&stored).unwrap();
+        assert_eq!(back.one, f64::INFINITY);
+        assert_eq!(back.two.map(f64::to_bits), numbers.two.map(f64::to_bits));
+    }
+}

@@ -1,0 +1,125 @@
+//! A block that was stored, held against what it is to be made of: the loops of the kernel trust its lengths.
+
+use super::{
+    block::{Block, BlockSpec},
+    grid::{GROUP, Grid},
+    surface::Surface,
+};
+use crate::damage::{Damaged, sound};
+
+impl Block {
+    /// Whether a stored block is one of this kind.
+    ///
+    /// # Errors
+    /// What of it does not fit.
+    pub fn check(&self, spec: &BlockSpec) -> Result<(), Damaged> {
+        let grid = Grid {
+            cells: spec.cells,
+            size_m: spec.size_m,
+        };
+        let constants = spec.constants().map_err(|_| Damaged("the rock"))?;
+        let same = self.grid == grid
+            && self.rock == spec.rock
+            && self.edges == spec.edges
+            && self.layers_per_slab() == spec.layers_per_slab.max(1);
+        sound(same, "the block")?;
+        let dt_s = self.constants.dt_s;
+        let steps = self.constants.longest_dt_s == constants.longest_dt_s
+            && self.constants.mass_kg == constants.mass_kg
+            && dt_s > 0.0
+            && dt_s <= constants.longest_dt_s * (1.0 + 1e-9);
+        sound(steps, "the step of the rock")?;
+        let (nodes, bricks) = (grid.node_places(), grid.brick_places());
+        let of_nodes = [&self.displacement, &self.velocity, &self.came];
+        let lengths = of_nodes
+            .iter()
+            .all(|field| field.iter().all(|of| of.len() == nodes))
+            && self.inverse_mass.len() == nodes
+            && self.around.len() == nodes
+            && self.stress.iter().all(|of| of.len() == bricks)
+            && self.intact.len() == bricks
+            && self.left.len() == bricks / GROUP
+            && self.books.len() == grid.brick_rows() * grid.cells[2];
+        sound(lengths, "the fields of the rock")?;
+        self.check_counts()
+    }
+
+    /// Whether counts and surface are those of the bricks that are left.
+    fn check_counts(&self) -> Result<(), Damaged> {
+        let grid = self.grid;
+        let is_rock = |brick: [usize; 3]| self.intact[grid.brick(brick)] >= 0.0;
+        let mut around = vec![0_u8; grid.node_places()];
+        let mut left = vec![0_u8; grid.brick_places() / GROUP];
+        let mut rock = vec![false; grid.brick_places()];
+        for brick in grid.each_brick().filter(|brick| is_rock(*brick)) {
+            let place = grid.brick(brick);
+            rock[place] = true;
+            left[place / GROUP] += 1;
+            for corner in grid.corners(brick) {
+                around[corner] += 1;
+            }
+        }
+        // Places beside the bricks of a row hold none.
+        let beside = rock
+            .iter()
+            .zip(&self.intact)
+            .all(|(rock, intact)| *rock || *intact < 0.0);
+        sound(
+            beside && around == self.around && left == self.left,
+            "the bricks that are left",
+        )?;
+        let fresh = Surface::new(&grid, &self.edges, is_rock);
+        sound(self.surface.is_like(&fresh), "the surface of the rock")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rock::{Alone, Rock, Stepper};
+
+    fn block() -> (BlockSpec, Block) {
+        let rock = Rock::of_strength(60e6);
+        let mut spec = BlockSpec::new(rock, [5, 4, 6], 0.01);
+        spec.layers_per_slab = 2;
+        let mut block = Block::new(&spec).unwrap();
+        for brick in [[0, 0, 0], [2, 1, 0], [2, 1, 1]] {
+            block.remove(brick);
+        }
+        block.step(&Stepper::default(), &Alone);
+        (spec, block)
+    }
+
+    #[test]
+    fn a_block_that_was_stored_whole_is_sound() {
+        let (spec, block) = block();
+        assert_eq!(block.check(&spec), Ok(()));
+        let stored = postcard::to_allocvec(&block).unwrap();
+        let back: Block = postcard::from_bytes(&stored).unwrap();
+        assert_eq!(back.check(&spec), Ok(()));
+    }
+
+    /// Each of these reached the kernel, which reads and writes by the grid\'s own lengths.
+    #[test]
+    fn a_block_with_a_length_or_a_place_that_does_not_fit_is_refused() {
+        let damages: [(&str, fn(&mut Block)); 12] = [
+            ("the block", |b| b.grid.cells[2] += 1),
+            ("the block", |b| b.grid.cells = [15, 15, 9]),
+            ("the step of the rock", |b| b.constants.dt_s = f64::NAN),
+            ("the fields of the rock", |b| b.displacement[1].clear()),
+            ("the fields of the rock", |b| b.velocity[2].clear()),
+            ("the fields of the rock", |b| drop(b.came[0].pop())),
+            ("the fields of the rock", |b| b.stress[5].clear()),
+            ("the fields of the rock", |b| b.intact.clear()),
+            ("the fields of the rock", |b| b.books.clear()),
+            ("the bricks that are left", |b| b.left[0] += 1),
+            ("the bricks that are left", |b| b.around[3] = 0),
+            ("the surface of the rock", |b| b.surface.forge()),
+        ];
+        for (about, damage) in damages {
+            let (spec, mut block) = block();
+            damage(&mut block);
+            assert_eq!(block.check(&spec), Err(Damaged(about)));
+        }
+    }
+}

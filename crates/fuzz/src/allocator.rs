@@ -1,0 +1,72 @@
+//! Memory that is counted, and no more of it than a reader may take.
+
+use std::{
+    alloc::{GlobalAlloc, Layout, System},
+    ptr,
+    sync::atomic::{AtomicUsize, Ordering::Relaxed},
+};
+
+/// No file may make the program take more, bytes.
+pub(crate) const CAP: usize = 1 << 30;
+
+static HELD: AtomicUsize = AtomicUsize::new(0);
+static PEAK: AtomicUsize = AtomicUsize::new(0);
+
+/// The system's memory, counted. What would go over [`CAP`] is not given: the process ends then, and whoever
+/// started it tells of the input.
+pub(crate) struct Counting;
+
+// SAFETY: all memory is the system's.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        if !take(layout.size()) {
+            return ptr::null_mut();
+        }
+        // SAFETY: the caller's.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        if !take(layout.size()) {
+            return ptr::null_mut();
+        }
+        // SAFETY: the caller's.
+        unsafe { System.alloc_zeroed(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        HELD.fetch_sub(layout.size(), Relaxed);
+        // SAFETY: the caller's.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+
+    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        // While it is copied both are held.
+        if !take(size) {
+            return ptr::null_mut();
+        }
+        HELD.fetch_sub(layout.size(), Relaxed);
+        // SAFETY: the caller's.
+        unsafe { System.realloc(pointer, layout, size) }
+    }
+}
+
+fn take(bytes: usize) -> bool {
+    let held = HELD.fetch_add(bytes, Relaxed).saturating_add(bytes);
+    if held > CAP {
+        HELD.fetch_sub(bytes, Relaxed);
+        return false;
+    }
+    PEAK.fetch_max(held, Relaxed);
+    true
+}
+
+/// Begins to look for the peak anew.
+pub(crate) fn forget_peak() {
+    PEAK.store(HELD.load(Relaxed), Relaxed);
+}
+
+/// The most memory that was held since, bytes.
+pub(crate) fn peak() -> usize {
+    PEAK.load(Relaxed)
+}

@@ -1,0 +1,235 @@
+//! Surveys in every format.
+
+#[path = "../../../case/tests/old_excel/mod.rs"]
+mod old_excel;
+
+use std::{
+    f64::consts::{PI, TAU},
+    io::{Cursor, Write},
+};
+
+use fastrand::Rng;
+use wholestring_case::survey::{ImportedSurvey, Said, SurveyError, read_as};
+use wholestring_units::Dimension;
+use zip::{CompressionMethod, ZipWriter, write::SimpleFileOptions};
+
+use self::old_excel::Value;
+use super::{Make, Reader};
+use crate::mutation;
+
+const WORDS: &[&str] = &[
+    ",", ";", "\t", "  ", "\n", "\r\n", "\"", "\"\"", "(", ")", "MD", "MD (m)", "md_m", "Inc",
+    "Azi", "TVD [ft]", "N/S", "E/W", "ft", "ftKB", "deg", "rad", "°", "½", "1,500.0", "1.500,5",
+    "!", "#", "--", "\u{c}", "\u{a0}", "Measured", "Depth", "RKB",
+];
+
+/// What holds of any survey that is read, and of any error.
+fn sound(read: Result<ImportedSurvey, SurveyError>) -> bool {
+    match read {
+        Ok(survey) => {
+            assert!(survey.stations.len() >= 2);
+            assert!(
+                survey
+                    .stations
+                    .windows(2)
+                    .all(|pair| pair[0].md_m < pair[1].md_m)
+            );
+            for station in &survey.stations {
+                assert!(station.md_m >= 0.0 && station.md_m.is_finite());
+                assert!((0.0..=PI).contains(&station.inclination_rad));
+                assert!((-TAU..=2.0 * TAU).contains(&station.azimuth_rad));
+            }
+            assert!(survey.start().tvd_m.is_finite());
+            true
+        }
+        Err(error) => {
+            assert!(!error.to_string().is_empty());
+            if let Some(span) = error.span() {
+                assert!(error.text().is_some_and(|text| text.get(span).is_some()));
+            }
+            false
+        }
+    }
+}
+
+/// Reads under a name, with a unit that is said or without.
+fn reads(name: &'static str) -> impl FnMut(&[u8]) -> bool {
+    let said = Said {
+        length_unit: Dimension::Length.find_unit("ft"),
+    };
+    move |input| {
+        let plain = sound(read_as(input, name, &Said::default()));
+        plain | sound(read_as(input, name, &said))
+    }
+}
+
+/// Cells parted by commas and semicolons.
+pub(super) fn csv() -> Reader {
+    let seeds: [&[u8]; 5] = [
+        b"Survey of S-1\nMD (m),Inc,Azi,TVD (m)\n,deg,deg,\n0,0,0,0\n30,1.5,45,30\n60,3,45,59.9\n",
+        b"MD (ftKB),Inc (deg),Azi (deg),N/S (ft),E/W (ft)\n500,0,0,0,0\n530,1,359.5,0,0\n560,2,0.5,1,1\n",
+        "MD (m);Inc (°);Azi (°)\n0,0;0,0;0\n30,5;1,25;90,125\n1.060,5;1,25;90\n".as_bytes(),
+        b"0,0,0\n30,1.5,45\n60,3,45\n",
+        include_bytes!("../../../../cases/np13-x1042-survey.csv"),
+    ];
+    Reader::text("survey-csv", seeds, WORDS, reads("a.csv"))
+}
+
+/// Cells parted by tabs.
+pub(super) fn tsv() -> Reader {
+    let seeds: [&[u8]; 3] = [
+        b"Well S-1\r\n# made by hand\r\n\r\n\"MD\n(m)\"\tInc[deg]\tAzi[deg]\r\n0\t0\t0\r\n\r\n\"1,030.5\"\t0.5\t45\r\nEnd\t\t\r\n",
+        b"MD\tINCL\tAzimuth\nft\tdeg\tdeg\n0\t0\t0\n1000\t0\t359.5\n1100\t3\t0.5\n",
+        b"\xff\xfem\0d\0_\0m\0\t\0i\0n\0c\0\t\0a\0z\0i\0\n\x000\0\t\x000\0\t\x000\0\n\x009\0\t\x001\0\t\x002\0\n\0",
+    ];
+    Reader::text("survey-tsv", seeds, WORDS, reads("a.tsv"))
+}
+
+/// Reports in columns of blanks.
+pub(super) fn fixed() -> Reader {
+    let seeds: [&[u8]; 3] = [
+        b"  Measured     Incl    Azimuth\n  Depth (ft)  (deg)    (deg)\n    0.0   0.0   0.0\n ! 1,500.0   1.0   2.0\n 1,600.0  1.5  2\n",
+        "Well:      S-1\n\n   Measured                          Vertical\n    Depth    Inclination  Azimuth     Depth\n     (ft)        (°)        (°)        (ft)\n       0.0      0.00        0.00        0.0\n   1,500.0      0.00        0.00    1,500.0\n ! 1,700.0      6.00        0.50    1,699.6\n".as_bytes(),
+        b"0 0 0\n30 1.5 45\n60 3 45\n",
+    ];
+    Reader::text("survey-fixed", seeds, WORDS, reads("a.txt"))
+}
+
+/// Parts of a workbook, with shared strings and styles.
+const PARTS: [(&str, &str); 7] = [
+    (
+        "[Content_Types].xml",
+        r#"<?xml version="1.0"?><Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="xml" ContentType="application/xml"/><Override PartName="/xl/workbook.xml" ContentType="application/vnd.openxmlformats-officedocument.spreadsheetml.sheet.main+xml"/></Types>"#,
+    ),
+    (
+        "_rels/.rels",
+        r#"<?xml version="1.0"?><Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Id="rId1" Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/officeDocument" Target="xl/workbook.xml"/></Relationships>"#,
+    ),
+    (
+        "xl/_rels/workbook.xml.rels",
+        r#"<?xml version="1.0"?><Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Id="rId1" Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/worksheet" Target="worksheets/sheet1.xml"/></Relationships>"#,
+    ),
+    (
+        "xl/workbook.xml",
+        r#"<?xml version="1.0"?><workbook xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main" xmlns:r="http://schemas.openxmlformats.org/officeDocument/2006/relationships"><sheets><sheet name="S" sheetId="1" r:id="rId1"/></sheets></workbook>"#,
+    ),
+    (
+        "xl/sharedStrings.xml",
+        r#"<?xml version="1.0"?><sst xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main" count="3" uniqueCount="3"><si><t>MD (m)</t></si><si><t>Inc</t></si><si><t>Azi</t></si></sst>"#,
+    ),
+    (
+        "xl/styles.xml",
+        r#"<?xml version="1.0"?><styleSheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><numFmts count="1"><numFmt numFmtId="164" formatCode="yyyy-mm-dd"/></numFmts><cellXfs count="2"><xf numFmtId="0"/><xf numFmtId="164"/></cellXfs></styleSheet>"#,
+    ),
+    (
+        "xl/worksheets/sheet1.xml",
+        r#"<?xml version="1.0"?><worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><dimension ref="A1:C4"/><sheetData><row r="1"><c r="A1" t="s"><v>0</v></c><c r="B1" t="s"><v>1</v></c><c r="C1" t="s"><v>2</v></c></row><row r="2"><c r="A2"><v>0</v></c><c r="B2"><v>0</v></c><c r="C2"><v>0</v></c></row><row r="3"><c r="A3"><v>30</v></c><c r="B3" t="str"><v>1.5</v></c><c r="C3"><f>40+5</f><v>45</v></c></row><row r="4"><c r="A4"><v>60</v></c><c r="B4" t="inlineStr"><is><t>3</t></is></c><c r="C4"><v>4.5E1</v></c></row></sheetData></worksheet>"#,
+    ),
+];
+
+const TAGS: &[&str] = &[
+    "<c r=\"XFD1048576\"><v>1</v></c>",
+    "<si><t>x</t></si>",
+    "<sheet name=\"T\" sheetId=\"2\" r:id=\"rId1\"/>",
+    "uniqueCount",
+    "count",
+    "t=\"s\"",
+    "r=\"A99999999\"",
+    "<row r=\"4294967295\">",
+    "<",
+    ">",
+    "/>",
+    "&#0;",
+    "&amp;",
+    "rId1",
+    "<v>",
+    "</v>",
+    "<f t=\"shared\" si=\"99999999\" ref=\"A1:B2\">1</f>",
+    "<mergeCell ref=\"A1:XFD1048576\"/>",
+    "<xf/>",
+    "A1:XFD1048576",
+];
+
+fn archive(parts: &[(&str, Vec<u8>)], method: CompressionMethod) -> Vec<u8> {
+    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    let options = SimpleFileOptions::default().compression_method(method);
+    for (name, part) in parts {
+        zip.start_file(*name, options).expect("a name of a part");
+        zip.write_all(part).expect("memory is never full");
+    }
+    zip.finish().expect("memory is never full").into_inner()
+}
+
+fn parts() -> Vec<(&'static str, Vec<u8>)> {
+    PARTS
+        .map(|(name, part)| (name, part.as_bytes().to_vec()))
+        .into()
+}
+
+/// New workbooks: their parts damaged and packed again, and the archive damaged.
+pub(super) fn xlsx() -> Reader {
+    let whole = archive(&parts(), CompressionMethod::Deflated);
+    let seeds = vec![whole.clone(), archive(&parts(), CompressionMethod::Stored)];
+    let archives = seeds.clone();
+    let make = move |rng: &mut Rng| {
+        if rng.u8(..4) == 0 {
+            return mutation::damaged(&archives, &[], false, rng);
+        }
+        let mut parts = parts();
+        for _ in 0..=rng.u8(..2) {
+            let at = rng.usize(2..parts.len());
+            parts[at].1 = mutation::damaged(&[parts[at].1.clone()], TAGS, true, rng);
+        }
+        archive(&parts, CompressionMethod::Stored)
+    };
+    Reader {
+        make: Make::Own(Box::new(make)),
+        ..Reader::binary("survey-xlsx", seeds, reads("a.xlsx"))
+    }
+}
+
+/// Old workbooks: damaged where their records are, or anywhere.
+pub(super) fn xls() -> Reader {
+    let mut cells = Vec::new();
+    for (column, heading) in (0..).zip(["MD (m)", "Inc", "Azi"]) {
+        cells.push((0, column, Value::Text(heading)));
+        cells.extend((1..4).map(|row| (row, column, Value::Number(f64::from(row)))));
+    }
+    let seeds = vec![
+        old_excel::workbook(&cells),
+        old_excel::workbook_of(&cells, 3),
+    ];
+    let wholes = seeds.clone();
+    let make = move |rng: &mut Rng| {
+        let Some(whole) = rng.choice(&wholes) else {
+            return Vec::new();
+        };
+        match rng.u8(..4) {
+            0 => mutation::damaged(&wholes, &[], false, rng),
+            // The header, the table of sectors and the directory.
+            1 => {
+                let mut bytes = whole.clone();
+                for _ in 0..=rng.u8(..4) {
+                    let at = rng.usize(..3 * 512);
+                    bytes[at] = rng.u8(..);
+                }
+                bytes
+            }
+            _ => {
+                let mut bytes = whole.clone();
+                let records = 3 * 512..3 * 512 + 500;
+                let damaged =
+                    mutation::damaged(&[bytes[records.clone()].to_vec()], &[], false, rng);
+                // The stream keeps its length.
+                for (to, from) in bytes[records.start..].iter_mut().zip(damaged) {
+                    *to = from;
+                }
+                bytes
+            }
+        }
+    };
+    Reader {
+        make: Make::Own(Box::new(make)),
+        ..Reader::binary("survey-xls", seeds, reads("a.xls"))
+    }
+}

@@ -1,0 +1,156 @@
+//! The process that watches: it starts one that reads, and tells how that ended.
+
+use std::{
+    env,
+    fs::{self, File},
+    io::{self, Read},
+    path::Path,
+    process::{Child, Command, Stdio},
+    thread,
+    time::{Duration, Instant},
+};
+
+use crate::{tally::Tally, worker::Inputs};
+
+/// An input that takes longer than this is a fault.
+const LONGEST: Duration = Duration::from_secs(60);
+
+/// How often a reading process is looked at.
+const LOOK: Duration = Duration::from_millis(50);
+
+/// An input that a reader did not stand.
+pub(crate) struct Fault {
+    pub(crate) reader: &'static str,
+    pub(crate) input: u64,
+    pub(crate) what: String,
+}
+
+/// What came of a reader.
+pub(crate) struct Outcome {
+    pub(crate) tally: Tally,
+    pub(crate) faults: Vec<Fault>,
+}
+
+/// Has a reader read its inputs, in processes of their own: one that ends early is followed by another, from the
+/// input after.
+pub(crate) fn run(reader: &'static str, inputs: Inputs, folder: &Path) -> io::Result<Outcome> {
+    let begin = Instant::now();
+    let mut outcome = Outcome {
+        tally: Tally::default(),
+        faults: Vec::new(),
+    };
+    let end = inputs.from.saturating_add(inputs.count);
+    let mut from = inputs.from;
+    loop {
+        let left = inputs.time.saturating_sub(begin.elapsed());
+        if from >= end || left.is_zero() {
+            return Ok(outcome);
+        }
+        let counted = folder.join(format!("{reader}-{from}"));
+        let part = Inputs {
+            from,
+            count: end - from,
+            time: left,
+            ..inputs
+        };
+        let (ended, panics) = one_process(reader, part, &counted)?;
+        let mut tally = match File::open(&counted) {
+            Ok(mut file) => Tally::read(&mut file)?,
+            Err(_) => Tally::default(),
+        };
+        fs::remove_file(&counted).ok();
+        outcome.faults.extend(panics);
+        match ended {
+            None => {
+                outcome.tally.join(&tally);
+                return Ok(outcome);
+            }
+            Some(what) => {
+                let input = tally.next.max(from);
+                outcome.faults.push(Fault {
+                    reader,
+                    input,
+                    what,
+                });
+                tally.next = input + 1;
+                tally.panicked += 1;
+                outcome.tally.join(&tally);
+                from = input + 1;
+            }
+        }
+        // Whoever fails at everything is not asked a million times.
+        if outcome.faults.len() > 100 {
+            return Ok(outcome);
+        }
+    }
+}
+
+/// Runs one process to its end; how it failed, if it did, and the panics that it told of.
+fn one_process(
+    reader: &'static str,
+    inputs: Inputs,
+    counted: &Path,
+) -> io::Result<(Option<String>, Vec<Fault>)> {
+    let mut child = Command::new(env::current_exe()?)
+        .arg("--worker")
+        .arg(reader)
+        .args([inputs.seed, inputs.from, inputs.count].map(|number| number.to_string()))
+        .arg(inputs.time.as_millis().to_string())
+        .arg(counted)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()?;
+    let told = drain(child.stdout.take());
+    let erred = drain(child.stderr.take());
+    let ended = wait(&mut child, counted)?;
+    let told = told.join().unwrap_or_default();
+    let erred = erred.join().unwrap_or_default();
+    let panics = told
+        .lines()
+        .filter_map(|line| {
+            let (number, said) = line.strip_prefix("panic ")?.split_once(' ')?;
+            Some(Fault {
+                reader,
+                input: number.parse().ok()?,
+                what: format!("panics: {said}"),
+            })
+        })
+        .collect();
+    let ended = ended.map(|how| match erred.trim().lines().next_back() {
+        Some(last) if !last.is_empty() => format!("{how}: {last}"),
+        _ => how,
+    });
+    Ok((ended, panics))
+}
+
+/// Reads a pipe to its end beside everything else.
+fn drain(pipe: Option<impl Read + Send + 'static>) -> thread::JoinHandle<String> {
+    thread::spawn(move || {
+        let mut bytes = Vec::new();
+        if let Some(mut pipe) = pipe {
+            pipe.read_to_end(&mut bytes).ok();
+        }
+        String::from_utf8_lossy(&bytes).into_owned()
+    })
+}
+
+/// Waits for a process; why it ended early, if it did. One that stays at an input is ended.
+fn wait(child: &mut Child, counted: &Path) -> io::Result<Option<String>> {
+    let (mut at, mut since) = (u64::MAX, Instant::now());
+    loop {
+        if let Some(status) = child.try_wait()? {
+            return Ok((!status.success()).then(|| format!("ends the program ({status})")));
+        }
+        thread::sleep(LOOK);
+        let next = File::open(counted)
+            .and_then(|mut file| Tally::read(&mut file))
+            .map_or(u64::MAX, |tally| tally.next);
+        if next != at {
+            (at, since) = (next, Instant::now());
+        } else if since.elapsed() > LONGEST {
+            child.kill()?;
+            child.wait()?;
+            return Ok(Some(format!("takes longer than {} s", LONGEST.as_secs())));
+        }
+    }
+}

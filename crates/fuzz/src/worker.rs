@@ -1,0 +1,101 @@
+//! The process that reads: it may end at any input, and what it counted stays.
+
+use std::{
+    fs::{self, OpenOptions},
+    path::Path,
+    time::{Duration, Instant},
+};
+
+use fastrand::Rng;
+use wholestring_contain::contain;
+
+use crate::{allocator, readers::Reader, tally::Tally};
+
+/// Which inputs.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Inputs {
+    pub(crate) seed: u64,
+    pub(crate) from: u64,
+    /// As many as these at most.
+    pub(crate) count: u64,
+    /// For at most so long.
+    pub(crate) time: Duration,
+}
+
+/// The input of that number: the same on every machine.
+pub(crate) fn input(reader: &Reader, seed: u64, number: u64) -> Vec<u8> {
+    let name = reader
+        .name
+        .bytes()
+        .fold(0xcbf2_9ce4_8422_2325, |sum: u64, byte| {
+            (sum ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+        });
+    let mut rng = Rng::with_seed(seed ^ name ^ number.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+    reader.input(&mut rng)
+}
+
+/// Reads the inputs; panics are told on standard output, a line each.
+pub(crate) fn work(reader: &mut Reader, inputs: Inputs, counted: &Path) -> std::io::Result<()> {
+    let mut file = OpenOptions::new()
+        .write(true)
+        .create(true)
+        .truncate(false)
+        .open(counted)?;
+    let mut tally = Tally {
+        next: inputs.from,
+        ..Tally::default()
+    };
+    let begin = Instant::now();
+    for number in inputs.from..inputs.from.saturating_add(inputs.count) {
+        if begin.elapsed() > inputs.time {
+            break;
+        }
+        let bytes = input(reader, inputs.seed, number);
+        tally.next = number;
+        tally.write(&mut file)?;
+        allocator::forget_peak();
+        let start = Instant::now();
+        match contain(|| reader.read(&bytes)) {
+            Ok(true) => tally.accepted += 1,
+            Ok(false) => tally.refused += 1,
+            Err(panicked) => {
+                tally.panicked += 1;
+                let said = panicked.0.lines().next().unwrap_or_default().to_owned();
+                println!("panic {number} {said}");
+            }
+        }
+        let (took, peak) = (start.elapsed(), allocator::peak() as u64);
+        if took > tally.slowest {
+            (tally.slowest, tally.slowest_input) = (took, number);
+        }
+        if peak > tally.peak_bytes {
+            (tally.peak_bytes, tally.peak_input) = (peak, number);
+        }
+        tally.next = number + 1;
+    }
+    tally.write(&mut file)
+}
+
+/// Writes an input beside the others that were asked for, and reads it alone, uncontained.
+pub(crate) fn one(
+    reader: &mut Reader,
+    seed: u64,
+    number: u64,
+    folder: &Path,
+) -> std::io::Result<()> {
+    let bytes = input(reader, seed, number);
+    fs::create_dir_all(folder)?;
+    let path = folder.join(format!("{}-{seed}-{number}", reader.name));
+    fs::write(&path, &bytes)?;
+    println!("{} bytes in {}", bytes.len(), path.display());
+    allocator::forget_peak();
+    let start = Instant::now();
+    let accepted = reader.read(&bytes);
+    println!(
+        "{} in {:.3} s, {} MB",
+        if accepted { "accepted" } else { "refused" },
+        start.elapsed().as_secs_f64(),
+        allocator::peak() >> 20
+    );
+    Ok(())
+}
