@@ -15,6 +15,7 @@ use super::{
     outcome::{DynamicOutcome, Statistic},
     schedule::{HoistNow, HoistSetPoint},
     settings::{DynamicsSettings, HoistControl, Start},
+    settling::Settling,
     setup::Basis,
     step::{Abilities, Calming, StepInput, Stepper},
     summary,
@@ -62,6 +63,7 @@ pub struct Run<R: Real> {
     operation: Operation,
     settings: DynamicsSettings,
     mesh: Mesh,
+    settling: Settling,
     plan: StepPlan,
     surroundings: Surroundings,
     abilities: Abilities,
@@ -84,6 +86,7 @@ impl<R: Real> Run<R> {
     ) -> Self {
         let Basis {
             mesh,
+            settling,
             plan,
             surroundings,
             abilities,
@@ -96,6 +99,7 @@ impl<R: Real> Run<R> {
             operation: *operation,
             settings: settings.clone(),
             mesh,
+            settling,
             plan,
             surroundings,
             abilities,
@@ -112,9 +116,18 @@ impl<R: Real> Run<R> {
         self.state.steps as f64 * self.plan.dt_s
     }
 
-    /// Time at which the window ends, s.
+    /// Time at which the window ends, s; at the latest, as long as the run settles until it is steady.
     pub fn end_time_s(&self) -> f64 {
-        self.settings.settle_s + self.settings.duration_s
+        let settle_s = match self.state.settled {
+            Some(settled) => settled.settle_s,
+            None => self.settling.most_s(),
+        };
+        settle_s + self.settings.duration_s
+    }
+
+    /// Whether the window is yet to begin.
+    pub fn is_settling(&self) -> bool {
+        !self.state.window_open
     }
 
     /// Step, s.
@@ -403,6 +416,8 @@ impl<R: Real> Run<R> {
             hydraulics: self.state.viscous.as_ref().map(Viscous::mean),
             pressures: self.state.viscous.as_ref().map(Viscous::mean_pressures),
             instructions: self.stepper.instructions,
+            settling: self.settling,
+            settled: self.state.settled,
         })
     }
 }

@@ -5,7 +5,8 @@ use serde::{Deserialize, Serialize};
 use super::sampling::SinceSample;
 use crate::dynamics::{
     assembly::Anchor, bit::Bit, body::Body, chain::Rows, energy::Ledger, hoist::Hoist,
-    record::Record, schedule::SetPoints, top_drive::TopDrive, viscous::Viscous, wear::Wear,
+    record::Record, schedule::SetPoints, settling::Settled, top_drive::TopDrive, viscous::Viscous,
+    wear::Wear,
 };
 
 /// Everything of a run, beside its chain, that changes while it goes on: plain data, which a checkpoint holds as it
@@ -34,4 +35,6 @@ pub(super) struct State {
     pub(super) high: Vec<Rows<f64>>,
     pub(super) ledger: Ledger,
     pub(super) window_open: bool,
+    /// How settling ended that was to end by itself; none as long as it goes on.
+    pub(super) settled: Option<Settled>,
 }
