@@ -461,9 +461,9 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
             .iter()
             .filter(|one| drills && one.kind.on_bottom())
             .map(|one| dynamics.bit.drilling_speed_rad_per_s(one));
-        let run_s = speeds.clone().map(|speed_rad_per_s| {
-            dynamics.settle_s + dynamics.duration_s + RockLaw::run_in_s(speed_rad_per_s)
-        });
+        let run_s = speeds
+            .clone()
+            .map(|speed_rad_per_s| dynamics.longest_s() + RockLaw::run_in_s(speed_rad_per_s));
         let test_s = tested.and(bit_test.as_ref()).map_or(0.0, BitTest::time_s);
         let longest_s = run_s.fold(test_s, f64::max);
         let points = tested.and(bit_test.as_ref()).into_iter();

@@ -4,6 +4,7 @@ use wholestring::{
     dynamics::{
         Autodriller, BitSettings, CentredStart, ContactLaw, DynamicsSettings, FrictionLaw,
         HoistControl, Precision, RodDamping, Schedule, Start, StartTension, TopDriveSettings,
+        UntilSteady,
     },
     operation::Operation,
     well::{Hole, HoleSection},
@@ -17,6 +18,7 @@ use crate::{
     reader::Reader,
     rig::HoistTable,
     rule::{Choice, Section},
+    settle::{Settle, SettleRule},
     source::Place,
     table::{default, optional, table},
 };
@@ -70,11 +72,9 @@ table! {
             Quantity::si(Dimension::Time, Range::positive_to(86_400.0).usual(0.01, 86_400.0), "60 s"),
             DynamicsSettings::default().duration_s,
         );
-        /// Simulated time before that window.
-        settle: f64 = default(
-            Quantity::si(Dimension::Time, Range::from_to(0.0, 86_400.0), "20 s"),
-            DynamicsSettings::default().settle_s,
-        );
+        /// Simulated time before that window, or "auto": until the string is steady, 120 s at most. It is not begun before the
+        /// last line of a schedule is done; then the 120 s count from there.
+        settle: Settle = default(SettleRule, Settle::Auto);
         /// How the string lies at time zero: "prepared" (on its contact side with the soft string's
         /// tension and torque) or "centred" (on the hole's axis, untwisted, at rest).
         start: Start = default(
@@ -193,9 +193,12 @@ pub(crate) struct Told<'a> {
 }
 
 impl DynamicsTable {
-    /// Where the run ends, s.
+    /// Where the run ends, s, if the case says it.
     pub(crate) fn end_s(&self) -> Option<f64> {
-        Some(*self.settle.get()? + *self.duration.get()?)
+        match self.settle.get()? {
+            Settle::Auto => None,
+            Settle::Seconds(settle_s) => Some(settle_s + *self.duration.get()?),
+        }
     }
 
     /// Time between samples, s.
@@ -225,7 +228,14 @@ impl DynamicsTable {
         Some(DynamicsSettings {
             element_length_m: *mesh.element_length.get()?,
             duration_s: *self.duration.get()?,
-            settle_s: *self.settle.get()?,
+            settle_s: match *self.settle.get()? {
+                Settle::Auto => 0.0,
+                Settle::Seconds(settle_s) => settle_s,
+            },
+            steady: match *self.settle.get()? {
+                Settle::Auto => Some(UntilSteady::default()),
+                Settle::Seconds(_) => None,
+            },
             start: *self.start.get()?,
             centred: CentredStart {
                 tension: *self.start_tension.get()?,
@@ -368,7 +378,10 @@ impl DynamicsTable {
     fn check_samples(&self, reader: &mut Reader) -> Option<()> {
         let duration = self.duration.at()?;
         let interval = self.sample_interval.at()?;
-        let settle_s = *self.settle.get()?;
+        let settle_s = match *self.settle.get()? {
+            Settle::Auto => UntilSteady::default().most_s,
+            Settle::Seconds(settle_s) => settle_s,
+        };
         let given = |preferred: Place, is_given: bool, other: Place| {
             if is_given { preferred } else { other }
         };

@@ -52,7 +52,8 @@ pub(crate) fn check_effort(
             number_text(format!("{shortest_s:.1e}").parse().unwrap_or(shortest_s))
         )
     } else if elements as f64 * steps > MOST_ELEMENT_STEPS {
-        let time_s = dynamics.settle_s + dynamics.duration_s;
+        let ends_s = efforts.iter().map(|effort| effort.end_s);
+        let time_s = ends_s.fold(0.0, f64::max);
         format!("{elements} elements over {time_s:.0} s would take weeks")
     } else {
         return Some(());

@@ -47,6 +47,7 @@ mod rule;
 mod schedule;
 mod schema;
 mod settings;
+mod settle;
 mod source;
 mod stations;
 mod steel;

@@ -19,6 +19,7 @@ use wholestring_units::UnitSet;
 use crate::{
     case::CaseTable,
     rig::{HoistTable, TUNED_LIFT},
+    settle::AUTO,
 };
 
 /// What the solvers were given, in SI, with units in the names of the keys.
@@ -378,7 +379,11 @@ fn run(dynamics: &DynamicsSettings, case: &CaseTable) -> Json {
     let table = case.dynamics.get();
     let mut run = json!({
         "duration_s": dynamics.duration_s,
-        "settle_s": dynamics.settle_s,
+        // A word where the run finds it: what it was stands in the numerics of each operation.
+        "settle_s": match dynamics.steady {
+            Some(_) => json!(AUTO),
+            None => json!(dynamics.settle_s),
+        },
         "start": match dynamics.start {
             Start::Prepared => "prepared",
             Start::Centred => "centred",

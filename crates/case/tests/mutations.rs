@@ -208,6 +208,7 @@ fn run_dynamics(case: &Case, operation: &Operation) {
     }
     // The window opens within the run, and is sampled.
     settings.settle_s = settings.settle_s.min(RUN_S / 2.0);
+    settings.steady = None;
     settings.sample_interval_s = settings.sample_interval_s.min(LONGEST_S);
     let mut simulation = match Simulation::new(&case.model, operation, &settings) {
         Ok(simulation) => simulation,

@@ -6,6 +6,8 @@ use wholestring::outcome::{ModelKind, Scalars};
 use wholestring_results::{Numerics, OperationSummary, Status, Summary};
 use wholestring_units::{Dimension, UnitSet};
 
+mod drift;
+
 use crate::pace::pace;
 
 /// A row: what people call the quantity, how it is read, and its key in the statistics.
@@ -182,6 +184,7 @@ pub(crate) fn notes(summary: &Summary, units: UnitSet) -> String {
     if summary.operations.iter().any(incomplete) {
         notes += "* as far as it was computed\n";
     }
+    notes += &drift::notes(summary, units);
     for solved in &summary.operations {
         let Some(lift) = solved.lift else { continue };
         notes += &format!(
@@ -289,10 +292,13 @@ fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
             let deviations = QUANTITIES
                 .iter()
                 .map(|quantity| match statistics.get(quantity.key) {
-                    Some(statistic) => deviation(quantity.unit.shown(statistic.std, units)),
+                    Some(statistic) => {
+                        let shown = deviation(quantity.unit.shown(statistic.std, units));
+                        format!("{shown}{}", drift::mark(statistic))
+                    }
                     None => String::new(),
                 });
-            push("± std", deviations.collect(), 0);
+            push("± std", drift::aligned(deviations.collect()), 0);
         }
     }
     columns

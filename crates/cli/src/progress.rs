@@ -30,6 +30,7 @@ impl Watch {
             Self::Sweep(bar) => Progress::Part {
                 bar: bar.clone(),
                 reached: Cell::new(0),
+                end: Cell::new(milliseconds(end_s)),
             },
         }
     }
@@ -71,15 +72,27 @@ pub(crate) enum Progress {
     Part {
         bar: ProgressBar,
         reached: Cell<u64>,
+        end: Cell<u64>,
     },
 }
 
 impl Progress {
+    /// Says when the operation ends now; at the latest while it `settles`. Of the bar of a sweep that is what it is shorter by.
+    pub(crate) fn ends(&self, end_s: f64, settles: bool) {
+        match self {
+            Self::Own(own) => own.ends(end_s, settles),
+            Self::Part { bar, end, .. } => {
+                let now = milliseconds(end_s);
+                bar.dec_length(end.replace(now).saturating_sub(now));
+            }
+        }
+    }
+
     /// Shows the simulated time reached.
     pub(crate) fn reach(&self, time_s: f64) {
         match self {
             Self::Own(own) => own.reach(time_s),
-            Self::Part { bar, reached } => {
+            Self::Part { bar, reached, .. } => {
                 let now = milliseconds(time_s);
                 bar.inc(now.saturating_sub(reached.replace(now)));
             }
@@ -153,7 +166,8 @@ pub(crate) struct OwnBar {
     bar: ProgressBar,
     start: Instant,
     from_s: f64,
-    end_s: f64,
+    end_s: Cell<f64>,
+    settles: Cell<bool>,
 }
 
 impl OwnBar {
@@ -164,8 +178,16 @@ impl OwnBar {
             bar,
             start: Instant::now(),
             from_s,
-            end_s,
+            end_s: Cell::new(end_s),
+            settles: Cell::new(false),
         }
+    }
+
+    /// Says when it ends now; at the latest while it `settles`.
+    pub(crate) fn ends(&self, end_s: f64, settles: bool) {
+        self.bar.set_length(milliseconds(end_s));
+        self.end_s.set(end_s);
+        self.settles.set(settles);
     }
 
     /// Takes the bar from the screen.
@@ -177,10 +199,10 @@ impl OwnBar {
     pub(crate) fn reach(&self, time_s: f64) {
         let speed = (time_s - self.from_s) / self.start.elapsed().as_secs_f64();
         self.bar.set_position(milliseconds(time_s));
-        self.bar.set_message(format!(
-            "{time_s:.1} of {:.0} s, {}",
-            self.end_s,
-            pace(speed)
-        ));
+        let (end_s, pace) = (self.end_s.get(), pace(speed));
+        self.bar.set_message(match self.settles.get() {
+            true => format!("{time_s:.1} of at most {end_s:.0} s, settling, {pace}"),
+            false => format!("{time_s:.1} of {end_s:.0} s, {pace}"),
+        });
     }
 }

@@ -1,9 +1,9 @@
 //! `report.html`: the page of a run, made from the files that it left.
 
 mod answers;
-mod findings;
 pub(crate) mod asked;
 pub(crate) mod dimensions;
+mod findings;
 mod frames;
 pub(crate) mod history;
 pub(crate) mod inputs;
@@ -120,10 +120,9 @@ pub(crate) fn gather(tables: &Tables, summary: &Summary, units: Option<UnitSet>)
         .filter(|solved| solved.statistics.is_some())
         .collect();
     let many = runs.len();
-    let settle = &summary.settings["dynamics"]["settle_s"];
-    let window_s = settle.as_f64().unwrap_or(0.0);
     let timed = |solved: &&OperationSummary| {
         let history = history::history(&tables.time, &solved.operation, many);
+        let window_s = solved.window_from_s(&summary.settings);
         TimeRun {
             operation: solved.operation.clone(),
             window_s,

@@ -4,8 +4,8 @@ use std::time::{Duration, Instant};
 
 use wholestring::{
     dynamics::{
-        BitLaw, DynamicsSettings, HoistControl, LiftError, MOST_LIFT_RUNS, SetupError, Simulation,
-        TunedLift, tune_lift,
+        BitLaw, DynamicsSettings, Effort as Planned, HoistControl, LiftError, MOST_LIFT_RUNS,
+        SetupError, Simulation, TunedLift, tune_lift,
     },
     findings,
     operation::Operation,
@@ -236,13 +236,15 @@ fn solve_dynamic(
         lay_aside(keeper, record, None, &way.watch);
         return Status::Interrupted;
     }
-    let end_s = simulation.end_time_s();
-    let progress = way
-        .watch
-        .operation(operation.kind.name(), simulation.time_s(), end_s);
+    let waits = settings.steady.is_some();
+    let name = operation.kind.name();
+    let longest_s = match Planned::of(&case.model, operation, &settings) {
+        Ok(effort) => effort.end_s,
+        Err(_) => simulation.end_time_s(),
+    };
+    let progress = way.watch.operation(name, simulation.time_s(), longest_s);
     // The run goes on by whole samples.
     let sample_s = simulation.sample_interval_s();
-    let enough_s = end_s - 0.5 * sample_s;
     let frame_samples = record
         .frames
         .as_ref()
@@ -251,9 +253,10 @@ fn solve_dynamic(
     // Frames and looks fall on the same samples wherever the run was taken up.
     let mut samples = (simulation.time_s() / sample_s).round() as u64;
     let status = loop {
-        let time_s = simulation.time_s();
+        let (time_s, end_s) = (simulation.time_s(), simulation.end_time_s());
+        progress.ends(end_s, waits && simulation.is_settling());
         progress.reach(time_s);
-        if time_s >= enough_s {
+        if time_s >= end_s - 0.5 * sample_s {
             break Status::Complete;
         }
         let interrupted = way.interrupt.asked();
@@ -317,14 +320,9 @@ fn tune(
     operation: &Operation,
     way: &Way<'_>,
 ) -> Result<(TunedLift, Simulation), LiftError> {
-    let DynamicsSettings {
-        settle_s,
-        duration_s,
-        ..
-    } = case.dynamics;
     let mut bar: Option<(usize, OwnBar)> = None;
     let (model, settings) = (&case.model, &case.dynamics);
-    let found = tune_lift(model, operation, settings, &way.crew, |run, time_s| {
+    let found = tune_lift(model, operation, settings, &way.crew, |run, simulation| {
         if bar.as_ref().is_none_or(|(of, _)| *of != run) {
             let name = format!(
                 "{}, lift {run} of at most {MOST_LIFT_RUNS}",
@@ -335,11 +333,13 @@ fn tune(
             }
             bar = way
                 .watch
-                .trial(&name, settle_s + duration_s)
+                .trial(&name, simulation.end_time_s())
                 .map(|own| (run, own));
         }
         if let Some((_, bar)) = &bar {
-            bar.reach(time_s);
+            let settles = case.dynamics.steady.is_some() && simulation.is_settling();
+            bar.ends(simulation.end_time_s(), settles);
+            bar.reach(simulation.time_s());
         }
         !way.interrupt.asked()
     });

@@ -111,6 +111,15 @@ pub struct OperationSummary {
     pub numerics: Option<Numerics>,
 }
 
+impl OperationSummary {
+    /// When the window of its statistics begins, s: as the run found it, or as `settings` of the case say where the file is older.
+    pub fn window_from_s(&self, settings: &serde_json::Value) -> f64 {
+        let found_s = self.numerics.as_ref().and_then(|of| of.settle_s);
+        let given_s = || settings["dynamics"]["settle_s"].as_f64();
+        found_s.or_else(given_s).unwrap_or(0.0)
+    }
+}
+
 /// Distribution of a quantity over the window.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Statistic {
@@ -132,6 +141,20 @@ pub struct Statistic {
     /// 95th percentile.
     #[serde(with = "finite")]
     pub p95: f64,
+    /// Standard error of the mean, the samples depending on their neighbours; not a number in files that do not have it.
+    #[serde(with = "finite", default = "unknown")]
+    pub std_error: f64,
+    /// Change over the window by its straight line; not a number in files that do not have it.
+    #[serde(with = "finite", default = "unknown")]
+    pub drift: f64,
+    /// Whether that is no chance and matters.
+    #[serde(default)]
+    pub drifts: bool,
+}
+
+/// What a file does not say.
+const fn unknown() -> f64 {
+    f64::NAN
 }
 
 /// What a dynamic solution cost and how sound it is.
@@ -159,6 +182,18 @@ pub struct Numerics {
     pub energy: Option<EnergyBalance>,
     /// Instruction set that the time loop was compiled for.
     pub instructions: String,
+    /// Time at which the window begins, s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub settle_s: Option<f64>,
+    /// Whether the string was steady then; none where the case gives the time.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub settled: Option<bool>,
+    /// Measured depth of the bit, on average over the window, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mean_bit_depth_m: Option<f64>,
+    /// How far the bit went in the window, m, positive downwards.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bit_travel_m: Option<f64>,
     /// Time that the solution took, s.
     #[serde(with = "finite")]
     pub wall_time_s: f64,

@@ -53,6 +53,9 @@ fn dynamic() -> OperationSummary {
         max: 4.0,
         p05: 5.0,
         p95: 6.0,
+        std_error: 0.5,
+        drift: -0.25,
+        drifts: true,
     };
     OperationSummary {
         model: ModelKind::Dynamic,
@@ -115,6 +118,10 @@ fn dynamic() -> OperationSummary {
                 ..EnergyBalance::default()
             }),
             instructions: "avx2".into(),
+            settle_s: Some(12.5),
+            settled: Some(true),
+            mean_bit_depth_m: Some(4305.5),
+            bit_travel_m: Some(1.5),
             wall_time_s: 2.5,
             real_time_factor: 32.0,
         }),
@@ -259,4 +266,33 @@ fn another_version_is_refused_by_number() {
         fs::write(&path, text).unwrap();
         assert!(Summary::read(&path).is_err(), "{text}");
     }
+}
+
+/// What a summary of an earlier version does not say is not made up: the error and the drift of a mean are no numbers, and where its window begins stands
+/// in its settings.
+#[test]
+fn a_summary_without_drift_is_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("summary.json");
+    let mut old = written(&summary(vec![dynamic()]));
+    old["settings"]["dynamics"]["settle_s"] = json!(7.5);
+    let operation = &mut old["operations"][0];
+    let statistic = operation["statistics"]["hook_load_N"]
+        .as_object_mut()
+        .unwrap();
+    for key in ["std_error", "drift", "drifts"] {
+        assert!(statistic.remove(key).is_some(), "{key}");
+    }
+    let numerics = operation["numerics"].as_object_mut().unwrap();
+    for key in ["settle_s", "settled", "mean_bit_depth_m", "bit_travel_m"] {
+        assert!(numerics.remove(key).is_some(), "{key}");
+    }
+    fs::write(&path, old.to_string()).unwrap();
+    let read = Summary::read(&path).unwrap();
+    let solved = &read.operations[0];
+    let statistic = solved.statistics.as_ref().unwrap()["hook_load_N"];
+    assert!(statistic.std_error.is_nan() && statistic.drift.is_nan() && !statistic.drifts);
+    assert_eq!(solved.numerics.as_ref().unwrap().settled, None);
+    assert_eq!(solved.window_from_s(&read.settings), 7.5);
+    assert_eq!(dynamic().window_from_s(&read.settings), 12.5);
 }

@@ -54,8 +54,7 @@ pub(crate) fn measure(bench: &Bench) -> Result<Memory, Failure> {
     };
     process::check(status)?;
     Ok(Memory {
-        simulated_s: case.operations.len() as f64
-            * (case.dynamics.settle_s + case.dynamics.duration_s),
+        simulated_s: case.operations.len() as f64 * case.dynamics.longest_s(),
         wall_time_s: start.elapsed().as_secs_f64(),
         peak_MB,
     })

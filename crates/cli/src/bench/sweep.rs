@@ -56,7 +56,7 @@ pub(crate) fn measure(bench: &Bench) -> Result<Sweeps, Failure> {
                 precision,
                 friction_law: law,
                 wall_time_s: start.elapsed().as_secs_f64(),
-                simulated_s: CASES as f64 * (case.dynamics.settle_s + case.dynamics.duration_s),
+                simulated_s: CASES as f64 * case.dynamics.longest_s(),
             });
         }
     }

@@ -143,6 +143,7 @@ pub(crate) fn lay(case: &Case, precision: Precision) -> Result<Simulation, Failu
     let settings = DynamicsSettings {
         precision,
         settle_s: SETTLED_S,
+        steady: None,
         ..case.dynamics.clone()
     };
     let simulation = Simulation::new(&case.model, &case.operations[0], &settings);

@@ -58,7 +58,6 @@ pub(crate) struct Record {
     /// Frames of the whole string, where the case asks for them.
     pub(crate) frames: Option<Frames>,
     records: Records,
-    settle_s: f64,
     hole: Hole,
     units: UnitSet,
 }
@@ -128,7 +127,6 @@ impl Record {
             spectra: Table::with_columns(SPECTRA),
             frames,
             records: case.records.clone(),
-            settle_s: case.dynamics.settle_s,
             hole: case.model.well.hole.clone(),
             units,
         }
@@ -149,7 +147,6 @@ impl Record {
             spectra,
             frames,
             records: _,
-            settle_s: _,
             hole: _,
             units: _,
         } = self;

@@ -90,6 +90,9 @@ impl Record {
                 max: of.max,
                 p05: of.p05,
                 p95: of.p95,
+                std_error: of.std_error,
+                drift: of.drift,
+                drifts: of.drifts,
             };
             ((*name).to_owned(), statistic)
         });
@@ -112,6 +115,10 @@ impl Record {
                 energy_residual: numerics.energy_residual,
                 energy: numerics.energy,
                 instructions: numerics.instructions.into(),
+                settle_s: Some(numerics.settle_s),
+                settled: numerics.settled,
+                mean_bit_depth_m: Some(numerics.mean_bit_depth_m),
+                bit_travel_m: Some(numerics.bit_travel_m),
                 wall_time_s,
                 real_time_factor: simulated_s / wall_time_s,
             }),
@@ -299,7 +306,8 @@ impl Record {
     /// one segment.
     fn add_spectra(&mut self, operation: &Operation, outcome: &DynamicOutcome) {
         let series = &outcome.series;
-        let from = series.time_s.partition_point(|time| *time < self.settle_s);
+        let settle_s = outcome.numerics.settle_s;
+        let from = series.time_s.partition_point(|time| *time < settle_s);
         let [first, .., last] = series.time_s[from..] else {
             return;
         };

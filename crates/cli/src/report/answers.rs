@@ -32,7 +32,8 @@ pub(super) fn answers(solved: &OperationSummary, settings: &Json, nodes: &Table)
         value: Cell::quantity(scalars.hook_load_N, "force"),
         worst: largest("hook_load_N"),
         // The hoist lifts the block too.
-        held: block_N.map(|block_N| largest("hook_load_N").unwrap_or(scalars.hook_load_N) + block_N),
+        held: block_N
+            .map(|block_N| largest("hook_load_N").unwrap_or(scalars.hook_load_N) + block_N),
         more: more.into_iter().collect(),
         about: words(&["hook_load", "hoist", "lock_up", "rig"]),
         ..limited(rig("hoist_capacity_N"), whose)

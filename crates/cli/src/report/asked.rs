@@ -83,7 +83,13 @@ pub(crate) fn asked(summary: &Summary) -> Vec<Fact> {
     if texts(&settings["model"]).any(|model| model == "dynamic") {
         let dynamics = &settings["dynamics"];
         tell("Window", quantity(&dynamics["duration_s"], "time"));
-        tell("Settled before", quantity(&dynamics["settle_s"], "time"));
+        tell(
+            "Settled before",
+            match dynamics["settle_s"].as_str() {
+                Some(_) => Cell::Text("until steady".into()),
+                None => quantity(&dynamics["settle_s"], "time"),
+            },
+        );
     }
     asked.retain(|fact| fact.value != Cell::Nothing);
     asked

@@ -161,6 +161,9 @@ pub(super) fn numerics(summary: &Summary) -> Vec<Sheet> {
             Some(numerics(of)?.time_step_s)
         }),
         ("Steps", "ratio", &|of| Some(numerics(of)?.steps as f64)),
+        ("Settled before the window", "time", &|of| {
+            numerics(of)?.settle_s
+        }),
         ("Axial mass added", "percent", &|of| {
             Some(numerics(of)?.added_axial_mass_fraction)
         }),

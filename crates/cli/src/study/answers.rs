@@ -149,8 +149,7 @@ impl Answer {
 
     /// When the window of its statistics begins, s.
     pub(super) fn window_from_s(&self) -> Result<f64, ResultsError> {
-        let settings = self.settings()?;
-        Ok(settings["dynamics"]["settle_s"].as_f64().unwrap_or(0.0))
+        Ok(self.solved.window_from_s(&self.settings()?))
     }
 
     /// Where the shoes of its casing stand, m.

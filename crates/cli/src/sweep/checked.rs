@@ -22,9 +22,9 @@ pub(super) struct Checked {
     pub(super) name: String,
     /// Digest of all that its answers depend on.
     pub(super) identity: String,
-    /// Element-steps of its dynamic runs.
+    /// Element-steps of its dynamic runs, at most.
     pub(super) cost: f64,
-    /// Simulated time of its dynamic runs, s.
+    /// Simulated time of its dynamic runs, s, at most.
     pub(super) simulated_s: f64,
     /// Whether its lift is tuned.
     pub(super) lift: bool,
@@ -35,17 +35,19 @@ impl Checked {
     pub(super) fn of(case: &Case) -> Self {
         let dynamic = case.models.contains(&ModelKind::Dynamic);
         let operations = if dynamic { &case.operations[..] } else { &[] };
-        let cost = operations.iter().filter_map(|operation| {
-            let effort = Effort::of(&case.model, operation, &case.dynamics).ok()?;
-            Some(effort.elements as f64 * effort.steps)
-        });
-        let each_s = case.dynamics.settle_s + case.dynamics.duration_s;
+        let efforts: Vec<Effort> = operations
+            .iter()
+            .filter_map(|operation| Effort::of(&case.model, operation, &case.dynamics).ok())
+            .collect();
+        let cost = efforts
+            .iter()
+            .map(|effort| effort.elements as f64 * effort.steps);
         Self {
             name: case.name.clone(),
             identity: digest(&case.identity()),
             cost: cost.sum(),
             lift: dynamic && case.tunes_lift,
-            simulated_s: operations.len() as f64 * each_s,
+            simulated_s: efforts.iter().map(|effort| effort.end_s).sum(),
             warnings: case.warnings.render(color()),
         }
     }

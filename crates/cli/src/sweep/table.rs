@@ -26,7 +26,16 @@ pub(crate) const SCALARS: [&str; 12] = [
 /// What is told of a tuned lift, as `summary.json` names it.
 const LIFT: [&str; 3] = ["hook_load_N", "weight_on_bit_N", "runs"];
 
-const STATISTICS: [&str; 6] = ["mean", "std", "min", "max", "p05", "p95"];
+const STATISTICS: [&str; 8] = [
+    "mean",
+    "std",
+    "min",
+    "max",
+    "p05",
+    "p95",
+    "std_error",
+    "drift",
+];
 
 /// The rows of a sweep. Which columns they have is settled by what is swept and solved, so that the
 /// tables of its shards can be put one below the other.
@@ -34,6 +43,8 @@ pub(crate) struct SweepTable {
     keys: Vec<String>,
     /// Quantity and statistic of each column.
     statistics: Vec<[&'static str; 2]>,
+    /// Whether some case is dynamic.
+    dynamic: bool,
     /// Whether a lift is tuned in some case.
     lift: bool,
     rows: Vec<Row>,
@@ -75,6 +86,7 @@ impl SweepTable {
         Self {
             keys,
             statistics,
+            dynamic,
             lift,
             rows: Vec::new(),
         }
@@ -112,7 +124,8 @@ impl SweepTable {
         }
     }
 
-    /// The table: varied keys, model and operation, scalars, statistics, the lift, findings, how it ended, and where the
+    /// The table: varied keys, model and operation, scalars, statistics, where the window begins and what drifts in it, the
+    /// lift, findings, how it ended, and where the
     /// rest of it lies.
     pub(crate) fn table(&self) -> Table {
         let text = |name: &str, of: &dyn Fn(&Row) -> String| Column {
@@ -150,6 +163,12 @@ impl SweepTable {
                 statistics.get(quantity)?.get(statistic)?.as_f64()
             }));
         }
+        if self.dynamic {
+            columns.push(number("settle_s".to_owned(), &|row| {
+                row.solved.get("numerics")?.get("settle_s")?.as_f64()
+            }));
+            columns.push(text("drifting", &|row| drifting(&row.solved)));
+        }
         for name in LIFT.into_iter().filter(|_| self.lift) {
             columns.push(number(format!("lift_{name}"), &|row| {
                 row.solved.get("lift")?.get(name)?.as_f64()
@@ -168,4 +187,13 @@ impl SweepTable {
         columns.push(text("folder", &|row| row.folder.clone()));
         Table::new(columns)
     }
+}
+
+/// The quantities that drift over the window of an operation, one after the other.
+fn drifting(solved: &Map<String, Value>) -> String {
+    let statistics = solved.get("statistics").and_then(Value::as_object);
+    let drifts = |of: &Value| of.get("drifts").and_then(Value::as_bool) == Some(true);
+    let names = statistics.into_iter().flatten();
+    let names = names.filter_map(|(name, of)| drifts(of).then_some(name.as_str()));
+    names.collect::<Vec<_>>().join(" ")
 }

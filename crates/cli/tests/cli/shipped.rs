@@ -66,6 +66,39 @@ fn np13_with_both_models() {
     assert!(numerics.added_axial_mass_fraction < 0.005, "{numerics:?}");
 }
 
+/// The dynamics of the shipped case as they are shipped: each operation was steady when its window began, and the deviation of its hook load is no drift.
+fn settles(name: &str) {
+    let solved = solved_with(&cases().join(name), &["model=dynamic"]);
+    for of in &solved {
+        let numerics = of.numerics.as_ref().unwrap();
+        let hook_load = of.statistics.as_ref().unwrap()["hook_load_N"];
+        println!(
+            "{name} {}: settled {:.1} s, hook load {:.3} ± {:.4} kN, drift {:.4} kN, error {:.4} kN",
+            of.operation,
+            numerics.settle_s.unwrap(),
+            hook_load.mean * 1e-3,
+            hook_load.std * 1e-3,
+            hook_load.drift * 1e-3,
+            hook_load.std_error * 1e-3,
+        );
+        assert_eq!(numerics.settled, Some(true), "{name}: {}", of.operation);
+        assert!(!hook_load.drifts, "{name}, {}: {hook_load:?}", of.operation);
+    }
+}
+
+#[test]
+fn small_cases_settle() {
+    for name in ["slant.toml", "vertical.toml", "horizontal.toml"] {
+        settles(name);
+    }
+}
+
+#[test]
+#[ignore = "minutes: run by cargo xtask verify"]
+fn long_cases_settle() {
+    settles("iscwsa-04.toml");
+}
+
 #[test]
 fn every_case_runs_to_its_end() {
     let mut found = 0;

@@ -82,8 +82,10 @@ pub enum LiftError {
 /// by the secant, the side that stays halved each time (the Illinois rule). Where several lifts give the weight, it
 /// is the one that this finds: the same on every run.
 ///
-/// `watch` is told the number of the try, from one, and its time, s, a few times each simulated second; the search stops where it
-/// answers `false`, or where the `executor`, which works on solid rock under the bit, asks to stop.
+/// `watch` is shown the number of the try, from one, and its run a few times each simulated second; the search stops where it
+/// answers `false`, or where the `executor`, which works on solid rock under the bit, asks to stop. Where the window
+/// begins when the string is steady, each try settles for itself: its mean is that of a string that is steady under its
+/// lift.
 ///
 /// # Errors
 /// An operation without weight on bit, a run that cannot begin or diverges, and a weight that no lift gives.
@@ -92,7 +94,7 @@ pub fn tune_lift(
     operation: &Operation,
     settings: &DynamicsSettings,
     executor: &Arc<dyn Executor + Send + Sync>,
-    mut watch: impl FnMut(usize, f64) -> bool,
+    mut watch: impl FnMut(usize, &Simulation) -> bool,
 ) -> Result<(TunedLift, Simulation), LiftError> {
     let target_N = operation.weight_on_bit_now_N();
     if target_N <= 0.0 {
@@ -110,12 +112,15 @@ pub fn tune_lift(
                 Err(SetupError::Stopped) => return Err(LiftError::Stopped),
                 laid => laid?,
             };
-        let end_s = simulation.end_time_s() - 0.5 * simulation.sample_interval_s();
-        while simulation.time_s() < end_s {
-            if !watch(run, simulation.time_s()) {
+        let half_sample_s = 0.5 * simulation.sample_interval_s();
+        loop {
+            let left_s = simulation.end_time_s() - simulation.time_s();
+            if left_s <= half_sample_s {
+                break;
+            }
+            if !watch(run, &simulation) {
                 return Err(LiftError::Stopped);
             }
-            let left_s = simulation.end_time_s() - simulation.time_s();
             simulation
                 .advance(left_s.min(WATCH_INTERVAL_S))
                 .map_err(|diverged| LiftError::Diverged {

@@ -7,6 +7,7 @@ mod body;
 mod carry;
 mod chain;
 mod crew;
+mod drift;
 mod energy;
 mod flow_pressures;
 mod frame;
@@ -20,6 +21,7 @@ mod precision;
 mod record;
 mod schedule;
 mod settings;
+mod settling;
 mod setup;
 mod signal;
 mod simulation;
@@ -49,7 +51,7 @@ pub use precision::Simulation;
 pub use schedule::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep};
 pub use settings::{
     Autodriller, CentredStart, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine,
-    Precision, RodDamping, SpeedController, Start, StartTension, TopDriveSettings,
+    Precision, RodDamping, SpeedController, Start, StartTension, TopDriveSettings, UntilSteady,
 };
 pub use setup::{Effort, SetupError};
 pub use signal::{NodeSignal, Probe, Probed, Signal};

@@ -2,7 +2,13 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{bit::TableUse, energy::EnergyBalance, indicators::Indicators, signal::Probed};
+use super::{
+    bit::TableUse,
+    drift::{Drift, MATTERS, SIGNIFICANT, mean, standard_error},
+    energy::EnergyBalance,
+    indicators::Indicators,
+    signal::Probed,
+};
 use crate::damage::{Damaged, sound};
 use crate::{mud::Hydraulics, outcome::Scalars};
 
@@ -21,12 +27,25 @@ pub struct Statistic {
     pub p05: f64,
     /// 95th percentile.
     pub p95: f64,
+    /// Standard error of the mean, by block averages: the samples depend on their neighbours. Flyvbjerg and Petersen,
+    /// *Error estimates on averages of correlated data*, J. Chem. Phys. 91 (1989).
+    pub std_error: f64,
+    /// Change over the window by the straight line of least squares.
+    pub drift: f64,
+    /// Whether that is no chance and matters: more than four of its standard errors, or the means of the halves are as
+    /// far apart, and more than half a percent of the quantity's scale. The deviation is then that drift, too.
+    pub drifts: bool,
 }
 
 impl Statistic {
     /// The distribution of `samples`; none of an empty slice. Percentiles are interpolated linearly
-    /// between order statistics.
+    /// between order statistics. Its drift is judged by the mean.
     pub fn of(samples: &[f64]) -> Option<Self> {
+        Self::on_scale(samples, mean(samples).abs())
+    }
+
+    /// The same, but a drift matters above half a percent of `scale`.
+    pub fn on_scale(samples: &[f64], scale: f64) -> Option<Self> {
         let n = samples.len();
         if n == 0 {
             return None;
@@ -35,6 +54,7 @@ impl Statistic {
         let variance = samples.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / n as f64;
         let mut shuffled = samples.to_vec();
         let mut at = |part| percentile(&mut shuffled, part);
+        let drift = Drift::of(samples);
         Some(Self {
             mean,
             std: variance.sqrt(),
@@ -42,6 +62,9 @@ impl Statistic {
             max: at(1.0),
             p05: at(0.05),
             p95: at(0.95),
+            std_error: standard_error(samples),
+            drift: drift.change,
+            drifts: drift.exceeds(SIGNIFICANT, MATTERS * scale),
         })
     }
 
@@ -139,6 +162,14 @@ pub struct Numerics {
     pub energy: Option<EnergyBalance>,
     /// Instruction set that the time loop was compiled for.
     pub instructions: &'static str,
+    /// Time at which the window begins, s: that of its first sample, at the earliest. The time reached of a run that settles yet.
+    pub settle_s: f64,
+    /// Whether the string was steady then; none where the time was given, and of a run that settles yet.
+    pub settled: Option<bool>,
+    /// Measured depth of the bit, on average over the window, m.
+    pub mean_bit_depth_m: f64,
+    /// How far the bit went in the window, m, positive downwards.
+    pub bit_travel_m: f64,
 }
 
 /// The string's profile over the window, by measured depth from the surface down. All of the same
@@ -402,7 +433,7 @@ impl DynamicOutcome {
     /// The scalars that [`Self::statistics`] tells of, in its order.
     pub fn quantities() -> impl Iterator<Item = &'static str> {
         super::summary::varying(&TimeSeries::default())
-            .map(|(name, _)| name)
+            .map(|scalar| scalar.name)
             .into_iter()
     }
 }

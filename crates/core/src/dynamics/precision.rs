@@ -176,9 +176,15 @@ impl Simulation {
         either!(&self.0, run => run.time_s())
     }
 
-    /// Time at which the window ends, s.
+    /// Time at which the window ends, s; at the latest, as long as the run settles until it is steady: the time
+    /// is known when the window begins.
     pub fn end_time_s(&self) -> f64 {
         either!(&self.0, run => run.end_time_s())
+    }
+
+    /// Whether the window is yet to begin.
+    pub fn is_settling(&self) -> bool {
+        either!(&self.0, run => run.is_settling())
     }
 
     /// Step, s.

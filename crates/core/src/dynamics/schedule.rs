@@ -127,6 +127,12 @@ impl Schedule {
         first.filter_map(|step| step.hoist).next_back()
     }
 
+    /// Time at which its last line is done, s; zero where it is empty.
+    pub fn end_s(&self) -> f64 {
+        let ends = self.steps.iter().map(ScheduleStep::end_s);
+        ends.fold(0.0, f64::max)
+    }
+
     /// Time of the first change of a set point after time zero, s; none without one.
     pub fn first_change_s(&self) -> Option<f64> {
         self.steps

@@ -204,6 +204,27 @@ pub struct RodDamping {
     pub stiffness_s: f64,
 }
 
+/// Settling that goes on until the string is steady.
+///
+/// Every second the last stretch of the run is tested, in which the string turns three times and swings twice in its lowest torsional
+/// motion (at least 5 s): every scalar of the statistics, and the magnitude of its deviation, so that a
+/// vibration that builds up is waited for. The window begins when none of them drifts by more than a tenth of a percent of its scale over
+/// the time of the window, or by no more than chance. The first stretch begins after the extra damping of a prepared start or the ramp of
+/// a centred one, and after the schedule's last line. A limit cycle such as stick-slip is a steady state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UntilSteady {
+    /// Longest simulated time before the window, s; it counts from the end of the schedule where there is one. Raising it waits longer
+    /// for a string that never is steady. A string so slow that its first stretch ends later has that one.
+    pub most_s: f64,
+}
+
+impl Default for UntilSteady {
+    /// 120 s.
+    fn default() -> Self {
+        Self { most_s: 120.0 }
+    }
+}
+
 /// Everything that a dynamic run needs beside the model and the operation.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DynamicsSettings {
@@ -212,8 +233,10 @@ pub struct DynamicsSettings {
     pub element_length_m: f64,
     /// Length of the window that the statistics cover, s.
     pub duration_s: f64,
-    /// Simulated time before that window, s.
+    /// Simulated time before that window, s; at least, where it is to be steady.
     pub settle_s: f64,
+    /// Where the window is to begin only when the string is steady; none begins it after `settle_s`.
+    pub steady: Option<UntilSteady>,
     /// How the string lies at time zero.
     pub start: Start,
     /// How a centred start begins.
@@ -267,6 +290,15 @@ impl DynamicsSettings {
         }
     }
 
+    /// The longest time from the start to the end of the window, s, but for strings so slow that their first test for steadiness comes later.
+    pub fn longest_s(&self) -> f64 {
+        let most_s = match self.steady {
+            Some(until) => self.settle_s.max(self.schedule.end_s() + until.most_s),
+            None => self.settle_s,
+        };
+        most_s + self.duration_s
+    }
+
     /// Whether the string starts without any tension.
     pub(super) fn starts_cold(&self) -> bool {
         self.start == Start::Centred && self.centred.tension == StartTension::Cold
@@ -274,7 +306,7 @@ impl DynamicsSettings {
 }
 
 impl Default for DynamicsSettings {
-    /// Elements of 3.2 m; 60 s after 20 s of settling, sampled every 10 ms; a prepared start, or a centred one
+    /// Elements of 3.2 m; 60 s after 20 s of settling, steady or not, sampled every 10 ms; a prepared start, or a centred one
     /// with its static tension and a ramp of 1 s; vector
     /// friction that loses half of its rise at rest by 0.1 m/s; Hertz contact with 0.5 s/m; damping of 0.1 1/s by
     /// mass and 10 µs by stiffness; the hoist control that the operation asks for on a line of 1e7 N/m and
@@ -285,6 +317,7 @@ impl Default for DynamicsSettings {
             element_length_m: 3.2,
             duration_s: 60.0,
             settle_s: 20.0,
+            steady: None,
             start: Start::Prepared,
             centred: CentredStart::default(),
             friction_law: FrictionLaw::Vector,

@@ -8,6 +8,7 @@ use super::{
         ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, SpeedController, Start,
         TopDriveSettings,
     },
+    settling::Settling,
     start,
     step::{Abilities, Stepper},
 };
@@ -105,6 +106,9 @@ pub(super) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
         ("bit.steerability", settings.bit.steerability),
     ];
     check_numbers(&positive, &not_negative)?;
+    if let Some(until) = settings.steady {
+        check_numbers(&[("steady.most_s", until.most_s)], &[])?;
+    }
     check_numbers(&drive_numbers(&settings.top_drive), &[])?;
     check_bit(&settings.bit)?;
     match settings.schedule.fault() {
@@ -294,30 +298,38 @@ pub(super) fn hoisting(operation: &Operation, settings: &DynamicsSettings) -> (H
 }
 
 /// Where the bit stands at time zero: half the run above or below the operation's depth, m; at that depth
-/// where a schedule moves the hoist.
-pub(super) fn first_bit_md_m(operation: &Operation, settings: &DynamicsSettings) -> f64 {
+/// where a schedule moves the hoist. Where settling ends by itself, the least of it counts.
+pub(super) fn first_bit_md_m(
+    operation: &Operation,
+    settings: &DynamicsSettings,
+    settling: &Settling,
+) -> f64 {
     if settings.schedule.moves_the_hoist() {
         return operation.bit_depth_m;
     }
-    let middle_s = settings.settle_s + 0.5 * settings.duration_s;
+    let middle_s = settling.least_s() + 0.5 * settings.duration_s;
     operation.bit_depth_m - hoisting(operation, settings).1 * middle_s
 }
 
-pub(super) fn mesh_and_plan(
+/// The string in elements, how it settles, and the step.
+fn mesh_and_plan(
     model: &Model,
-    bit_md_m: f64,
+    operation: &Operation,
     settings: &DynamicsSettings,
-) -> (Mesh, StepPlan) {
+) -> (Mesh, Settling, StepPlan) {
     let mesh = Mesh::new(&model.string, settings.element_length_m);
+    let settling = Settling::of(operation, settings, &mesh);
+    let bit_md_m = first_bit_md_m(operation, settings, &settling);
     let lateral = assembly::lateral_mass_kg_per_m(model, &mesh, bit_md_m);
     let plan = stability::plan(&mesh, &lateral, settings.damping.stiffness_s);
-    (mesh, plan)
+    (mesh, settling, plan)
 }
 
 /// What the model, the operation and the settings of a run determine: the same at its start and
 /// wherever it is taken up again.
 pub(super) struct Basis<R: Real> {
     pub(super) mesh: Mesh,
+    pub(super) settling: Settling,
     pub(super) plan: StepPlan,
     pub(super) surroundings: Surroundings,
     pub(super) abilities: Abilities,
@@ -334,7 +346,7 @@ impl<R: Real> Basis<R> {
         check(settings)?;
         let served = settings.precision.serves(operation, settings);
         served.map_err(SetupError::Precision)?;
-        let (mesh, plan) = mesh_and_plan(model, first_bit_md_m(operation, settings), settings);
+        let (mesh, settling, plan) = mesh_and_plan(model, operation, settings);
         check_weight_of_bit(settings, &plan)?;
         let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
         let abilities = Abilities {
@@ -345,6 +357,7 @@ impl<R: Real> Basis<R> {
         let steps_per_sample = (settings.sample_interval_s / plan.dt_s).round().max(1.0) as u64;
         Ok(Self {
             mesh,
+            settling,
             plan,
             surroundings,
             abilities,
@@ -386,7 +399,9 @@ pub struct Effort {
     pub elements: usize,
     /// Step, s.
     pub time_step_s: f64,
-    /// Steps from the laying of the string to the end of the window.
+    /// Simulated time from the start to the end of the window, s, at most.
+    pub end_s: f64,
+    /// Steps from the laying of the string to the end of the window, at most.
     pub steps: f64,
 }
 
@@ -401,7 +416,7 @@ impl Effort {
         settings: &DynamicsSettings,
     ) -> Result<Self, SetupError> {
         check(settings)?;
-        let (mesh, plan) = mesh_and_plan(model, first_bit_md_m(operation, settings), settings);
+        let (mesh, settling, plan) = mesh_and_plan(model, operation, settings);
         check_weight_of_bit(settings, &plan)?;
         let laying_s = match settings.start {
             Start::Prepared => start::SETTLING_S,
@@ -410,7 +425,8 @@ impl Effort {
         Ok(Self {
             elements: mesh.elements.len(),
             time_step_s: plan.dt_s,
-            steps: (laying_s + settings.settle_s + settings.duration_s) / plan.dt_s,
+            end_s: settling.most_s() + settings.duration_s,
+            steps: (laying_s + settling.most_s() + settings.duration_s) / plan.dt_s,
         })
     }
 }

@@ -15,6 +15,7 @@ use super::{
     outcome::{DynamicOutcome, Statistic},
     schedule::{HoistNow, HoistSetPoint},
     settings::{DynamicsSettings, HoistControl, Start},
+    settling::Settling,
     setup::Basis,
     step::{Abilities, Calming, StepInput, Stepper},
     summary,
@@ -64,6 +65,7 @@ pub struct Run<R: Real> {
     operation: Operation,
     settings: DynamicsSettings,
     mesh: Mesh,
+    settling: Settling,
     plan: StepPlan,
     surroundings: Surroundings,
     abilities: Abilities,
@@ -86,6 +88,7 @@ impl<R: Real> Run<R> {
     ) -> Self {
         let Basis {
             mesh,
+            settling,
             plan,
             surroundings,
             abilities,
@@ -98,6 +101,7 @@ impl<R: Real> Run<R> {
             operation: *operation,
             settings: settings.clone(),
             mesh,
+            settling,
             plan,
             surroundings,
             abilities,
@@ -114,9 +118,18 @@ impl<R: Real> Run<R> {
         self.state.steps as f64 * self.plan.dt_s
     }
 
-    /// Time at which the window ends, s.
+    /// Time at which the window ends, s; at the latest, as long as the run settles until it is steady.
     pub fn end_time_s(&self) -> f64 {
-        self.settings.settle_s + self.settings.duration_s
+        let settle_s = match self.state.settled {
+            Some(settled) => settled.settle_s,
+            None => self.settling.most_s(),
+        };
+        settle_s + self.settings.duration_s
+    }
+
+    /// Whether the window is yet to begin.
+    pub fn is_settling(&self) -> bool {
+        !self.state.window_open
     }
 
     /// Step, s.
@@ -407,6 +420,8 @@ impl<R: Real> Run<R> {
             pressures: self.state.viscous.as_ref().map(Viscous::mean_pressures),
             flow_stretches_m: self.state.viscous.as_ref().map(Viscous::mean_stretches_m),
             instructions: self.stepper.instructions,
+            settling: self.settling,
+            settled: self.state.settled,
         })
     }
 }

@@ -4,6 +4,7 @@ use super::{
     assembly::Anchor,
     bit::Bit,
     carry,
+    drift::mean,
     energy::EnergyBalance,
     flow_pressures::FlowPressures,
     indicators::{Indicators, Motion},
@@ -11,6 +12,7 @@ use super::{
         DynamicOutcome, HoleWear, NodeProfile, Numerics, Percentiles, Statistic, TimeSeries,
     },
     record::{Quantity, Record, Spread},
+    settling::{Settled, Settling},
     wear::Wear,
 };
 use crate::{
@@ -39,17 +41,26 @@ pub struct Sources<'a> {
     /// What the flow's pressures lengthen each element by, on average, m.
     pub flow_stretches_m: Option<Vec<f64>>,
     pub instructions: &'static str,
+    pub settling: Settling,
+    pub settled: Option<Settled>,
 }
 
 /// The answer.
 pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
     let series = &s.record.series;
     let from = s.record.window_row;
-    let statistics: Vec<(&'static str, Statistic)> = varying(series)
-        .into_iter()
-        .filter_map(|(name, values)| Some((name, Statistic::of(&values[from..])?)))
+    let scalars = varying(series);
+    let scales = scales(
+        scalars
+            .each_ref()
+            .map(|of| (of.gauge, mean(&of.samples[from..]))),
+    );
+    let statistics: Vec<(&'static str, Statistic)> = scalars
+        .iter()
+        .zip(scales)
+        .filter_map(|(of, scale)| Some((of.name, Statistic::on_scale(&of.samples[from..], scale)?)))
         .collect();
-    let mean = |name: &str| {
+    let mean_of = |name: &str| {
         statistics
             .iter()
             .find(|(n, _)| *n == name)
@@ -57,17 +68,21 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
     };
     let nodes = profile(s, from);
     let bit_depths_m = &series.bit_depth_m[from..];
-    let mean_bit_depth_m = bit_depths_m.iter().sum::<f64>() / bit_depths_m.len().max(1) as f64;
+    let mean_bit_depth_m = mean(bit_depths_m);
+    let bit_travel_m = match bit_depths_m {
+        [first, .., last] => last - first,
+        _ => 0.0,
+    };
     let scalars = Scalars {
-        hook_load_N: mean("hook_load_N"),
-        surface_torque_N_m: mean("surface_torque_N_m"),
-        friction_torque_N_m: mean("friction_torque_N_m"),
-        axial_friction_N: mean("axial_friction_N"),
-        side_force_total_N: mean("side_force_total_N"),
-        weight_on_bit_N: mean("weight_on_bit_N"),
-        bit_torque_N_m: mean("bit_torque_N_m"),
-        twist_rad: mean("twist_rad"),
-        stretch_m: mean("stretch_m"),
+        hook_load_N: mean_of("hook_load_N"),
+        surface_torque_N_m: mean_of("surface_torque_N_m"),
+        friction_torque_N_m: mean_of("friction_torque_N_m"),
+        axial_friction_N: mean_of("axial_friction_N"),
+        side_force_total_N: mean_of("side_force_total_N"),
+        weight_on_bit_N: mean_of("weight_on_bit_N"),
+        bit_torque_N_m: mean_of("bit_torque_N_m"),
+        twist_rad: mean_of("twist_rad"),
+        stretch_m: mean_of("stretch_m"),
         neutral_point_m: crate::outcome::neutral_point_m(&nodes.md_m, &nodes.tension_N),
         cutoff_depth_m: crate::outcome::cutoff_in_build_m(
             &s.model.well.path,
@@ -100,6 +115,16 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
             },
             energy: s.energy.map(|(parts, _)| parts),
             instructions: s.instructions,
+            settle_s: match (s.settled, s.settling) {
+                (Some(settled), _) => settled.settle_s,
+                (None, Settling::Fixed(settle_s)) => settle_s,
+                (None, Settling::UntilSteady { .. }) => {
+                    series.time_s.last().copied().unwrap_or(0.0)
+                }
+            },
+            settled: s.settled.map(|settled| settled.steady),
+            mean_bit_depth_m,
+            bit_travel_m,
         },
         indicators,
         bit_table: s.bit.table_use(),
@@ -110,27 +135,68 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
     }
 }
 
+/// On what a drift of a scalar is measured.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Gauge {
+    /// The largest force along the string: hook load, axial friction or weight on bit.
+    Force,
+    /// The largest torque.
+    Torque,
+    /// Its own magnitude, but at least so much, in its unit.
+    Own(f64),
+}
+
+/// A scalar that varies.
+pub struct Varying<'a> {
+    pub name: &'static str,
+    pub samples: &'a [f64],
+    pub gauge: Gauge,
+}
+
 /// The scalars that vary, with their samples.
-pub fn varying(series: &TimeSeries) -> [(&'static str, &Vec<f64>); 11] {
+pub fn varying(series: &TimeSeries) -> [Varying<'_>; 11] {
+    let of = |name, samples, gauge| Varying {
+        name,
+        samples,
+        gauge,
+    };
+    let s = series;
     [
-        ("hook_load_N", &series.hook_load_N),
-        ("surface_torque_N_m", &series.surface_torque_N_m),
-        ("friction_torque_N_m", &series.friction_torque_N_m),
-        ("axial_friction_N", &series.axial_friction_N),
-        ("side_force_total_N", &series.side_force_total_N),
-        ("weight_on_bit_N", &series.weight_on_bit_N),
-        ("bit_torque_N_m", &series.bit_torque_N_m),
-        (
+        of("hook_load_N", &s.hook_load_N, Gauge::Force),
+        of("surface_torque_N_m", &s.surface_torque_N_m, Gauge::Torque),
+        of("friction_torque_N_m", &s.friction_torque_N_m, Gauge::Torque),
+        of("axial_friction_N", &s.axial_friction_N, Gauge::Force),
+        of("side_force_total_N", &s.side_force_total_N, Gauge::Own(1e4)),
+        of("weight_on_bit_N", &s.weight_on_bit_N, Gauge::Force),
+        of("bit_torque_N_m", &s.bit_torque_N_m, Gauge::Torque),
+        of(
             "rate_of_penetration_m_per_s",
-            &series.rate_of_penetration_m_per_s,
+            &s.rate_of_penetration_m_per_s,
+            Gauge::Own(1.0 / 3600.0),
         ),
-        ("twist_rad", &series.twist_rad),
-        ("stretch_m", &series.stretch_m),
-        (
+        of("twist_rad", &s.twist_rad, Gauge::Own(1.0)),
+        of("stretch_m", &s.stretch_m, Gauge::Own(0.1)),
+        of(
             "bit_rotary_speed_rad_per_s",
-            &series.bit_rotary_speed_rad_per_s,
+            &s.bit_rotary_speed_rad_per_s,
+            Gauge::Own(1.0),
         ),
     ]
+}
+
+/// The scales on which drifts are measured, of scalars with these means. Forces along the string go by the largest of them and by 10 kN
+/// at least, torques by the largest and by 1 kN·m: half a percent of less than that is nothing that a rig shows.
+pub fn scales<const N: usize>(means: [(Gauge, f64); N]) -> [f64; N] {
+    let largest = |of: Gauge, least: f64| {
+        let alike = means.iter().filter(|(gauge, _)| *gauge == of);
+        alike.fold(least, |most, (_, mean)| most.max(mean.abs()))
+    };
+    let (force_N, torque_N_m) = (largest(Gauge::Force, 1e4), largest(Gauge::Torque, 1e3));
+    means.map(|(gauge, mean)| match gauge {
+        Gauge::Force => force_N,
+        Gauge::Torque => torque_N_m,
+        Gauge::Own(least) => mean.abs().max(least),
+    })
 }
 
 /// The profile over the samples from row `from` of the series on.

@@ -4,6 +4,7 @@ use wholestring::{
     dynamics::{
         Band, BitLaw, BitSettings, BitTable, Checkpoint, DynamicOutcome, Excitation, FrictionLaw,
         Motor, MudMotor, Precision, ResumeError, Simulation, Start, TableLaw, TablePoint,
+        UntilSteady,
     },
     operation::OperationKind,
 };
@@ -93,6 +94,57 @@ fn a_run_taken_up_again_ends_with_the_same_bits() {
         [run(case, |simulation| simulation), resumed]
     }) {
         // Their numbers fill pages.
+        assert!(straight == resumed);
+    }
+}
+
+/// A run that settles until it is steady, in pieces of so long; `stopped` gets it after each and gives back what goes on.
+fn settled(
+    case: &Case,
+    piece_s: f64,
+    stopped: impl Fn(Simulation) -> Simulation,
+) -> DynamicOutcome {
+    let mut simulation = case.start();
+    loop {
+        let left_s = simulation.end_time_s() - simulation.time_s();
+        if left_s < 0.5 * simulation.sample_interval_s() {
+            return simulation.outcome();
+        }
+        go(&mut simulation, left_s.min(piece_s));
+        simulation = stopped(simulation);
+    }
+}
+
+/// Laid aside while it settles, again and again, a run begins its window with the same sample, in either precision.
+#[test]
+fn a_run_taken_up_again_settles_at_the_same_sample() {
+    let cases = [Precision::Double, Precision::Single].map(|precision| {
+        let mut case = moderate(OperationKind::Drill, 0.3);
+        case.settings.precision = precision;
+        case.settings.settle_s = 0.0;
+        case.settings.steady = Some(UntilSteady { most_s: 40.0 });
+        case.settings.duration_s = 1.0;
+        case
+    });
+    for [straight, resumed] in each(&cases, |case| {
+        let straight = settled(case, 1.7, |simulation| simulation);
+        let resumed = settled(case, 3.1, |simulation| {
+            let bytes = postcard::to_allocvec(&simulation.checkpoint()).unwrap();
+            let checkpoint: Checkpoint = postcard::from_bytes(&bytes).unwrap();
+            drop(simulation);
+            Simulation::resume(&case.model, &case.operation, &case.settings, checkpoint).unwrap()
+        });
+        [straight, resumed]
+    }) {
+        // It was laid aside before the window: that begins after the damping of the start and a stretch, 10 s, at the earliest.
+        let settle_s = straight.numerics.settle_s;
+        assert!(settle_s > 10.0, "{settle_s}");
+        assert_eq!(straight.numerics.settled, Some(true), "{settle_s}");
+        let end_s = straight.series.time_s.last().copied().unwrap();
+        assert!(
+            (end_s - settle_s - 1.0).abs() < 0.02,
+            "{settle_s} to {end_s}"
+        );
         assert!(straight == resumed);
     }
 }

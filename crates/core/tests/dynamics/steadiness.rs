@@ -1,8 +1,13 @@
 //! A quiet string settles and stays.
 
+use wholestring::{
+    dynamics::{DynamicOutcome, HoistSetPoint, Schedule, ScheduleStep, UntilSteady},
+    operation::OperationKind,
+};
+
 use crate::{
     common::{assert_close, relative_error},
-    wells::{Case, NP13_M, mean_between, np13, np13_at},
+    wells::{Case, NP13_M, each, go, mean_between, moderate, np13, np13_at},
 };
 
 /// Ten seconds after the prepared start of a quiet run the string has settled: torque and hook load
@@ -75,4 +80,104 @@ fn drilling(bit_depth_m: f64, settle_s: f64, duration_s: f64) -> Case {
     case.settings.duration_s = duration_s;
     case.settings.sample_interval_s = 0.05;
     case
+}
+
+/// A string that slides is drilled by its autodriller, whose weight finds its place in tens of seconds: 3 s after the start what varies is the drift
+/// of that, and the window says so. Until it is steady, at most 120 s, nothing drifts any more.
+///
+/// In a schedule the string is steady again when its last line is done, not before.
+#[test]
+fn settling_goes_on_until_nothing_drifts() {
+    let slide = moderate(OperationKind::Slide, 0.3);
+    let of = |settle_s: f64, steady: Option<UntilSteady>, schedule: Schedule| {
+        let mut case = slide.clone();
+        case.settings.settle_s = settle_s;
+        case.settings.steady = steady;
+        case.settings.schedule = schedule;
+        case.settings.duration_s = 5.0;
+        case
+    };
+    let until = Some(UntilSteady::default());
+    let slower = Schedule {
+        steps: vec![ScheduleStep {
+            at_s: 15.0,
+            ramp_s: 5.0,
+            hoist: Some(HoistSetPoint::WeightOnBit(30e3)),
+            ..ScheduleStep::default()
+        }],
+    };
+    let cases = [
+        of(3.0, None, Schedule::default()),
+        of(0.0, until, Schedule::default()),
+        of(0.0, until, slower),
+    ];
+    let outcomes = each(&cases, |case| {
+        let mut simulation = case.start();
+        let mut ends_s = Vec::new();
+        while simulation.end_time_s() - simulation.time_s() > 0.005 {
+            ends_s.push(simulation.end_time_s());
+            go(
+                &mut simulation,
+                0.5_f64.min(simulation.end_time_s() - simulation.time_s()),
+            );
+        }
+        (simulation.outcome(), ends_s[0])
+    });
+    let drifting = |outcome: &DynamicOutcome| {
+        let drifts = outcome.statistics.iter().filter(|(_, of)| of.drifts);
+        drifts.map(|(name, _)| *name).collect::<Vec<_>>()
+    };
+    let [
+        (fixed, _),
+        (steady, longest_s),
+        (planned, planned_longest_s),
+    ] = &outcomes[..]
+    else {
+        panic!("three runs");
+    };
+    assert!(
+        drifting(fixed).contains(&"bit_torque_N_m"),
+        "{:?}",
+        drifting(fixed)
+    );
+    assert_eq!(
+        (fixed.numerics.settle_s, fixed.numerics.settled),
+        (3.0, None)
+    );
+    assert_eq!((*longest_s, *planned_longest_s), (125.0, 145.0));
+    for (outcome, least_s) in [(steady, 10.0), (planned, 25.0)] {
+        let numerics = &outcome.numerics;
+        assert!(drifting(outcome).is_empty(), "{:?}", drifting(outcome));
+        assert_eq!(numerics.settled, Some(true));
+        assert!(numerics.settle_s > least_s, "{}", numerics.settle_s);
+    }
+    // What was told of the window is of the window: no sample before it.
+    let (series, from_s) = (&steady.series, steady.numerics.settle_s - 1e-6);
+    let mean_N = mean_between(&series.time_s, &series.hook_load_N, from_s, f64::INFINITY);
+    assert_close("hook load", steady.scalars.hook_load_N, mean_N, 1e-12);
+}
+
+/// A string that trips settles for 30 s at least, and if that was enough its bit passes the depth of the operation in the middle of the window.
+#[test]
+fn a_string_that_trips_is_where_it_was_meant_to_be() {
+    let mut case = moderate(OperationKind::TripIn, 0.3);
+    case.settings.settle_s = 0.0;
+    case.settings.steady = Some(UntilSteady::default());
+    case.settings.duration_s = 4.0;
+    let mut simulation = case.start();
+    while simulation.end_time_s() - simulation.time_s() > 0.005 {
+        go(
+            &mut simulation,
+            0.5_f64.min(simulation.end_time_s() - simulation.time_s()),
+        );
+    }
+    let outcome = simulation.outcome();
+    let numerics = outcome.numerics;
+    let speed_m_per_s = case.operation.trip_speed_m_per_s;
+    let late_m = (numerics.settle_s - 30.0) * speed_m_per_s;
+    assert!(late_m >= 0.0, "{}", numerics.settle_s);
+    // The string stretches and swings along the hole by centimetres.
+    let off_m = numerics.mean_bit_depth_m - case.operation.bit_depth_m - late_m;
+    assert!(off_m.abs() < 0.1, "{off_m} m off");
+    assert!((numerics.bit_travel_m / (4.0 * speed_m_per_s) - 1.0).abs() < 0.05);
 }

@@ -13,6 +13,7 @@ use crate::{
         record::Record,
         schedule::SetPoints,
         settings::{DynamicsSettings, Start},
+        settling::FADING_S,
         setup::{self, Basis, SetupError},
         signal::Probed,
         start::{self, Scene},
@@ -25,9 +26,6 @@ use crate::{
     operation::Operation,
     rod::{number::Real, torsion},
 };
-
-/// Time over which the extra damping of a prepared start fades, s; a schedule that changes something before has nothing of it against itself.
-const FADING_S: f64 = 5.0;
 
 impl<R: Real> Run<R> {
     /// Lays the string in its hole, ready to run.
@@ -49,7 +47,7 @@ impl<R: Real> Run<R> {
         let (mesh, dt) = (&basis.mesh, basis.plan.dt_s);
         let (control, velocity) = setup::hoisting(operation, settings);
         let mut first = settings.schedule.at_time_zero(operation);
-        let bit_md_m = setup::first_bit_md_m(operation, settings);
+        let bit_md_m = setup::first_bit_md_m(operation, settings, &basis.settling);
         let chain = assembly::chain(model, mesh, &basis.plan);
         let mut viscous = Viscous::new(model, mesh, &first, velocity, bit_md_m);
         let input = StepInput {
@@ -159,6 +157,7 @@ impl<R: Real> Run<R> {
             viscous,
             flow_m3_per_s: first.flow_now_m3_per_s(),
             rigid_velocity_m_per_s: velocity,
+            // A schedule that changes something before has nothing of it against itself.
             fading_s: settings
                 .schedule
                 .first_change_s()
@@ -170,6 +169,7 @@ impl<R: Real> Run<R> {
             high,
             ledger: Ledger::default(),
             window_open: false,
+            settled: None,
         };
         Ok(Self {
             crew,

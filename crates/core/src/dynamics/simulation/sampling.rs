@@ -4,7 +4,10 @@ use serde::{Deserialize, Serialize};
 
 use super::Run;
 use crate::{
-    dynamics::{chain::node, energy::Ledger, record, settings::HoistControl, viscous::Viscous},
+    dynamics::{
+        chain::node, energy::Ledger, record, settings::HoistControl, settling::Settling,
+        viscous::Viscous,
+    },
     rod::number::Real,
 };
 
@@ -30,7 +33,7 @@ impl<R: Real> Run<R> {
         let time = self.time_s();
         let interval_s = self.sample_interval_s();
         let run_samples = (self.end_time_s() / interval_s).round() as u64;
-        let opens = !self.state.window_open && time >= self.settings.settle_s;
+        let opens = !self.state.window_open && self.settles(time, interval_s);
         if opens {
             self.open_window();
         }
@@ -115,6 +118,17 @@ impl<R: Real> Run<R> {
         for (probe, value) in self.state.record.series.probes.iter_mut().zip(values) {
             probe.samples.push(value);
         }
+    }
+
+    /// Whether the sample that ends at `time` is the first of the window.
+    fn settles(&mut self, time: f64, interval_s: f64) -> bool {
+        if let Settling::Fixed(settle_s) = self.settling {
+            return time >= settle_s;
+        }
+        let length_m = self.mesh.nodes[0].from_bit_m;
+        let (series, duration_s) = (&self.state.record.series, self.settings.duration_s);
+        self.state.settled = self.settling.ends(series, interval_s, duration_s, length_m);
+        self.state.settled.is_some()
     }
 
     /// From now on statistics and the ledger of energy count.

@@ -8,7 +8,7 @@ use crate::{
     dynamics::{
         assembly::Anchor, bit::Bit, body::Body, chain::Rows, energy::Ledger, hoist::Hoist,
         layout::Layout, record::Record, schedule::SetPoints, settings::DynamicsSettings,
-        top_drive::TopDrive, viscous::Viscous, wear::Wear,
+        settling::Settled, top_drive::TopDrive, viscous::Viscous, wear::Wear,
     },
     model::Model,
     rod::mesh::Mesh,
@@ -40,6 +40,8 @@ pub(super) struct State {
     pub(super) high: Vec<Rows<f64>>,
     pub(super) ledger: Ledger,
     pub(super) window_open: bool,
+    /// How settling ended that was to end by itself; none as long as it goes on.
+    pub(super) settled: Option<Settled>,
 }
 
 impl State {

@@ -1,0 +1,229 @@
+//! What is to be known of means that do not stand still: marks in the table, and lines beneath it.
+
+use wholestring_results::{OperationSummary, Statistic, Summary};
+use wholestring_units::{Dimension, UnitSet};
+
+use super::{QUANTITIES, deviation};
+
+/// Travel of the bit in the window from which it is named as what may change a mean, m.
+const TRAVELS_M: f64 = 1.0;
+
+/// How far from the depth that was asked for the bit may be in the middle of the window without a word, m.
+const ELSEWHERE_M: f64 = 1.0;
+
+/// The mark beside the deviation of what drifts.
+pub(super) fn mark(statistic: &Statistic) -> &'static str {
+    match (statistic.drifts, statistic.drift < 0.0) {
+        (false, _) => "",
+        (true, false) => " ↗",
+        (true, true) => " ↘",
+    }
+}
+
+/// A column of deviations, those without a mark as far from the edge as those with one.
+pub(super) fn aligned(cells: Vec<String>) -> Vec<String> {
+    let is_marked = |cell: &String| cell.ends_with(['↗', '↘']);
+    if !cells.iter().any(is_marked) {
+        return cells;
+    }
+    let pad = |cell: String| if is_marked(&cell) { cell } else { cell + "  " };
+    cells.into_iter().map(pad).collect()
+}
+
+/// Lines beneath the table: what drifts, what never was steady, and where the bit was elsewhere.
+pub(super) fn notes(summary: &Summary, units: UnitSet) -> String {
+    summary
+        .operations
+        .iter()
+        .flat_map(|solved| {
+            [
+                drifting(solved, units),
+                unsteady(solved),
+                elsewhere(solved, units),
+            ]
+        })
+        .flatten()
+        .map(|line| line + "\n")
+        .collect()
+}
+
+/// What drifts in the window of an operation.
+fn drifting(solved: &OperationSummary, units: UnitSet) -> Option<String> {
+    let statistics = solved.statistics.as_ref()?;
+    let drifts: Vec<String> = QUANTITIES
+        .iter()
+        .filter_map(|quantity| {
+            let statistic = statistics.get(quantity.key).filter(|of| of.drifts)?;
+            let verb = if statistic.drift < 0.0 {
+                "falls"
+            } else {
+                "rises"
+            };
+            let shown = deviation(quantity.unit.shown(statistic.drift.abs(), units));
+            let (label, symbol) = (quantity.label.to_lowercase(), quantity.unit.symbol(units));
+            Some(format!("{label} {verb} by {shown} {symbol}"))
+        })
+        .collect();
+    let (first, rest) = drifts.split_first()?;
+    let list = match rest.split_last() {
+        None => first.clone(),
+        Some((last, [])) => format!("{first} and {last}"),
+        Some((last, between)) => format!("{first}, {} and {last}", between.join(", ")),
+    };
+    let travel_m = solved.numerics.as_ref().and_then(|of| of.bit_travel_m);
+    let why = match travel_m.map(f64::abs).filter(|m| *m >= TRAVELS_M) {
+        Some(travel_m) => format!(
+            "the string goes {} through the hole meanwhile, and a shorter window shows less of that",
+            Dimension::Length.format((10.0 * travel_m).round() / 10.0, units)
+        ),
+        None => "settle longer".to_owned(),
+    };
+    Some(format!(
+        "{}: {list} over the window (↗ ↘): there ± is drift, not motion alone; {why}",
+        name(solved)
+    ))
+}
+
+/// An operation that settled for as long as it may and was not steady then.
+fn unsteady(solved: &OperationSummary) -> Option<String> {
+    let numerics = solved.numerics.as_ref()?;
+    let settle_s = numerics
+        .settle_s
+        .filter(|_| numerics.settled == Some(false))?;
+    Some(format!(
+        "{}: not steady after {settle_s:.0} s of settling, the most that it may take by itself; look at time.parquet before you believe \
+         its means, or give a longer dynamics.settle",
+        name(solved)
+    ))
+}
+
+/// An operation whose bit was elsewhere in the middle of the window, because settling took longer than was foreseen.
+fn elsewhere(solved: &OperationSummary, units: UnitSet) -> Option<String> {
+    let numerics = solved.numerics.as_ref()?;
+    numerics.settled?;
+    let (mean_m, settle_s) = (numerics.mean_bit_depth_m?, numerics.settle_s?);
+    let off_m = mean_m - solved.bit_depth_m;
+    if off_m.abs() < ELSEWHERE_M {
+        return None;
+    }
+    let length = |m: f64| Dimension::Length.format((10.0 * m).round() / 10.0, units);
+    Some(format!(
+        "{}: settling took {settle_s:.0} s, and the bit is at {} on average over the window, {} {} than asked",
+        name(solved),
+        length(mean_m),
+        length(off_m.abs()),
+        if off_m > 0.0 { "deeper" } else { "shallower" },
+    ))
+}
+
+fn name(solved: &OperationSummary) -> String {
+    solved.operation.replace('_', " ")
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use super::{super::table, *};
+
+    /// A summary of one operation with these statistics and numerics.
+    fn summary(statistics: Value, numerics: Value) -> Summary {
+        let statistic = |of: &Value| {
+            let mut all = json!({
+                "mean": 200e3, "std": 700.0, "min": 0.0, "max": 0.0, "p05": 0.0, "p95": 0.0, "std_error": 10.0,
+                "drift": 0.0, "drifts": false,
+            });
+            for (key, value) in of.as_object().unwrap() {
+                all[key] = value.clone();
+            }
+            all
+        };
+        let statistics = statistics.as_object().unwrap().iter();
+        let statistics: serde_json::Map<String, Value> = statistics
+            .map(|(name, of)| (name.clone(), statistic(of)))
+            .collect();
+        let mut all = json!({
+            "elements": 100, "time_step_s": 1e-3, "steps": 1000, "added_axial_mass_fraction": 0.0,
+            "max_penetration_m": 0.0, "energy_residual": 0.0, "instructions": "avx2", "wall_time_s": 1.0,
+            "real_time_factor": 10.0, "settle_s": 30.0, "settled": true, "mean_bit_depth_m": 1000.0,
+            "bit_travel_m": 0.05,
+        });
+        for (key, value) in numerics.as_object().unwrap() {
+            all[key] = value.clone();
+        }
+        let solved = json!({
+            "model": "dynamic", "operation": "trip_in", "status": "complete", "friction": 0.3, "bit_depth_m": 1000.0,
+            "weight_on_bit_N": 0.0, "bit_torque_N_m": 0.0, "hook_load_N": 200e3, "surface_torque_N_m": 0.0,
+            "friction_torque_N_m": 0.0, "axial_friction_N": 0.0, "side_force_total_N": 0.0, "twist_rad": 0.0,
+            "stretch_m": 0.2, "neutral_point_m": null, "cutoff_depth_m": null, "statistics": statistics,
+            "numerics": all,
+        });
+        Summary {
+            schema_version: wholestring_results::SCHEMA_VERSION,
+            case: "a case".into(),
+            settings: Value::Null,
+            operations: vec![serde_json::from_value(solved).expect("a summary")],
+        }
+    }
+
+    #[test]
+    fn what_drifts_is_marked_and_told() {
+        let drifts = summary(
+            json!({
+                "hook_load_N": {"drift": -2100.0, "drifts": true},
+                "axial_friction_N": {"drift": -2000.0},
+                "stretch_m": {"std": 0.003, "drift": 0.01, "drifts": true},
+            }),
+            json!({}),
+        );
+        assert_eq!(
+            notes(&drifts, UnitSet::Si),
+            "trip in: hook load falls by 2.1 kN and stretch rises by 0.010 m over the window (↗ ↘): there ± is drift, \
+             not motion alone; settle longer\n"
+        );
+        let shown = table(&drifts, UnitSet::Si, None);
+        let row = |label: &str| shown.lines().find(|line| line.starts_with(label)).unwrap();
+        assert!(row("Hook load").ends_with("0.70 ↘"), "{shown}");
+        assert!(row("Stretch").ends_with("0.0030 ↗"), "{shown}");
+        // Digits stand below each other.
+        assert!(row("Axial friction").ends_with("0.70"), "{shown}");
+        let place = |label| row(label).chars().position(|letter| letter == '.');
+        assert_eq!(place("Axial friction"), place("Hook load"), "{shown}");
+    }
+
+    #[test]
+    fn a_string_that_travels_is_not_told_to_settle() {
+        let travels = json!({"bit_travel_m": 18.0});
+        let drifts = summary(
+            json!({"hook_load_N": {"drift": 2600.0, "drifts": true}}),
+            travels,
+        );
+        let told = notes(&drifts, UnitSet::Si);
+        assert!(
+            told.contains("the string goes 18 m through the hole meanwhile"),
+            "{told}"
+        );
+        assert!(!told.contains("settle"), "{told}");
+    }
+
+    #[test]
+    fn what_never_was_steady_and_what_was_elsewhere_is_told() {
+        let still = summary(json!({"hook_load_N": {}}), json!({}));
+        assert_eq!(notes(&still, UnitSet::Si), "");
+        assert!(!table(&still, UnitSet::Si, None).contains('↗'));
+        let unsteady = json!({"settled": false, "settle_s": 120.01, "mean_bit_depth_m": 1027.0});
+        let told = notes(&summary(json!({}), unsteady), UnitSet::Si);
+        let (first, second) = told.split_once('\n').expect("two lines");
+        assert!(
+            first.starts_with("trip in: not steady after 120 s of settling"),
+            "{told}"
+        );
+        assert_eq!(
+            second,
+            "trip in: settling took 120 s, and the bit is at 1027 m on average over the window, 27 m deeper than asked\n"
+        );
+        // Who gives the time has chosen the place.
+        let given = json!({"settled": null, "mean_bit_depth_m": 1027.0});
+        assert_eq!(notes(&summary(json!({}), given), UnitSet::Si), "");
+    }
+}
