@@ -15,6 +15,7 @@ mod folder_name;
 mod frames;
 mod indicators;
 mod interrupt;
+mod keep;
 mod pace;
 mod parallel;
 mod plot;

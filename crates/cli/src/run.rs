@@ -15,6 +15,7 @@ use crate::{
     folder_name::default_output,
     indicators,
     interrupt::Interrupt,
+    keep::Keep,
     load,
     progress::Watch,
     record::{self, Record},
@@ -42,6 +43,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         }
     };
     let way = Way {
+        keep: Keep::All,
         csv: args.csv,
         checkpoint_every: args.checkpoint.unwrap_or_else(|| checkpoint_every(&case)),
         watch: Watch::Screen { quiet: args.quiet },

@@ -4,12 +4,23 @@ use std::{fs::File, io::BufReader, io::Write, path::Path};
 
 use serde::{Serialize, de::DeserializeOwned};
 
-use crate::{ResultsError, file::write_whole};
+use crate::{
+    ResultsError,
+    file::{write_unsynced, write_whole},
+};
 
 /// Writes a value as indented JSON.
 pub(crate) fn write_json(value: &impl Serialize, path: &Path) -> Result<(), ResultsError> {
     write_whole(path, |writer| {
         serde_json::to_writer_pretty(&mut *writer, value)?;
+        writer.write_all(b"\n")
+    })
+}
+
+/// Writes a value as JSON without a blank, and does not wait for the disk.
+pub(crate) fn write_json_compact(value: &impl Serialize, path: &Path) -> Result<(), ResultsError> {
+    write_unsynced(path, |writer| {
+        serde_json::to_writer(&mut *writer, value)?;
         writer.write_all(b"\n")
     })
 }

@@ -22,10 +22,12 @@ use crate::{
     conclusion::Conclusion,
     failure::Failure,
     interrupt::Interrupt,
+    keep::Keep,
     pace::pace,
     parallel::{in_parallel, lock},
     progress::{self, Watch, milliseconds},
     record::Record,
+    report as page,
     solve::{Stop, Way, checkpoint_every, solve},
 };
 
@@ -39,6 +41,18 @@ pub(crate) struct Set {
     pub(crate) folder: ResultsFolder,
     /// The keys that are varied.
     pub(crate) keys: Vec<String>,
+    /// What the user asks to keep of each case.
+    pub(crate) keep: Option<Keep>,
+    /// What at least is read again.
+    pub(crate) needs: Keep,
+}
+
+impl Set {
+    /// What is kept of a case.
+    fn keep(&self, case: &Case, csv: bool) -> Keep {
+        let keep = self.keep.unwrap_or_else(|| Keep::of_itself(case, csv));
+        keep.max(self.needs)
+    }
 }
 
 /// How a case ended.
@@ -188,11 +202,15 @@ impl<'a> Batch<'a> {
             .case(&point.changes)
             .map_err(|report| Stop::Unsolved(report.render(false)))?;
         let folder = ResultsFolder::create(self.folder(point))?;
+        let keep = self.sets[point.set].keep(&case, self.args.csv);
         let mut begun = None;
         if self.args.resume {
-            if let Some(solved) = finished(folder.path(), &case) {
+            if let Some(solved) = finished(folder.path(), &case, keep) {
                 // Killed between its last result and its end, a run may leave one.
                 folder.remove_checkpoint()?;
+                if keep == Keep::All {
+                    page::complete(&folder, case.units)?;
+                }
                 let simulated_s = Checked::of(&case).simulated_s;
                 self.bar.inc(milliseconds(simulated_s));
                 return Ok(Ending { solved, why: None });
@@ -204,6 +222,7 @@ impl<'a> Batch<'a> {
             None => (Record::begin(&case, case.units, &folder)?, None),
         };
         let way = Way {
+            keep,
             csv: self.args.csv,
             checkpoint_every: self
                 .args
@@ -215,6 +234,9 @@ impl<'a> Batch<'a> {
             crew: None,
         };
         let why = solve(&case, &way, &mut record, &folder, under_way).err();
+        if keep == Keep::All {
+            page::write(&folder, case.units)?;
+        }
         Ok(Ending {
             solved: record.summary.operations,
             why,
@@ -300,8 +322,9 @@ impl<'a> Batch<'a> {
     }
 }
 
-/// What a finished run of the case left in the folder; nothing if it is not finished, or of another case.
-fn finished(folder: &Path, case: &Case) -> Option<Vec<OperationSummary>> {
+/// What a finished run of the case left in the folder; nothing if it is not finished, of another case, or has not kept
+/// what is to be kept.
+fn finished(folder: &Path, case: &Case, keep: Keep) -> Option<Vec<OperationSummary>> {
     let summary = Summary::read(&folder.join("summary.json")).ok()?;
     let all = case.operations.len() * case.models.len();
     let complete = summary.operations.len() == all
@@ -309,6 +332,6 @@ fn finished(folder: &Path, case: &Case) -> Option<Vec<OperationSummary>> {
             .operations
             .iter()
             .all(|of| of.status == Status::Complete);
-    (complete && difference(&summary.settings, &case.settings).is_none())
+    (complete && keep.has_tables(folder) && difference(&summary.settings, &case.settings).is_none())
         .then_some(summary.operations)
 }
