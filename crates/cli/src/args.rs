@@ -7,6 +7,8 @@ use wholestring::well::Interpolation;
 use wholestring_case::Override;
 use wholestring_units::{Dimension, Unit, UnitSet};
 
+use crate::{failure::Failure, keep::Keep};
+
 /// Torque, drag and dynamics of a whole drill string in a deviated well.
 #[derive(Debug, Parser)]
 #[command(name = "wholestring", version, max_term_width = 100, after_help = EXIT_STATUS)]
@@ -160,7 +162,32 @@ pub(crate) struct SweepArgs {
     pub(crate) strict: bool,
 
     #[command(flatten)]
+    pub(crate) kept: KeptArgs,
+
+    #[command(flatten)]
     pub(crate) batch: BatchArgs,
+}
+
+/// What is kept of each case.
+#[derive(Debug, Args)]
+pub(crate) struct KeptArgs {
+    /// What is kept of each case [default: tables where dynamics solve it, --csv or a figure needs them, else its
+    /// summary]
+    #[arg(long, value_enum, value_name = "WHAT")]
+    pub(crate) keep: Option<Keep>,
+}
+
+impl KeptArgs {
+    /// Refuses tables as CSV where none are kept.
+    pub(crate) fn check(&self, batch: &BatchArgs) -> Result<(), Failure> {
+        if batch.csv && self.keep == Some(Keep::Summary) {
+            return Err(Failure::BadInput(
+                "error: --csv writes tables, --keep summary keeps none: leave out one of them"
+                    .into(),
+            ));
+        }
+        Ok(())
+    }
 }
 
 #[derive(Debug, Args)]
@@ -194,6 +221,9 @@ pub(crate) struct StudyArgs {
     /// End with status 4 where an error is found in an answer
     #[arg(long)]
     pub(crate) strict: bool,
+
+    #[command(flatten)]
+    pub(crate) kept: KeptArgs,
 
     #[command(flatten)]
     pub(crate) batch: BatchArgs,

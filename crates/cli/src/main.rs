@@ -15,6 +15,7 @@ mod findings;
 mod folder_name;
 mod frames;
 mod interrupt;
+mod keep;
 mod pace;
 mod parallel;
 mod plot;

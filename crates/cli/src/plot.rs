@@ -14,7 +14,7 @@ use crate::{
     bit_test::page as bit_test,
     failure::Failure,
     folder_name::file_name,
-    report::{Tables, gather, spectra::spectra, table},
+    report::{Tables, gather, lacking, spectra::spectra, table},
     say,
     sweep::report as sweep,
 };
@@ -133,22 +133,8 @@ impl Drawn {
         if summary.operations.is_empty() {
             return Err(bad(format!("nothing was solved in {place}")));
         }
-        let dynamic = summary.operations.iter().any(|of| of.statistics.is_some());
-        let needed = if dynamic {
-            &["nodes", "time", "wear", "contact"][..]
-        } else {
-            &["nodes"]
-        };
-        let missing: Vec<String> = needed
-            .iter()
-            .map(|name| format!("{name}.parquet"))
-            .filter(|name| !folder.join(name).is_file())
-            .collect();
-        if !missing.is_empty() {
-            return Err(bad(format!(
-                "{place} lacks {}: run the case again",
-                missing.join(", ")
-            )));
+        if let Some(lacking) = lacking(folder).map_err(bad)? {
+            return Err(bad(lacking));
         }
         let tables = Tables::read(folder).map_err(bad)?;
         Ok(Self {

@@ -22,6 +22,7 @@ use crate::{
     bit_test::page as bit_test,
     column::{numbers, words},
     failure::Failure,
+    record::{PROFILE, write_profile},
     say,
     sweep::report as sweep,
 };
@@ -44,6 +45,9 @@ pub(crate) fn report(args: &ReportArgs) -> Result<(), Failure> {
         let test = bit_test::gather(&args.folder, args.units).map_err(|error| bad(&error))?;
         bit_test::write(&ResultsFolder::create(&args.folder)?, &test)?;
     } else if args.folder.join("summary.json").is_file() {
+        if let Some(lacking) = lacking(&args.folder).map_err(|error| bad(&error))? {
+            return Err(bad(&lacking));
+        }
         let page = page(&args.folder, args.units).map_err(|error| bad(&error))?;
         let folder = ResultsFolder::create(&args.folder)?;
         folder.write_file(FILE, page.as_bytes())?;
@@ -65,6 +69,49 @@ pub(crate) fn write(folder: &ResultsFolder, units: UnitSet) -> Result<(), Failur
     }
     let page = page(folder.path(), Some(units))?;
     Ok(folder.write_file(FILE, page.as_bytes())?)
+}
+
+/// Makes the page and the picture of a run that is finished where its folder lacks them.
+pub(crate) fn complete(folder: &ResultsFolder, units: UnitSet) -> Result<(), Failure> {
+    if !folder.path().join(PROFILE).is_file() {
+        let summary = Summary::read(&folder.path().join("summary.json"))?;
+        let (nodes, wear) = (
+            table(folder.path(), "nodes")?,
+            table(folder.path(), "wear")?,
+        );
+        write_profile(
+            folder,
+            &along_the_hole(&nodes, &wear, &summary, Some(units)),
+        )?;
+    }
+    if !folder.path().join(FILE).is_file() {
+        write(folder, units)?;
+    }
+    Ok(())
+}
+
+/// What is said of a folder with a summary that lacks tables from which pages and pictures are made; nothing where
+/// they are there.
+pub(crate) fn lacking(folder: &Path) -> Result<Option<String>, ResultsError> {
+    let summary = Summary::read(&folder.join("summary.json"))?;
+    let dynamic = summary.operations.iter().any(|of| of.statistics.is_some());
+    let needed = match (summary.operations.is_empty(), dynamic) {
+        (true, _) => &[][..],
+        (_, true) => &["nodes", "time", "wear", "contact"],
+        (_, false) => &["nodes"],
+    };
+    let missing: Vec<String> = needed
+        .iter()
+        .map(|name| format!("{name}.parquet"))
+        .filter(|name| !folder.join(name).is_file())
+        .collect();
+    Ok((!missing.is_empty()).then(|| {
+        format!(
+            "{} lacks {}: run the case again; a sweep keeps them with --keep tables",
+            folder.display(),
+            missing.join(", ")
+        )
+    }))
 }
 
 /// The page of the run in a folder.
@@ -174,12 +221,7 @@ pub(crate) fn along_the_hole(
                 findings: solved.findings.iter().map(findings::told).collect(),
                 answers: answers::answers(solved, settings, nodes),
                 profile: columns(nodes, Some(solved.model.name()), &solved.operation),
-                wear: match solved.model {
-                    wholestring::outcome::ModelKind::Dynamic => {
-                        columns(wear, None, &solved.operation)
-                    }
-                    wholestring::outcome::ModelKind::Soft => Default::default(),
-                },
+                wear: columns(wear, Some(solved.model.name()), &solved.operation),
             })
             .collect(),
         well: well.path(),
@@ -200,7 +242,11 @@ fn rows(table: &Table, model: Option<&str>, operation: &str) -> Vec<usize> {
     let models = words(table, "model");
     let operations = words(table, "operation").iter().enumerate();
     operations
-        .filter(|(row, name)| *name == operation && model.is_none_or(|model| models[*row] == model))
+        .filter(|(row, name)| {
+            // A table that does not tell models apart is the dynamics'.
+            let of = models.get(*row).map_or("dynamic", String::as_str);
+            *name == operation && model.is_none_or(|model| of == model)
+        })
         .map(|(row, _)| row)
         .collect()
 }

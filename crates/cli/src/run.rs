@@ -14,6 +14,7 @@ use crate::{
     findings,
     folder_name::default_output,
     interrupt::Interrupt,
+    keep::Keep,
     load,
     progress::Watch,
     record::{self, Record},
@@ -60,6 +61,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let folder = &claimed.folder;
     let interrupt = Interrupt::listen();
     let way = Way {
+        keep: Keep::All,
         csv: args.csv,
         checkpoint_every: args.checkpoint.unwrap_or_else(|| checkpoint_every(&case)),
         watch: Watch::Screen { quiet: args.quiet },

@@ -20,12 +20,15 @@ use crate::{
     cores::Lent,
     failure::Failure,
     interrupt::Interrupt,
+    keep::Keep,
     progress::{OwnBar, Watch},
     record::{Effort, Record},
 };
 
 /// How a case is solved, beside what it says itself.
 pub(crate) struct Way<'a> {
+    /// What is kept of it.
+    pub(crate) keep: Keep,
     /// Whether to write the tables as CSV too.
     pub(crate) csv: bool,
     /// Time on the clock between checkpoints.
@@ -116,7 +119,7 @@ pub(crate) fn solve(
                     solve_dynamic(case, operation, way, record, &mut keeper, begun)
                 }
             };
-            record.write(folder, way.csv)?;
+            record.write(folder, way.keep, way.csv)?;
             written = true;
             match stopped {
                 Status::Complete => {}
@@ -136,7 +139,7 @@ pub(crate) fn solve(
     }
     if !written {
         // All was solved when the run was laid aside; the folder may not show it.
-        record.write(folder, way.csv)?;
+        record.write(folder, way.keep, way.csv)?;
     }
     keeper.finish()?;
     Ok(())
@@ -433,6 +436,7 @@ mod tests {
 
     fn way(interrupt: &Interrupt) -> Way<'_> {
         Way {
+            keep: Keep::All,
             csv: false,
             checkpoint_every: Duration::MAX,
             watch: Watch::Screen { quiet: true },

@@ -129,7 +129,7 @@ pub struct Solved {
     pub answers: Vec<Answer>,
     /// Columns of `nodes.parquet` by their name.
     pub profile: BTreeMap<String, Packed>,
-    /// Columns of `wear.parquet` by their name; empty but for dynamics.
+    /// Columns of `wear.parquet` by their name.
     pub wear: BTreeMap<String, Packed>,
 }
 

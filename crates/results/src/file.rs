@@ -14,13 +14,30 @@ pub(crate) fn write_whole(
     path: &Path,
     write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
 ) -> Result<(), ResultsError> {
+    // Without it a full disk may go unnoticed until after the rename.
+    write_then(path, write, File::sync_all)
+}
+
+/// [`write_whole`] that does not wait for the disk: for files that a sweep writes by the thousand and makes again in
+/// milliseconds. After a power failure the file may be empty.
+pub(crate) fn write_unsynced(
+    path: &Path,
+    write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
+) -> Result<(), ResultsError> {
+    write_then(path, write, |_| Ok(()))
+}
+
+fn write_then(
+    path: &Path,
+    write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
+    sync: impl FnOnce(&File) -> io::Result<()>,
+) -> Result<(), ResultsError> {
     let partial = partial_name(path);
     let result = (|| {
         let mut writer = BufWriter::new(File::create(&partial)?);
         write(&mut writer)?;
         writer.flush()?;
-        // Without it a full disk may go unnoticed until after the rename.
-        writer.get_ref().sync_all()?;
+        sync(writer.get_ref())?;
         drop(writer);
         fs::rename(&partial, path)
     })();

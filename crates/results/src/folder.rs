@@ -44,6 +44,11 @@ impl ResultsFolder {
         summary.write(&self.path.join("summary.json"))
     }
 
+    /// Writes `summary.json` without blanks, not waiting for the disk: [`Summary::write_compact`].
+    pub fn write_compact_summary(&self, summary: &Summary) -> Result<(), ResultsError> {
+        summary.write_compact(&self.path.join("summary.json"))
+    }
+
     /// Writes `<name>.parquet`, and `<name>.csv` where `csv` asks for it. Where it does not, the CSV
     /// that an earlier run left goes, so that the folder never mixes two runs.
     pub fn write_table(&self, name: &str, table: &Table, csv: bool) -> Result<(), ResultsError> {

@@ -6,7 +6,7 @@ use serde::{Serialize, de::DeserializeOwned};
 
 use crate::{
     ResultsError,
-    file::{read_at_most, write_whole},
+    file::{read_at_most, write_unsynced, write_whole},
 };
 
 /// More than any summary holds, bytes: as a tree it is sixteen times as large.
@@ -16,6 +16,14 @@ const LARGEST: u64 = 32 << 20;
 pub(crate) fn write_json(value: &impl Serialize, path: &Path) -> Result<(), ResultsError> {
     write_whole(path, |writer| {
         serde_json::to_writer_pretty(&mut *writer, value)?;
+        writer.write_all(b"\n")
+    })
+}
+
+/// Writes a value as JSON without a blank, and does not wait for the disk.
+pub(crate) fn write_json_compact(value: &impl Serialize, path: &Path) -> Result<(), ResultsError> {
+    write_unsynced(path, |writer| {
+        serde_json::to_writer(&mut *writer, value)?;
         writer.write_all(b"\n")
     })
 }

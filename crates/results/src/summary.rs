@@ -11,7 +11,7 @@ use wholestring::{
 
 use crate::{
     Finding, ResultsError,
-    json::{read_versioned, write_json},
+    json::{read_versioned, write_json, write_json_compact},
 };
 
 /// Version of the layout of `summary.json`; raised when a key changes or goes.
@@ -265,6 +265,12 @@ impl Summary {
     /// Writes the summary as indented JSON.
     pub fn write(&self, path: &Path) -> Result<(), ResultsError> {
         write_json(self, path)
+    }
+
+    /// Writes the summary without blanks, and does not wait for the disk: for the many of a sweep that are solved again
+    /// in milliseconds.
+    pub fn write_compact(&self, path: &Path) -> Result<(), ResultsError> {
+        write_json_compact(self, path)
     }
 
     /// Reads back a summary, and refuses one of another [`SCHEMA_VERSION`].

@@ -208,6 +208,20 @@ pub enum FigureData {
     },
 }
 
+impl Figure {
+    /// The columns that it is made of.
+    pub(super) fn quantities(&self) -> impl Iterator<Item = &Quantity> {
+        let other = match &self.data {
+            FigureData::Summary { .. } => None,
+            FigureData::Rows { x, .. }
+            | FigureData::Times { x, .. }
+            | FigureData::Depths { x, .. } => Some(x),
+            FigureData::Map { colour, .. } => Some(colour),
+        };
+        self.y.iter().chain(other)
+    }
+}
+
 /// A varied key as an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Abscissa {

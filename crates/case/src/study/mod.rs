@@ -96,6 +96,23 @@ pub struct Chosen {
     pub only: Selection,
 }
 
+impl Study {
+    /// Whether a figure or a number is made from tables that the cases of a sweep leave, by its index; from their
+    /// summaries otherwise.
+    pub fn reads_tables_of(&self, sweep: usize) -> bool {
+        let reads =
+            |quantity: &Quantity| !matches!(quantity.column.source, Source::Summary | Source::Path);
+        let figures = self
+            .figures
+            .iter()
+            .filter(|of| of.chosen.sweeps.contains(&sweep));
+        let rows = self.tables.iter().flat_map(|table| &table.rows);
+        let mut rows = rows.filter(|of| of.chosen.sweeps.contains(&sweep));
+        figures.flat_map(Figure::quantities).any(reads)
+            || rows.any(|row| reads(&row.number.quantity))
+    }
+}
+
 static STUDY_FILE: Kind = Kind {
     noun: "study",
     needs: "it needs at least one [[sweep]]",

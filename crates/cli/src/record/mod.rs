@@ -17,7 +17,7 @@ use wholestring::{
     well::Hole,
 };
 use wholestring_case::{Case, Records};
-use wholestring_report::profile;
+use wholestring_report::{Report, profile};
 use wholestring_results::{
     BOTTOM_HOLE, CONTACT, ENGINE_VERSION, FramesSoFar, Friction, NODES, OperationSummary,
     ResultsError, ResultsFolder, SCHEMA_VERSION, SPECTRA, Status, Summary, TIME, Table, WEAR,
@@ -25,7 +25,13 @@ use wholestring_results::{
 };
 use wholestring_units::{Dimension, UnitSet};
 
-use crate::{failure::Failure, findings, frames::Frames, report::along_the_hole};
+use crate::{
+    failure::Failure,
+    findings,
+    frames::Frames,
+    keep::Keep,
+    report::{self, along_the_hole},
+};
 
 /// What a run has solved to its end, as a checkpoint keeps it. The tables are not copied for it: they are large.
 #[derive(Serialize, Deserialize)]
@@ -200,39 +206,70 @@ impl Record {
         }
     }
 
-    /// Writes everything; what an earlier run left goes.
-    pub(crate) fn write(&mut self, folder: &ResultsFolder, csv: bool) -> Result<(), Failure> {
-        folder.write_table("nodes", &self.nodes, csv)?;
-        folder.write_table("time", &self.time, csv)?;
-        folder.write_table("wear", &self.wear, csv)?;
-        folder.write_table("contact", &self.contact, csv)?;
+    /// Writes what is kept; what an earlier run left goes.
+    pub(crate) fn write(
+        &mut self,
+        folder: &ResultsFolder,
+        keep: Keep,
+        csv: bool,
+    ) -> Result<(), Failure> {
+        for (name, table) in [
+            ("nodes", Some(&self.nodes)),
+            ("time", Some(&self.time)),
+            ("wear", Some(&self.wear)),
+            ("contact", Some(&self.contact)),
+            // Of most bits there is none.
+            (
+                "bottom_hole",
+                Some(&self.bottom_hole).filter(|bottom| bottom.rows() > 0),
+            ),
+        ] {
+            match table.filter(|_| keep >= Keep::Tables) {
+                Some(table) => folder.write_table(name, table, csv)?,
+                None => remove_table(folder, name)?,
+            }
+        }
         if self.records.spectra.is_empty() && self.records.probes.is_empty() {
-            folder.remove("spectra.parquet")?;
-            folder.remove("spectra.csv")?;
+            remove_table(folder, "spectra")?;
         } else {
             folder.write_table("spectra", &self.spectra, csv)?;
-        }
-        if self.bottom_hole.rows() == 0 {
-            folder.remove("bottom_hole.parquet")?;
-            folder.remove("bottom_hole.csv")?;
-        } else {
-            folder.write_table("bottom_hole", &self.bottom_hole, csv)?;
         }
         match &mut self.frames {
             Some(frames) => frames.write()?,
             None => folder.remove("frames.parquet")?,
         }
-        let report = along_the_hole(&self.nodes, &self.wear, &self.summary, Some(self.units));
-        match profile(&report, self.units.name()) {
-            Some(figure) => {
-                folder.write_file("profile.svg", figure.drawing().svg().as_bytes())?;
-            }
-            None => folder.remove("profile.svg")?,
+        if keep == Keep::All {
+            let report = along_the_hole(&self.nodes, &self.wear, &self.summary, Some(self.units));
+            write_profile(folder, &report)?;
+        } else {
+            folder.remove(PROFILE)?;
+            folder.remove(report::FILE)?;
         }
         // Last, so that a summary tells of tables that are there.
-        folder.write_summary(&self.summary)?;
+        let solved = &self.summary.operations;
+        if keep == Keep::Summary && solved.iter().all(|of| of.model == ModelKind::Soft) {
+            folder.write_compact_summary(&self.summary)?;
+        } else {
+            folder.write_summary(&self.summary)?;
+        }
         Ok(())
     }
+}
+
+/// Name of the picture of all tracks.
+pub(crate) const PROFILE: &str = "profile.svg";
+
+/// Draws all tracks of a run; nothing where it has none.
+pub(crate) fn write_profile(folder: &ResultsFolder, report: &Report) -> Result<(), ResultsError> {
+    match profile(report, &report.units) {
+        Some(figure) => folder.write_file(PROFILE, figure.drawing().svg().as_bytes()),
+        None => folder.remove(PROFILE),
+    }
+}
+
+fn remove_table(folder: &ResultsFolder, name: &str) -> Result<(), ResultsError> {
+    folder.remove(&format!("{name}.parquet"))?;
+    folder.remove(&format!("{name}.csv"))
 }
 
 fn friction(hole: &Hole) -> Vec<f64> {

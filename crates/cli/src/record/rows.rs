@@ -55,6 +55,30 @@ impl Record {
                 ),
                 ("twist_rad", &profile.twist_rad),
                 ("stretch_m", &profile.stretch_m),
+                ("climb_rad", &numbers(&profile.climb_rad)),
+                ("lateral_offset_m", &profile.lateral_offset_m),
+                (
+                    "side_force_per_joint_N",
+                    &numbers(&profile.side_force_per_joint_N),
+                ),
+                ("true_tension_N", &profile.true_tension_N),
+                ("outside_pressure_Pa", &profile.outside_pressure_Pa),
+                ("inside_pressure_Pa", &profile.inside_pressure_Pa),
+                ("bending_moment_N_m", &profile.bending_moment_N_m),
+                ("bending_stress_Pa", &profile.bending_stress_Pa),
+                ("von_mises_stress_Pa", &profile.von_mises_stress_Pa),
+                ("yield_use", &numbers(&profile.yield_use)),
+                ("wear_power_W_per_m", &profile.wear_power_W_per_m),
+            ],
+        );
+        self.wear.append(
+            &[
+                ("model", &["soft"]),
+                ("operation", &[operation.kind.name()]),
+            ],
+            &[
+                ("md_m", &profile.wear.md_m),
+                ("wear_power_W_per_m", &profile.wear.wear_power_W_per_m),
             ],
         );
     }
@@ -127,7 +151,10 @@ impl Record {
         self.summary.operations.push(solved);
         self.add_profile(operation, nodes);
         self.wear.append(
-            &[("operation", &[operation.kind.name()])],
+            &[
+                ("model", &["dynamic"]),
+                ("operation", &[operation.kind.name()]),
+            ],
             &[
                 ("md_m", &wear.md_m),
                 ("wear_work_J_per_m", &wear.wear_work_J_per_m),
@@ -246,6 +273,9 @@ impl Record {
                     &nodes.lateral_speed_rms_m_per_s,
                 ),
                 ("wear_work_J_per_m", &nodes.wear_work_J_per_m),
+                ("wear_power_W_per_m", &nodes.wear_power_W_per_m),
+                ("twist_rad", &nodes.twist_rad),
+                ("stretch_m", &nodes.stretch_m),
             ],
         );
     }

@@ -133,6 +133,7 @@ fn stress(solved: &OperationSummary, nodes: &Table) -> Answer {
             label: "Largest von Mises stress".into(),
             about: words(&["yield"]),
             value: largest("von_mises_stress_max_Pa")
+                .or_else(|| largest("von_mises_stress_Pa"))
                 .map_or(Cell::Nothing, |stress| Cell::quantity(stress, "pressure")),
             ..limited(None, "yield strength")
         },

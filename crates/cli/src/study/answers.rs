@@ -122,7 +122,8 @@ impl Answer {
         };
         let path = self.folder.join(file);
         // Only the dynamics tell of time, and frames are kept where they are asked for.
-        if source != Source::Nodes && self.solved.model != ModelKind::Dynamic || !path.is_file() {
+        let timeless = matches!(source, Source::Nodes | Source::Wear);
+        if !timeless && self.solved.model != ModelKind::Dynamic || !path.is_file() {
             return Ok(());
         }
         let read = [&["model", "operation"][..], &names].concat();
@@ -138,9 +139,9 @@ impl Answer {
         let columns = names.map(|name| numbers(piece, name));
         let models = words(piece, "model");
         for (row, operation) in words(piece, "operation").iter().enumerate() {
-            let model = models
-                .get(row)
-                .is_none_or(|model| model == self.solved.model.name());
+            // A table that does not tell models apart is the dynamics'.
+            let model = models.get(row).map_or("dynamic", String::as_str);
+            let model = model == self.solved.model.name();
             if model && *operation == self.solved.operation {
                 visit(columns.map(|of| of.get(row).copied().flatten().unwrap_or(f64::NAN)));
             }

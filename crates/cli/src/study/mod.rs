@@ -22,6 +22,7 @@ use crate::{
     color,
     failure::Failure,
     folder_name::file_name,
+    keep::Keep,
     plot::write_picture,
     report::{FILE, PROGRAM},
     sweep::{Batch, Ending, Set, Sound},
@@ -30,6 +31,7 @@ use crate::{
 
 pub(crate) fn study(args: &StudyArgs) -> Result<(), Failure> {
     let refused = |report: Report| Failure::BadInput(report.render(color()));
+    args.kept.check(&args.batch)?;
     let study = wholestring_case::study::load(&args.study, &columns::all()).map_err(refused)?;
     if !args.batch.quiet && !study.warnings.is_empty() {
         tell(&study.warnings.render(color()));
@@ -39,11 +41,17 @@ pub(crate) fn study(args: &StudyArgs) -> Result<(), Failure> {
     let of_set = |path: &Path, set: usize| path.join(file_name(&study.sweeps[set].name));
     let claimed = sound.claim("study", &study.name, &args.batch, &of_set)?;
     let folder = &claimed.folder;
-    let sets = study.sweeps.iter().map(|sweep| {
+    let sets = study.sweeps.iter().enumerate().map(|(i, sweep)| {
         Ok(Set {
             prefix: format!("{}/", sweep.name),
             folder: ResultsFolder::create(folder.path().join(file_name(&sweep.name)))?,
             keys: sweep.keys().map(str::to_owned).collect(),
+            keep: args.kept.keep,
+            needs: if study.reads_tables_of(i) {
+                Keep::Tables
+            } else {
+                Keep::Summary
+            },
         })
     });
     let sets = sets.collect::<Result<_, Failure>>()?;

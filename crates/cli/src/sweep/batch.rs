@@ -27,11 +27,12 @@ use crate::{
     findings,
     folder_name::default_output,
     interrupt::Interrupt,
+    keep::Keep,
     pace::pace,
     parallel::{in_parallel, lock},
     progress::{self, Watch, milliseconds},
     record::Record,
-    say,
+    report as page, say,
     solve::{Stop, Way, checkpoint_every, solve},
 };
 
@@ -45,6 +46,18 @@ pub(crate) struct Set {
     pub(crate) folder: ResultsFolder,
     /// The keys that are varied.
     pub(crate) keys: Vec<String>,
+    /// What the user asks to keep of each case.
+    pub(crate) keep: Option<Keep>,
+    /// What at least is read again.
+    pub(crate) needs: Keep,
+}
+
+impl Set {
+    /// What is kept of a case.
+    fn keep(&self, case: &Case, csv: bool) -> Keep {
+        let keep = self.keep.unwrap_or_else(|| Keep::of_itself(case, csv));
+        keep.max(self.needs)
+    }
 }
 
 /// How a case ended.
@@ -243,12 +256,16 @@ impl<'a> Batch<'a> {
             .case(&point.changes)
             .map_err(|report| Stop::Unsolved(report.render(false)))?;
         let folder = ResultsFolder::create(self.folder(point))?;
+        let keep = self.sets[point.set].keep(&case, self.args.csv);
         let mut begun = None;
         if self.args.resume {
-            match finished(folder.path(), &case) {
+            match finished(folder.path(), &case, keep) {
                 Ok(Some(solved)) => {
                     // Killed between its last result and its end, a run may leave one.
                     folder.remove_checkpoint()?;
+                    if keep == Keep::All {
+                        page::complete(&folder, case.units)?;
+                    }
                     self.bar.inc(milliseconds(simulated_s));
                     return Ok(Ending { solved, why: None });
                 }
@@ -261,6 +278,7 @@ impl<'a> Batch<'a> {
             None => (Record::begin(&case, case.units, &folder)?, None),
         };
         let way = Way {
+            keep,
             csv: self.args.csv,
             checkpoint_every: self
                 .args
@@ -272,6 +290,9 @@ impl<'a> Batch<'a> {
             crew: cores::alone(&self.interrupt),
         };
         let why = solve(&case, &way, &mut record, &folder, under_way).err();
+        if keep == Keep::All {
+            page::write(&folder, case.units)?;
+        }
         Ok(Ending {
             solved: record.summary.operations,
             why,
@@ -384,11 +405,16 @@ impl<'a> Batch<'a> {
     }
 }
 
-/// What a finished run of the case left in the folder; nothing if there is none or it is not finished.
+/// What a finished run of the case left in the folder; nothing if there is none, it is not finished, or has
+/// not kept what is to be kept.
 ///
 /// # Errors
 /// Why what lies there is not the case's.
-fn finished(folder: &Path, case: &Case) -> Result<Option<Vec<OperationSummary>>, String> {
+fn finished(
+    folder: &Path,
+    case: &Case,
+    keep: Keep,
+) -> Result<Option<Vec<OperationSummary>>, String> {
     let Ok(summary) = Summary::read(&folder.join("summary.json")) else {
         return Ok(None);
     };
@@ -399,5 +425,5 @@ fn finished(folder: &Path, case: &Case) -> Result<Option<Vec<OperationSummary>>,
             .operations
             .iter()
             .all(|of| of.status == Status::Complete);
-    Ok(complete.then_some(summary.operations))
+    Ok((complete && keep.has_tables(folder)).then_some(summary.operations))
 }

@@ -13,10 +13,11 @@ pub(crate) use self::{
     points::{Point, points},
     table::SCALARS,
 };
-use crate::{args::SweepArgs, color, failure::Failure};
+use crate::{args::SweepArgs, color, failure::Failure, keep::Keep};
 
 pub(crate) fn sweep(args: &SweepArgs) -> Result<(), Failure> {
     let refused = |report: Report| Failure::BadInput(report.render(color()));
+    args.kept.check(&args.batch)?;
     let variations = Variation::read_all(&args.vary).map_err(refused)?;
     let template = Template::read(&args.case.case).map_err(refused)?;
     let points = points(&template, &args.case.overrides, &variations)?;
@@ -27,6 +28,8 @@ pub(crate) fn sweep(args: &SweepArgs) -> Result<(), Failure> {
         prefix: String::new(),
         folder: claimed.folder.clone(),
         keys: variations.into_iter().map(|of| of.key).collect(),
+        keep: args.kept.keep,
+        needs: Keep::Summary,
     };
     let place = set.folder.path().to_owned();
     let mut batch = Batch::new("sweep", &args.batch, vec![set], sound);

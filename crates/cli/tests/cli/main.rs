@@ -3,6 +3,7 @@
 mod bench;
 mod bit_test;
 mod check;
+mod columns;
 mod contract;
 mod desk;
 mod documentation;

@@ -136,7 +136,7 @@ fn soft_string_and_dynamics_side_by_side() {
 }
 
 /// A string that turns clockwise climbs to the right, to `atan 0.25`; one that is pulled stays on the low
-/// side; the soft string has no place to climb to.
+/// side; the soft string lies there, whatever it does: its place is that of its load.
 fn check_climb(nodes: &Table) {
     let text = |name: &str| match &nodes.column(name).unwrap().data {
         Data::Text(words) => words,
@@ -153,7 +153,11 @@ fn check_climb(nodes: &Table) {
             .collect()
     };
     for operation in ["trip_out", "rotate_off_bottom"] {
-        assert!(of("soft", operation).is_empty(), "{operation}");
+        let climbs = of("soft", operation);
+        assert!(
+            climbs.len() > 600 && climbs.iter().all(|climb| *climb == 0.0),
+            "{operation}"
+        );
     }
     let median = |operation: &str| {
         let mut values = of("dynamic", operation);

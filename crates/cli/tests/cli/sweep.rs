@@ -116,7 +116,11 @@ fn threads_leave_the_numbers_alone() {
     let desk = Desk::new();
     for jobs in ["1", "2"] {
         let output = desk.run(&sweep(
-            &[&["-j", jobs, "-o", jobs, "--quiet"], &RECORDS[..]].concat(),
+            &[
+                &["-j", jobs, "-o", jobs, "--keep", "all", "--quiet"],
+                &RECORDS[..],
+            ]
+            .concat(),
         ));
         assert!(output.status.success());
         assert!(output.stdout.is_empty() && output.stderr.is_empty());
@@ -254,6 +258,77 @@ fn a_killed_sweep_goes_on() {
     let other = ["-o", "killed", "--resume", "--set", "model=soft"];
     assert!(desk.run(&sweep(&other)).status.success());
     assert_eq!(rows(&desk, "killed").len(), 1 + 6 * 2);
+}
+
+/// Of a soft string the summary is kept, of dynamics the tables, or what `--keep` says; what was kept before and is not
+/// now goes, and a resumed sweep solves what lacks tables that are to be kept.
+#[test]
+fn what_is_kept_of_a_case() {
+    let desk = Desk::new();
+    let soft = ["--set", "model=soft", "-o", "results"];
+    let dynamic = [
+        "--set",
+        "model=dynamic",
+        "--set",
+        "dynamics.duration=0.1 s",
+        "--set",
+        "dynamics.settle=0.1 s",
+        "-o",
+        "dynamic",
+    ];
+    let with = |more: &[&'static str]| {
+        let output = desk.run(&sweep(more));
+        assert!(output.status.success(), "{}", transcript(&output));
+    };
+    let left = |folder: &str| -> Vec<String> {
+        let entries = fs::read_dir(desk.path(folder).join(CASES[1])).unwrap();
+        let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+        names.collect::<BTreeSet<_>>().into_iter().collect()
+    };
+    let tables = ["contact", "nodes", "time", "wear"].map(|name| format!("{name}.parquet"));
+    let tables: Vec<&str> = tables.iter().map(String::as_str).collect();
+    let with_tables = [&tables[..3], &["summary.json"], &tables[3..]].concat();
+    let with_tables = {
+        let mut names = with_tables;
+        names.sort_unstable();
+        names
+    };
+    with(&soft);
+    assert_eq!(left("results"), ["summary.json"]);
+    let table = fs::read(desk.path("results/sweep.csv")).unwrap();
+    let case = format!("results/{}", CASES[1]);
+    for command in ["report", "plot"] {
+        let output = desk.run(&[command, &case]);
+        let told = String::from_utf8_lossy(&output.stderr).replace('\\', "/");
+        assert_eq!(output.status.code(), Some(2));
+        let expected = format!(
+            "error: {case} lacks nodes.parquet: run the case again; a sweep keeps them with --keep tables\n"
+        );
+        assert_eq!(told, expected);
+    }
+    with(&[&soft[..], &["--resume", "--keep", "tables"]].concat());
+    assert_eq!(left("results"), with_tables);
+    for command in ["report", "plot"] {
+        assert!(desk.run(&[command, &case]).status.success());
+    }
+    with(&[&soft[..], &["--resume", "--keep", "all"]].concat());
+    assert!(left("results").contains(&"profile.svg".to_owned()));
+    assert!(left("results").contains(&"report.html".to_owned()));
+    with(&[&soft[..], &["--keep", "all"]].concat());
+    let all = left("results");
+    assert!(all.contains(&"profile.svg".to_owned()) && all.contains(&"report.html".to_owned()));
+    fs::remove_dir_all(desk.path(&case).join("plots")).unwrap();
+    with(&soft);
+    assert_eq!(left("results"), ["summary.json"]);
+    assert!(fs::read(desk.path("results/sweep.csv")).unwrap() == table);
+    with(&[&soft[..], &["--csv"]].concat());
+    assert!(left("results").contains(&"nodes.csv".to_owned()));
+    with(&dynamic);
+    assert_eq!(left("dynamic"), with_tables);
+    with(&[&dynamic[..], &["--keep", "summary"]].concat());
+    assert_eq!(left("dynamic"), ["summary.json"]);
+    let output = desk.run(&sweep(&["--csv", "--keep", "summary"]));
+    assert_eq!(output.status.code(), Some(2));
 }
 
 /// Every case is in one share; their tables make up that of all, and a last call over the same folder

@@ -211,7 +211,7 @@ pub struct RodDamping {
 /// vibration that builds up is waited for. The window begins when none of them drifts by more than a tenth of a percent of its scale over
 /// the time of the window, or by no more than chance. The first stretch begins after the extra damping of a prepared start or the ramp of
 /// a centred one, and after the schedule's last line. A limit cycle such as stick-slip is a steady state.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct UntilSteady {
     /// Longest simulated time before the window, s; it counts from the end of the schedule where there is one. Raising it waits longer
     /// for a string that never is steady. A string so slow that its first stretch ends later has that one.

@@ -87,15 +87,18 @@ impl Piece {
         t0 * (cos_beta * cos_phi) + e * (cos_beta * sin_phi) + n * sin_beta
     }
 
-    /// Curvature vector at `x` metres into the piece.
-    pub(super) fn curvature_per_m(&self, x: f64) -> Vector3<f64> {
+    /// Unit tangent and curvature vector, the derivative of the tangent, at `x` metres into the piece.
+    pub(super) fn heading(&self, x: f64) -> (Vector3<f64>, Vector3<f64>) {
         let (sin_phi, cos_phi) = value(&self.longitude, x).sin_cos();
         let (sin_beta, cos_beta) = value(&self.latitude, x).sin_cos();
         let (phi_rate, beta_rate) = (slope(&self.longitude, x), slope(&self.latitude, x));
         let [t0, e, n] = &self.frame;
-        t0 * (-phi_rate * cos_beta * sin_phi - beta_rate * sin_beta * cos_phi)
+        let tangent = t0 * (cos_beta * cos_phi) + e * (cos_beta * sin_phi) + n * sin_beta;
+        let curvature_per_m = t0
+            * (-phi_rate * cos_beta * sin_phi - beta_rate * sin_beta * cos_phi)
             + e * (phi_rate * cos_beta * cos_phi - beta_rate * sin_beta * sin_phi)
-            + n * (beta_rate * cos_beta)
+            + n * (beta_rate * cos_beta);
+        (tangent, curvature_per_m)
     }
 
     /// Position at `x` metres into the piece.

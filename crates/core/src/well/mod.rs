@@ -10,6 +10,7 @@ mod station;
 mod vertical;
 
 pub use hole::{Friction, Hole, HoleError, HoleKind, HoleSection, NARROWEST_BAND};
+pub(crate) use path::Heading;
 pub use path::{Interpolation, Path, PathError, PathPoint, TieIn};
 pub use roughness::{Relief, ReliefPoint, Roughness};
 pub use station::Station;

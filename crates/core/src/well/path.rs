@@ -51,6 +51,15 @@ pub struct PathPoint {
     pub curvature_per_m: Vector3<f64>,
 }
 
+/// Where the path points to, and how it bends there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Heading {
+    /// Unit tangent, towards the bit.
+    pub(crate) tangent: Vector3<f64>,
+    /// Curvature vector, 1/m.
+    pub(crate) curvature_per_m: Vector3<f64>,
+}
+
 impl PathPoint {
     /// Inclination from vertical, rad, 0 to π.
     pub fn inclination_rad(&self) -> f64 {
@@ -70,10 +79,7 @@ impl PathPoint {
     /// High side: the unit vector across the hole that points up; `None` where the hole is vertical
     /// within 1e-9 rad. [`Path::high_side_at`] has an answer there too.
     pub fn high_side(&self) -> Option<Vector3<f64>> {
-        let t = &self.tangent;
-        let sin_inc = t.x.hypot(t.y);
-        (sin_inc > VERTICAL)
-            .then(|| Vector3::new(t.z * t.x / sin_inc, t.z * t.y / sin_inc, -sin_inc))
+        high_side(&self.tangent)
     }
 
     /// Right side looking towards the bit with the high side up: tangent × high side.
@@ -279,10 +285,32 @@ impl Path {
         }
         let piece = &self.pieces[self.piece_index(md_m)];
         let x = md_m - piece.md_m;
+        let (tangent, curvature_per_m) = piece.heading(x);
         PathPoint {
             position_m: piece.position_m(x),
-            tangent: piece.tangent(x),
-            curvature_per_m: piece.curvature_per_m(x),
+            tangent,
+            curvature_per_m,
+        }
+    }
+
+    /// Tangent and curvature of [`Self::at`], without the position, which costs six times as much.
+    pub(crate) fn heading_at(&self, md_m: f64) -> Heading {
+        if md_m >= self.last_md_m() || md_m < self.first_md_m() {
+            let PathPoint {
+                tangent,
+                curvature_per_m,
+                ..
+            } = self.at(md_m);
+            return Heading {
+                tangent,
+                curvature_per_m,
+            };
+        }
+        let piece = &self.pieces[self.piece_index(md_m)];
+        let (tangent, curvature_per_m) = piece.heading(md_m - piece.md_m);
+        Heading {
+            tangent,
+            curvature_per_m,
         }
     }
 
@@ -299,20 +327,20 @@ impl Path {
     /// between two inclined parts its bearing turns evenly with depth from one to the other, the
     /// short way. In a wholly vertical well it is north.
     pub fn high_side_at(&self, md_m: f64) -> Vector3<f64> {
-        self.high_side_of(md_m, &self.at(md_m))
+        self.high_side_of(md_m, &self.heading_at(md_m).tangent)
     }
 
-    /// [`Self::high_side_at`] where the point of the path is known already.
-    pub(crate) fn high_side_of(&self, md_m: f64, point: &PathPoint) -> Vector3<f64> {
+    /// [`Self::high_side_at`] where the tangent is known already.
+    pub(crate) fn high_side_of(&self, md_m: f64, tangent: &Vector3<f64>) -> Vector3<f64> {
         let bearing = match self.near_vertical.bearing_rad(md_m) {
             Some(bearing) => bearing,
-            None => match point.high_side() {
+            None => match high_side(tangent) {
                 Some(high_side) => return high_side,
                 None => 0.0,
             },
         };
         let across = Vector3::new(bearing.cos(), bearing.sin(), 0.0);
-        (across - point.tangent * point.tangent.dot(&across)).normalize()
+        (across - tangent * tangent.dot(&across)).normalize()
     }
 
     /// Measured depth of the kick-off, m: where the hole first leaves its straight course.
@@ -343,6 +371,13 @@ impl Path {
             .partition_point(|piece| piece.md_m <= md_m)
             .saturating_sub(1)
     }
+}
+
+/// The unit vector across a direction that points up; none where it is vertical.
+fn high_side(tangent: &Vector3<f64>) -> Option<Vector3<f64>> {
+    let t = tangent;
+    let sin_inc = t.x.hypot(t.y);
+    (sin_inc > VERTICAL).then(|| Vector3::new(t.z * t.x / sin_inc, t.z * t.y / sin_inc, -sin_inc))
 }
 
 fn check(stations: &[Station]) -> Result<(), PathError> {

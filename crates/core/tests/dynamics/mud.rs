@@ -190,10 +190,9 @@ fn dynamics_and_soft_string_agree_in_a_mud_that_flows() {
             dynamic.numerics
         );
         // Node by node as well, to 0.1 % of the whole string's.
-        let nodes = &dynamic.nodes;
-        let bit_md_m = nodes.md_m[nodes.md_m.len() - 1];
+        let (nodes, mesh) = (&dynamic.nodes, case.start().mesh().clone());
         for node in (0..nodes.md_m.len()).step_by(25) {
-            let md_m = LENGTH_M - (bit_md_m - nodes.md_m[node]);
+            let md_m = LENGTH_M - mesh.nodes[node].from_bit_m;
             let close = |what: &str, found: f64, of: &[f64]| {
                 let wanted = between_rows(&soft.md_m, of, md_m);
                 assert!(

@@ -31,7 +31,21 @@ pub(super) fn pen(ink: Ink, stroke: Stroke) -> Pen {
 }
 
 /// A single point.
-pub(super) fn shape(on: &mut Drawing, shape: Shape, (x, y): (f64, f64), ink: Ink) {
+pub(super) fn shape(on: &mut Drawing, shape: Shape, at: (f64, f64), ink: Ink) {
+    shapes(on, vec![outline(shape, at)], ink);
+}
+
+/// Points of one kind, as one path: a sweep has hundreds.
+fn shapes(on: &mut Drawing, outlines: Vec<Vec<(f64, f64)>>, ink: Ink) {
+    on.path(
+        outlines,
+        true,
+        Some((ink, 1.0)),
+        Some(Pen::new(Ink::Paper, 0.4)),
+    );
+}
+
+fn outline(shape: Shape, (x, y): (f64, f64)) -> Vec<(f64, f64)> {
     let corners = |count: usize, radius: f64, turn: f64| -> Vec<(f64, f64)> {
         (0..count)
             .map(|i| {
@@ -41,19 +55,13 @@ pub(super) fn shape(on: &mut Drawing, shape: Shape, (x, y): (f64, f64), ink: Ink
             .collect()
     };
     let half_turn = std::f64::consts::PI;
-    let outline = match shape {
+    match shape {
         Shape::Circle => corners(12, 1.7, 0.0),
         Shape::Square => corners(4, 2.2, half_turn / 4.0),
         Shape::Triangle => corners(3, 2.3, 0.0),
         Shape::Diamond => corners(4, 2.3, 0.0),
         Shape::Tip => corners(3, 2.3, half_turn),
-    };
-    on.path(
-        vec![outline],
-        true,
-        Some((ink, 1.0)),
-        Some(Pen::new(Ink::Paper, 0.4)),
-    );
+    }
 }
 
 /// Draws a mark where it is to be seen, among all those of its panel.
@@ -94,11 +102,11 @@ pub(super) fn draw(on: &mut Drawing, mark: &Mark, all: &[Mark], place: &Place) {
             shape: of,
             points,
         } => {
-            for point in points {
-                let at = place.of(*point);
-                if (at.0 + at.1).is_finite() {
-                    shape(on, *of, at, *ink);
-                }
+            let places = points.iter().map(|point| place.of(*point));
+            let places = places.filter(|(x, y)| (x + y).is_finite());
+            let outlines: Vec<_> = places.map(|at| outline(*of, at)).collect();
+            if !outlines.is_empty() {
+                shapes(on, outlines, *ink);
             }
         }
         Mark::Bars { ink, bars } => {

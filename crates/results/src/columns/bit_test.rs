@@ -19,14 +19,16 @@ pub const BIT_TEST: &[ColumnSpec] = &[
         "rate_of_penetration_error_m_per_s",
         "m/s",
         "Standard error of that mean, from its revolutions; `null` of less than two",
-    ),
+    )
+    .null_where("there are less than two revolutions"),
     ColumnSpec::number("depth_of_cut_m", "m", "Mean depth of cut per revolution"),
     ColumnSpec::number("torque_N_m", "N·m", "Mean torque of the bit on the rock"),
     ColumnSpec::number(
         "torque_error_N_m",
         "N·m",
         "Standard error of that mean, from its revolutions; `null` of less than two",
-    ),
+    )
+    .null_where("there are less than two revolutions"),
     ColumnSpec::number(
         "torque_std_N_m",
         "N·m",
@@ -46,12 +48,14 @@ pub const BIT_TEST: &[ColumnSpec] = &[
         "specific_energy_Pa",
         "Pa",
         "Work of the bit per volume of rock that it broke; `null` where it broke nothing",
-    ),
+    )
+    .null_where("it broke nothing"),
     ColumnSpec::number(
         "mechanical_specific_energy_Pa",
         "Pa",
         "Work of the bit per volume of hole, section times way; `null` where it did not get on",
-    ),
+    )
+    .null_where("it did not get on"),
     ColumnSpec::number("bricks_broken", "", "Bricks of the rock that it broke"),
     ColumnSpec::number(
         "kinetic_fraction",
@@ -66,5 +70,6 @@ pub const BIT_TEST: &[ColumnSpec] = &[
         "Time of the means that standard deviations are taken of",
     ),
     ColumnSpec::text("status", "`complete`, `interrupted` or `failed`"),
-    ColumnSpec::text("message", "Why it failed; empty where it did not"),
+    ColumnSpec::text("message", "Why it failed; empty where it did not")
+        .null_where("it did not fail"),
 ];

@@ -16,5 +16,6 @@ pub const BOTTOM_HOLE: &[ColumnSpec] = &[
         "depth_m",
         "m",
         "Depth of the rock that is uppermost there, below the nose of the bit; `null` where none stands",
-    ),
+    )
+    .null_where("no rock stands"),
 ];

@@ -13,7 +13,15 @@ pub use self::{
     bit_test::BIT_TEST, bottom_hole::BOTTOM_HOLE, contact::CONTACT, frames::FRAMES, nodes::NODES,
     spectra::SPECTRA, time::TIME, wear::WEAR,
 };
+use wholestring::outcome::ModelKind;
+
 use crate::{Column, Data};
+
+/// The models that tell of a string in time.
+const DYNAMIC: &[ModelKind] = &[ModelKind::Dynamic];
+
+/// Every model.
+const EVERY: &[ModelKind] = &[ModelKind::Soft, ModelKind::Dynamic];
 
 /// Name, unit and meaning of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,6 +34,11 @@ pub struct ColumnSpec {
     pub meaning: &'static str,
     /// Whether it holds words rather than numbers.
     pub text: bool,
+    /// The models that know it; in rows of the others it is `null`.
+    pub known_by: &'static [ModelKind],
+    /// Where a model that knows it has no value all the same, and it is `null` (a text: empty); nothing where there
+    /// always is one.
+    pub null_where: Option<&'static str>,
 }
 
 impl ColumnSpec {
@@ -35,6 +48,8 @@ impl ColumnSpec {
             unit: "",
             meaning,
             text: true,
+            known_by: EVERY,
+            null_where: None,
         }
     }
 
@@ -44,7 +59,27 @@ impl ColumnSpec {
             unit,
             meaning,
             text: false,
+            known_by: EVERY,
+            null_where: None,
         }
+    }
+
+    /// The same, known by these models alone.
+    const fn of(self, known_by: &'static [ModelKind]) -> Self {
+        Self { known_by, ..self }
+    }
+
+    /// The same, without a value there.
+    const fn null_where(self, place: &'static str) -> Self {
+        Self {
+            null_where: Some(place),
+            ..self
+        }
+    }
+
+    /// Whether a model has values of it.
+    pub fn is_known_by(&self, model: ModelKind) -> bool {
+        self.known_by.contains(&model)
     }
 
     pub(crate) fn empty(&self) -> Column {
@@ -103,6 +138,25 @@ mod tests {
                 };
                 assert!(column.name.ends_with(suffix), "{}", column.name);
             }
+        }
+    }
+
+    /// Whoever reads what a column means is told that it may be `null`.
+    #[test]
+    fn a_column_that_may_be_null_says_so() {
+        let tables = [
+            NODES,
+            TIME,
+            WEAR,
+            CONTACT,
+            BOTTOM_HOLE,
+            FRAMES,
+            SPECTRA,
+            BIT_TEST,
+        ];
+        for column in tables.into_iter().flatten() {
+            let says = column.meaning.contains("`null`") || column.meaning.contains("empty");
+            assert_eq!(says, column.null_where.is_some(), "{}", column.name);
         }
     }
 }

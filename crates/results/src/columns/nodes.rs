@@ -1,5 +1,6 @@
 //! Columns of `nodes.parquet`.
 
+use super::DYNAMIC;
 use crate::ColumnSpec;
 
 /// Columns of `nodes.parquet`: the profile along the string, one row per node, from the surface to the
@@ -24,32 +25,36 @@ pub const NODES: &[ColumnSpec] = &[
         "",
         "Share of the time in contact with the wall",
     ),
-    ColumnSpec::number("tension_std_N", "N", "Standard deviation of `tension_N`"),
+    ColumnSpec::number("tension_std_N", "N", "Standard deviation of `tension_N`").of(DYNAMIC),
     ColumnSpec::number(
         "torque_std_N_m",
         "N·m",
         "Standard deviation of `torque_N_m`",
-    ),
-    ColumnSpec::number("contact_force_N", "N", "Contact force of the node itself"),
+    )
+    .of(DYNAMIC),
+    ColumnSpec::number("contact_force_N", "N", "Contact force of the node itself").of(DYNAMIC),
     ColumnSpec::number(
         "contact_force_std_N",
         "N",
         "Standard deviation of `contact_force_N`",
-    ),
+    )
+    .of(DYNAMIC),
     ColumnSpec::number(
         "contact_force_max_N",
         "N",
         "Largest contact force of any sample",
-    ),
+    )
+    .of(DYNAMIC),
     ColumnSpec::number(
         "climb_rad",
         "rad",
-        "Angle of the node's mean contact force from the low side, from −π to π; positive to the right looking down the hole, `null` where nothing touched and for the soft string",
-    ),
+        "Angle of the mean contact force from the low side, from −π to π; positive to the right looking down the hole, `null` where nothing touched",
+    )
+    .null_where("nothing touched"),
     ColumnSpec::number(
         "lateral_offset_m",
         "m",
-        "Distance between the string's axis and the hole's",
+        "Distance between the string's axis and the hole's; a soft string lies on the wall",
     ),
     ColumnSpec::number(
         "axial_friction_N_per_m",
@@ -65,6 +70,12 @@ pub const NODES: &[ColumnSpec] = &[
         "wear_work_J_per_m",
         "J/m",
         "Work of friction over the window per metre of string: force times sliding distance",
+    )
+    .of(DYNAMIC),
+    ColumnSpec::number(
+        "wear_power_W_per_m",
+        "W/m",
+        "Its mean rate, of a soft string the rate: friction force times sliding speed per metre of string",
     ),
     ColumnSpec::number(
         "twist_rad",
@@ -88,39 +99,45 @@ pub const NODES: &[ColumnSpec] = &[
         "side_force_per_joint_N",
         "N",
         "Side force that a tool joint carries, `side_force_N_per_m` over the spacing of the joints; `null` where the string has none",
-    ),
-    ColumnSpec::number("tension_p05_N", "N", "5th percentile of `tension_N`"),
-    ColumnSpec::number("tension_p50_N", "N", "Median of `tension_N`"),
-    ColumnSpec::number("tension_p95_N", "N", "95th percentile of `tension_N`"),
-    ColumnSpec::number("torque_p05_N_m", "N·m", "5th percentile of `torque_N_m`"),
-    ColumnSpec::number("torque_p50_N_m", "N·m", "Median of `torque_N_m`"),
-    ColumnSpec::number("torque_p95_N_m", "N·m", "95th percentile of `torque_N_m`"),
+    )
+    .null_where("the string has no joints"),
+    ColumnSpec::number("tension_p05_N", "N", "5th percentile of `tension_N`").of(DYNAMIC),
+    ColumnSpec::number("tension_p50_N", "N", "Median of `tension_N`").of(DYNAMIC),
+    ColumnSpec::number("tension_p95_N", "N", "95th percentile of `tension_N`").of(DYNAMIC),
+    ColumnSpec::number("torque_p05_N_m", "N·m", "5th percentile of `torque_N_m`").of(DYNAMIC),
+    ColumnSpec::number("torque_p50_N_m", "N·m", "Median of `torque_N_m`").of(DYNAMIC),
+    ColumnSpec::number("torque_p95_N_m", "N·m", "95th percentile of `torque_N_m`").of(DYNAMIC),
     ColumnSpec::number(
         "side_force_p05_N_per_m",
         "N/m",
         "5th percentile of `side_force_N_per_m`",
-    ),
+    )
+    .of(DYNAMIC),
     ColumnSpec::number(
         "side_force_p50_N_per_m",
         "N/m",
         "Median of `side_force_N_per_m`",
-    ),
+    )
+    .of(DYNAMIC),
     ColumnSpec::number(
         "side_force_p95_N_per_m",
         "N/m",
         "95th percentile of `side_force_N_per_m`",
-    ),
+    )
+    .of(DYNAMIC),
     ColumnSpec::number(
         "contact_force_p05_N",
         "N",
         "5th percentile of `contact_force_N`",
-    ),
-    ColumnSpec::number("contact_force_p50_N", "N", "Median of `contact_force_N`"),
+    )
+    .of(DYNAMIC),
+    ColumnSpec::number("contact_force_p50_N", "N", "Median of `contact_force_N`").of(DYNAMIC),
     ColumnSpec::number(
         "contact_force_p95_N",
         "N",
         "95th percentile of `contact_force_N`",
-    ),
+    )
+    .of(DYNAMIC),
     ColumnSpec::number(
         "true_tension_N",
         "N",
@@ -139,28 +156,32 @@ pub const NODES: &[ColumnSpec] = &[
     ColumnSpec::number(
         "bending_moment_N_m",
         "N·m",
-        "Bending moment, whatever its direction",
+        "Bending moment, whatever its direction; of a soft string the larger of that at tool joints and half-way",
     ),
     ColumnSpec::number(
         "bending_moment_max_N_m",
         "N·m",
         "Largest bending moment of any sample",
-    ),
+    )
+    .of(DYNAMIC),
     ColumnSpec::number(
         "bending_moment_p05_N_m",
         "N·m",
         "5th percentile of `bending_moment_N_m`",
-    ),
+    )
+    .of(DYNAMIC),
     ColumnSpec::number(
         "bending_moment_p50_N_m",
         "N·m",
         "Median of `bending_moment_N_m`",
-    ),
+    )
+    .of(DYNAMIC),
     ColumnSpec::number(
         "bending_moment_p95_N_m",
         "N·m",
         "95th percentile of `bending_moment_N_m`",
-    ),
+    )
+    .of(DYNAMIC),
     ColumnSpec::number(
         "bending_stress_Pa",
         "Pa",
@@ -175,25 +196,30 @@ pub const NODES: &[ColumnSpec] = &[
         "von_mises_stress_max_Pa",
         "Pa",
         "Largest von Mises stress of any sample",
-    ),
+    )
+    .of(DYNAMIC),
     ColumnSpec::number(
         "yield_use",
         "",
-        "`von_mises_stress_max_Pa` over the minimum yield strength; `null` where that is not known",
-    ),
+        "Largest von Mises stress, of a soft string `von_mises_stress_Pa`, over the minimum yield strength; `null` where that is not known",
+    )
+    .null_where("the yield strength is not known"),
     ColumnSpec::number(
         "whirl_rate_rad_per_s",
         "rad/s",
         "Mean angular velocity of the string's axis about the hole's; positive with the rotation",
-    ),
+    )
+    .of(DYNAMIC),
     ColumnSpec::number(
         "whirl_coherence",
         "",
         "How much of the lateral motion that whirl is, from 0 to 1",
-    ),
+    )
+    .of(DYNAMIC),
     ColumnSpec::number(
         "lateral_speed_rms_m_per_s",
         "m/s",
         "Root mean square of the lateral speed",
-    ),
+    )
+    .of(DYNAMIC),
 ];

@@ -13,7 +13,8 @@ pub const SPECTRA: &[ColumnSpec] = &[
         "md_m",
         "m",
         "Measured depth of the node; `null` for a scalar",
-    ),
+    )
+    .null_where("it is a scalar's"),
     ColumnSpec::text("unit", "Unit of the signal"),
     ColumnSpec::number("frequency_Hz", "Hz", "Frequency"),
     ColumnSpec::number(

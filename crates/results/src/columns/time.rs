@@ -43,12 +43,14 @@ pub const TIME: &[ColumnSpec] = &[
         "motor_speed_rad_per_s",
         "rad/s",
         "Speed of the mud motor against the string; `null` without a motor",
-    ),
+    )
+    .null_where("there is no motor"),
     ColumnSpec::number(
         "motor_pressure_Pa",
         "Pa",
         "Pressure that the mud motor takes off the mud; `null` without a motor or where its speed alone is given",
-    ),
+    )
+    .null_where("there is no motor, or its speed alone is given"),
     ColumnSpec::number(
         "hook_load_N",
         "N",
@@ -84,12 +86,14 @@ pub const TIME: &[ColumnSpec] = &[
         "neutral_point_m",
         "m",
         "Measured depth of the shallowest zero of effective tension; `null` if none",
-    ),
+    )
+    .null_where("there is none"),
     ColumnSpec::number(
         "cutoff_depth_m",
         "m",
         "Deepest change of the side force, averaged over the second before, from high to low side: a value a second, `null` between and if none",
-    ),
+    )
+    .null_where("there is none, and between whole seconds"),
     ColumnSpec::number(
         "block_velocity_m_per_s",
         "m/s",
@@ -110,20 +114,24 @@ pub const TIME: &[ColumnSpec] = &[
         "block_velocity_set_m_per_s",
         "m/s",
         "What the speed of the block is set to; positive downwards, `null` where something else is",
-    ),
+    )
+    .null_where("something else is set"),
     ColumnSpec::number(
         "weight_on_bit_set_N",
         "N",
         "What the autodriller is set to hold; `null` where it is not in control",
-    ),
+    )
+    .null_where("the autodriller is not in control"),
     ColumnSpec::number("flow_rate_m3_per_s", "m³/s", "What the pumps deliver"),
     ColumnSpec::number(
         "pump_pressure_Pa",
         "Pa",
         "Pressure that the pumps deliver at; `null` without a rheology",
-    ),
+    )
+    .null_where("the mud has no rheology"),
     ColumnSpec::text(
         "note",
         "Note of the line of the schedule that began last; empty without one",
-    ),
+    )
+    .null_where("no line of the schedule with a note has begun"),
 ];

@@ -2,13 +2,12 @@
 
 use nalgebra::Vector3;
 
-use super::integrate::{Load, Totals};
+use super::integrate::{Load, Point, Totals};
 use crate::{
     model::Model,
     operation::Operation,
     statics::span::JointSpan,
     string::{BodySection, Component},
-    well::PathPoint,
 };
 
 /// A share of the load below this is rounding, not a direction.
@@ -67,7 +66,7 @@ impl<'a> Carrier<'a> {
     /// What it bears at a point of the path, with the pressures outside and inside, Pa.
     pub(super) fn bears(
         &self,
-        point: &PathPoint,
+        point: &Point,
         high_side: &Vector3<f64>,
         load: &Load,
         totals: &Totals,
@@ -112,7 +111,7 @@ impl<'a> Carrier<'a> {
 
     /// The largest curvature that the body has near a point: the hole's, where tool joints hold it off the wall that
     /// at the joints or half-way between them, whichever is more.
-    fn curvature_per_m(&self, point: &PathPoint, load: &Load, totals: &Totals) -> f64 {
+    fn curvature_per_m(&self, point: &Point, load: &Load, totals: &Totals) -> f64 {
         let hole_per_m = point.curvature_per_m;
         let Some(span) = &self.span else {
             return hole_per_m.norm();
@@ -129,7 +128,7 @@ impl<'a> Carrier<'a> {
 }
 
 /// Angle of the load from the low side, rad, positive to the right looking down the hole; none without a load.
-fn climb_rad(point: &PathPoint, high_side: &Vector3<f64>, load: &Load) -> Option<f64> {
+fn climb_rad(point: &Point, high_side: &Vector3<f64>, load: &Load) -> Option<f64> {
     let up = load.q_N_per_m.dot(high_side);
     let right = load.q_N_per_m.dot(&point.tangent.cross(high_side));
     let right = if right.abs() > NO_SIDE * load.side_force_N_per_m {

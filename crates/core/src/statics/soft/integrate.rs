@@ -16,7 +16,7 @@ use crate::{
     operation::Operation,
     outcome::{hole_steps, spread},
     string::Component,
-    well::{Path, PathPoint},
+    well::{Heading, Path},
 };
 
 /// What accumulates from the bit up. Its derivative has the same fields, per metre upwards.
@@ -89,6 +89,23 @@ pub(super) struct Load {
     pub(super) friction_torque_N_m_per_m: f64,
 }
 
+/// The hole at one depth.
+pub(super) struct Point {
+    pub(super) tangent: Vector3<f64>,
+    pub(super) curvature_per_m: Vector3<f64>,
+    tvd_m: f64,
+}
+
+impl Point {
+    fn new(heading: Heading, tvd_m: f64) -> Self {
+        Self {
+            tangent: heading.tangent,
+            curvature_per_m: heading.curvature_per_m,
+            tvd_m,
+        }
+    }
+}
+
 /// State and load at one depth.
 pub(super) struct Row {
     pub(super) md_m: f64,
@@ -99,7 +116,7 @@ pub(super) struct Row {
 }
 
 impl Stretch<'_> {
-    fn load(&self, point: &PathPoint, tension_N: f64) -> Load {
+    fn load(&self, point: &Point, tension_N: f64) -> Load {
         let down = Vector3::z();
         let across = down - point.tangent * point.tangent.z;
         let q_N_per_m = point.curvature_per_m * tension_N + across * self.weight_N_per_m;
@@ -118,9 +135,9 @@ impl Stretch<'_> {
     }
 
     /// Change per metre upwards.
-    fn rate(&self, point: &PathPoint, at: &Totals) -> Totals {
+    fn rate(&self, point: &Point, at: &Totals) -> Totals {
         let load = self.load(point, at.tension_N);
-        let pressure_Pa = self.mud.pressure_Pa(point.position_m.z);
+        let pressure_Pa = self.mud.pressure_Pa(point.tvd_m);
         Totals {
             tension_N: self.weight_N_per_m * point.tangent.z
                 + load.axial_friction_N_per_m
@@ -135,10 +152,10 @@ impl Stretch<'_> {
         }
     }
 
-    fn row(&self, path: &Path, md_m: f64, point: &PathPoint, totals: &Totals) -> Row {
-        let high_side = path.high_side_of(md_m, point);
+    fn row(&self, path: &Path, md_m: f64, point: &Point, totals: &Totals) -> Row {
+        let high_side = path.high_side_of(md_m, &point.tangent);
         let load = self.load(point, totals.tension_N);
-        let at_rest_Pa = self.mud.pressure_Pa(point.position_m.z);
+        let at_rest_Pa = self.mud.pressure_Pa(point.tvd_m);
         let up_m = self.to_md_m - md_m;
         let Circulating {
             outer_Pa,
@@ -241,7 +258,7 @@ impl Stretch<'_> {
 }
 
 /// One step of the classical Runge-Kutta method, up by `step_m`, through three points of the path.
-fn step(stretch: &Stretch<'_>, points: [&PathPoint; 3], step_m: f64, at: Totals) -> Totals {
+fn step(stretch: &Stretch<'_>, points: [&Point; 3], step_m: f64, at: Totals) -> Totals {
     let [lower, middle, upper] = points;
     let k1 = stretch.rate(lower, &at);
     let k2 = stretch.rate(middle, &(at + k1 * (0.5 * step_m)));
@@ -299,7 +316,10 @@ pub(super) fn from_bit(
         let step_m = length_m / count;
         // The curvature may jump at the stretch's lower end: this is its value just above.
         let mut lower_md_m = stretch.to_md_m;
-        let mut lower = path.at(lower_md_m.next_down());
+        let mut lower = Point::new(
+            path.heading_at(lower_md_m.next_down()),
+            path.at(lower_md_m).position_m.z,
+        );
         for index in 1..=count as usize {
             let upper_md_m = if index == count as usize {
                 stretch.from_md_m
@@ -307,8 +327,14 @@ pub(super) fn from_bit(
                 stretch.to_md_m - index as f64 * step_m
             };
             rows.push(stretch.row(path, lower_md_m, &lower, &totals));
-            let middle = path.at(0.5 * (lower_md_m + upper_md_m));
-            let upper = path.at(upper_md_m);
+            let middle = path.heading_at(0.5 * (lower_md_m + upper_md_m));
+            let upper = path.heading_at(upper_md_m);
+            // Simpson's rule from the stretch's lower end up: `κ⁴ step⁵/2880` a step, for pressures.
+            let [low_z, middle_z, up_z] = [lower.tangent.z, middle.tangent.z, upper.tangent.z];
+            let middle_tvd_m = lower.tvd_m - step_m / 24.0 * (5.0 * low_z + 8.0 * middle_z - up_z);
+            let upper_tvd_m = lower.tvd_m - step_m / 6.0 * (low_z + 4.0 * middle_z + up_z);
+            let middle = Point::new(middle, middle_tvd_m);
+            let upper = Point::new(upper, upper_tvd_m);
             let before = totals;
             totals = step(stretch, [&lower, &middle, &upper], step_m, totals);
             if !(totals.tension_N.is_finite()
