@@ -43,8 +43,12 @@ pub(super) fn sentence(
         Kind::HoistOverloaded => words.hoist(),
         Kind::TopDriveOverloaded => words.top_drive(),
         Kind::TopDriveAtLimit => format!(
-            "The top drive works at its torque limit of {}",
-            words.torque(words.limit())
+            "The top drive works at its torque limit of {}{}",
+            words.torque(words.limit()),
+            match found.level {
+                Level::Error => " and does not hold its speed",
+                _ => "",
+            }
         ),
         Kind::TopDriveStalled => format!(
             "The top drive stalls: its torque limit of {} does not turn the string",

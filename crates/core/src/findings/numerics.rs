@@ -108,9 +108,12 @@ fn unsettled(nodes: &NodeProfile) -> Option<Finding> {
         let from = md_m.partition_point(|md| *md < md_m[i] - NEIGHBOURS_M);
         let to = md_m.partition_point(|md| *md <= md_m[i] + NEIGHBOURS_M);
         near.clear();
-        near.extend_from_slice(&std_N[from..to]);
+        near.extend_from_slice(std_N.get(from..to).unwrap_or_default());
         near.sort_by(f64::total_cmp);
-        let expected_N = (RESTLESS * near[near.len() / 2]).max(SWINGS * largest_N);
+        let Some(median_N) = near.get(near.len() / 2) else {
+            continue;
+        };
+        let expected_N = (RESTLESS * median_N).max(SWINGS * largest_N);
         let over = std / expected_N;
         if over > 1.0 && worst.as_ref().is_none_or(|(most, _)| over > *most) {
             let found = Finding::new(Kind::NodeUnsettled, Level::Warning)
