@@ -4,6 +4,7 @@ mod bench;
 mod bit_test;
 mod check;
 mod contract;
+mod damage;
 mod desk;
 mod documentation;
 mod endings;
