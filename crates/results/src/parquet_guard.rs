@@ -21,8 +21,8 @@ const LONGEST_FOOTER: u64 = 4 << 20;
 /// Pages are about a megabyte.
 const LARGEST_PAGE: i64 = 32 << 20;
 
-/// Numbers that are read at once: a signal of every millisecond over two minutes in two hundred columns.
-const MOST_VALUES: u64 = 24_000_000;
+/// Numbers that are read at once, 640 MB: an hour of samples every 10 ms in a hundred columns is 36 million.
+const MOST_VALUES: u64 = 40_000_000;
 
 /// A word takes as much room as so many numbers.
 const WORD: u64 = 4;

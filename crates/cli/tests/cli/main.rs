@@ -5,6 +5,7 @@ mod bit_test;
 mod check;
 mod columns;
 mod contract;
+mod damage;
 mod desk;
 mod documentation;
 mod endings;

@@ -156,3 +156,55 @@ fn a_step_that_is_none() {
         assert_eq!(output.status.code(), Some(2), "{step}");
     }
 }
+
+/// A survey that begins at 500 m, of which nothing else is known, begins 500 m below the origin: alone as in a case.
+#[test]
+fn a_first_station_below_the_surface_lies_as_deep_everywhere() {
+    let desk = Desk::new();
+    let survey = "MD (m),Inc,Azi\n500,0,0\n800,0,0\n1000,20,45\n";
+    fs::write(desk.path("late.csv"), survey).unwrap();
+    let output = desk.run(&["survey", "late.csv"]);
+    let rows = rows(&text(&output.stdout));
+    assert_eq!((rows[0].md_m, rows[0].tvd_m), (500.0, 500.0));
+    let note = "the first station is at 500 m";
+    assert!(text(&output.stderr).contains(note));
+    let case = fs::read_to_string(desk.path("slant.toml")).unwrap();
+    let case = case.replace("survey.csv", "late.csv");
+    fs::write(desk.path("late.toml"), case).unwrap();
+    let check = desk.run(&["check", "late.toml", "--set", "bit_depth=1000m"]);
+    assert!(text(&check.stdout).contains(note), "{}", transcript(&check));
+}
+
+/// Without units it is refused by all alike, until they are said.
+#[test]
+fn a_survey_without_units_is_refused_by_all_alike() {
+    let desk = Desk::new();
+    let survey = fs::read_to_string(desk.path("survey.csv")).unwrap();
+    let bare = survey.lines().skip(1).collect::<Vec<_>>().join("\n");
+    fs::write(desk.path("survey.csv"), bare).unwrap();
+    let said = ["--set", "well.survey_unit=ft"];
+    for command in [
+        &["check", "slant.toml"][..],
+        &[
+            "run",
+            "slant.toml",
+            "--quiet",
+            "--set",
+            "model=soft",
+            "-o",
+            "r",
+        ],
+    ] {
+        let refused = desk.run(command);
+        assert_eq!(refused.status.code(), Some(2), "{}", transcript(&refused));
+        assert!(text(&refused.stderr).contains("survey_unit = \"m\""));
+        let accepted = desk.run(&[command, &said[..]].concat());
+        assert!(accepted.status.success(), "{}", transcript(&accepted));
+    }
+    let refused = desk.run(&["survey", "survey.csv"]);
+    assert_eq!(refused.status.code(), Some(2), "{}", transcript(&refused));
+    assert!(text(&refused.stderr).contains("--unit m"));
+    let accepted = desk.run(&["survey", "survey.csv", "--unit", "ft"]);
+    assert!(accepted.status.success(), "{}", transcript(&accepted));
+    assert_eq!(rows(&text(&accepted.stdout))[1].md_m, 304.8);
+}

@@ -122,7 +122,7 @@ pub(super) fn case() -> Reader {
 pub(super) fn overrides() -> Reader {
     let seeds: [&[u8]; 3] = [
         b"well.hole.0.friction=0.1\noperation.bit_depth = 300m\nrpm=120",
-        b"friction=0.3\nwob=50kN\nmud.density=\"9.5 ppg\"\nstring.1.od=6.5in\ndynamics.seed=7",
+        b"friction=0.3\nwob=50kN\nmud.density=\"9.5 ppg\"\ndynamics.seed=7",
         b"operation.kind=[\"drill\", \"slide\"]\nmodel=soft\nmesh.element_length=9.6 m\nrig.top_drive_torque=45 kN.m",
     ];
     Reader::text("override", seeds, WORDS, |input| {

@@ -1,0 +1,121 @@
+//! Damaged files: a sentence with the file's name, exit status 2, and nothing printed by a panic.
+
+use std::{fs, path::Path, process::Output};
+
+use crate::desk::{Desk, transcript};
+
+#[track_caller]
+fn refused(output: &Output, file: &str) {
+    let told = transcript(output);
+    assert_eq!(output.status.code(), Some(2), "{told}");
+    assert!(told.contains(file), "{told}");
+    assert!(!told.contains("panicked"), "{told}");
+}
+
+/// Parquet that made the reader panic.
+#[test]
+fn a_damaged_table_is_named() {
+    let desk = Desk::new();
+    let run = desk.run(&[
+        "run",
+        "slant.toml",
+        "--quiet",
+        "-o",
+        "results",
+        "--set",
+        "model=soft",
+    ]);
+    assert!(run.status.success(), "{}", transcript(&run));
+    let damaged = Path::new(env!("CARGO_MANIFEST_DIR")).join("../results/tests/data");
+    for name in ["p4201.parquet", "p9353.parquet"] {
+        fs::copy(damaged.join(name), desk.path("results/nodes.parquet")).unwrap();
+        for command in ["report", "plot"] {
+            refused(&desk.run(&[command, "results"]), "nodes.parquet");
+        }
+    }
+}
+
+/// Cut to its first columns it names no key: the page and the plots had nothing to draw against.
+#[test]
+fn a_sweep_that_lost_its_columns_is_refused() {
+    let desk = Desk::new();
+    let sweep = [
+        "sweep",
+        "slant.toml",
+        "--quiet",
+        "--vary",
+        "friction=0.1,0.2",
+        "-o",
+        "swept",
+        "--set",
+        "model=soft",
+    ];
+    let output = desk.run(&sweep);
+    assert!(output.status.success(), "{}", transcript(&output));
+    let path = desk.path("swept/sweep.csv");
+    let whole = fs::read_to_string(&path).unwrap();
+    for columns in 0..4 {
+        let cut: Vec<String> = whole
+            .lines()
+            .map(|line| line.split(',').take(columns).collect::<Vec<_>>().join(","))
+            .collect();
+        fs::write(&path, cut.join("\n") + "\n").unwrap();
+        // With its fourth column it has all that it takes.
+        if columns < 3 {
+            for command in ["report", "plot"] {
+                refused(&desk.run(&[command, "swept"]), "sweep.csv");
+            }
+        } else {
+            let told = transcript(&desk.run(&["plot", "swept"]));
+            assert!(!told.contains("panicked"), "{told}");
+        }
+    }
+}
+
+/// Each part of a key was a call within a call.
+#[test]
+fn keys_of_sixteen_thousand_parts_are_refused() {
+    let desk = Desk::new();
+    let key = vec!["a"; 16_000].join(".");
+    let change = format!("{key}=1");
+    for arguments in [
+        ["check", "slant.toml", "--set", &change],
+        ["sweep", "slant.toml", "--vary", &change],
+    ] {
+        let output = desk.run(&arguments);
+        assert_eq!(output.status.code(), Some(2));
+        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(
+            told.contains("this key has 16000 parts"),
+            "{}",
+            &told[..500]
+        );
+    }
+    for text in [
+        format!("{key} = 1\n"),
+        format!("[{key}]\nx = 1\n"),
+        format!(
+            "name = \"x\"\nx = {}1{}\n",
+            "[".repeat(16_000),
+            "]".repeat(16_000)
+        ),
+        format!("[[sweep]]\nname = \"a\"\ncase = \"slant.toml\"\nvary = [\"{change}\"]\n"),
+        format!("[[sweep]]\nname = \"a\"\ncase = \"slant.toml\"\nset = [\"{change}\"]\n"),
+    ] {
+        fs::write(desk.path("deep.toml"), text).unwrap();
+        for command in ["check", "study"] {
+            refused(&desk.run(&[command, "deep.toml"]), "deep.toml");
+        }
+    }
+}
+
+/// A survey of more than 64 MB is no survey.
+#[test]
+fn a_survey_that_is_too_large_is_refused() {
+    let desk = Desk::new();
+    let file = fs::File::create(desk.path("large.csv")).unwrap();
+    file.set_len(65 << 20).unwrap();
+    let output = desk.run(&["survey", "large.csv"]);
+    refused(&output, "large.csv");
+    assert!(transcript(&output).contains("65 MB, more than 64 MB"));
+}
