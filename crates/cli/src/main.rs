@@ -4,6 +4,7 @@ mod args;
 mod bench;
 mod bit_table;
 mod bit_test;
+mod catalogue;
 mod check;
 mod checkpoint;
 mod column;
@@ -15,6 +16,7 @@ mod folder_name;
 mod frames;
 mod indicators;
 mod interrupt;
+mod new_case;
 mod pace;
 mod parallel;
 mod plot;
@@ -51,6 +53,8 @@ fn main() -> ExitCode {
         Command::Plot(args) => plot::plot(&args),
         Command::Survey(args) => survey::survey(&args),
         Command::Bench(args) => bench::bench(&args),
+        Command::Catalogue(args) => catalogue::catalogue(&args),
+        Command::New(args) => new_case::new(&args),
         Command::Schema => schema(),
     };
     match done {
