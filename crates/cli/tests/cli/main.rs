@@ -2,12 +2,14 @@
 
 mod bench;
 mod bit_test;
+mod catalogue;
 mod check;
 mod contract;
 mod desk;
 mod documentation;
 mod endings;
 mod frames;
+mod new_case;
 mod plot;
 mod remarks;
 mod report;
