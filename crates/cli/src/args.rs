@@ -40,6 +40,10 @@ pub(crate) enum Command {
     Survey(SurveyArgs),
     /// Measure this machine's speed at this work
     Bench(BenchArgs),
+    /// List the pipes, collars and casings that a case can name
+    Catalogue(CatalogueArgs),
+    /// Write a commented case to begin with
+    New(NewArgs),
     /// Print the JSON schema of the case file
     Schema,
     /// Print a script that completes commands and options in a shell
@@ -329,6 +333,24 @@ pub(crate) struct SurveyArgs {
     /// A row at every multiple of this length too, such as 10m
     #[arg(long, value_name = "LENGTH", value_parser = length)]
     pub(crate) step: Option<f64>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CatalogueArgs {
+    /// Size, weight, grade or kind, such as `5-1/2`, `S-135`, `hwdp` or `casing`; what has all of them is listed
+    #[arg(value_name = "WORD")]
+    pub(crate) words: Vec<String>,
+
+    /// Units of the table [default: si]
+    #[arg(long, value_name = "si|metric|field")]
+    pub(crate) units: Option<UnitSet>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct NewArgs {
+    /// Name of the case, whose file is NAME.toml; one that is there is not written over
+    #[arg(value_name = "NAME", default_value = "my-well")]
+    pub(crate) name: PathBuf,
 }
 
 #[derive(Debug, Args)]

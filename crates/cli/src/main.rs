@@ -3,6 +3,7 @@
 mod args;
 mod bench;
 mod bit_test;
+mod catalogue;
 mod check;
 mod checkpoint;
 mod claim;
@@ -16,6 +17,7 @@ mod folder_name;
 mod frames;
 mod interrupt;
 mod keep;
+mod new_case;
 mod pace;
 mod parallel;
 mod plot;
@@ -52,6 +54,8 @@ fn main() -> ExitCode {
         Command::Plot(args) => plot::plot(&args),
         Command::Survey(args) => survey::survey(&args),
         Command::Bench(args) => bench::bench(&args),
+        Command::Catalogue(args) => catalogue::catalogue(&args),
+        Command::New(args) => new_case::new(&args),
         Command::Schema => schema(),
         Command::Completions(args) => shell::completions(&args),
         Command::Man => shell::man(),

@@ -89,3 +89,27 @@ fn the_schema_lists_the_keys_of_a_case() {
         assert!(keys.contains(key), "{key} is missing from {keys:?}");
     }
 }
+
+/// What is hardly meant is said, and what may be meant; a number that has lost its quotes to the shell is refused.
+#[test]
+fn a_number_without_its_unit() {
+    let desk = Desk::new();
+    let text = fs::read_to_string(desk.path("slant.toml")).unwrap();
+    fs::write(desk.path("bare.toml"), text.replace("\"1.2 sg\"", "10.8")).unwrap();
+    assert_snapshot!(
+        "a_density_of_ppg",
+        transcript(&desk.run(&["check", "bare.toml"]))
+    );
+    let lost = desk.run(&["check", "slant.toml", "--set", "mud.density=9.5"]);
+    assert_snapshot!("a_density_without_unit", transcript(&lost));
+    let range = "bit_depth=300..900/300";
+    let range = desk.run(&[
+        "sweep",
+        "slant.toml",
+        "--vary",
+        range,
+        "--set",
+        "model=soft",
+    ]);
+    assert_snapshot!("a_range_without_unit", transcript(&range));
+}

@@ -2,6 +2,7 @@
 
 mod bench;
 mod bit_test;
+mod catalogue;
 mod check;
 mod columns;
 mod contract;
@@ -12,6 +13,7 @@ mod endings;
 mod findings;
 mod folders;
 mod frames;
+mod new_case;
 mod plot;
 mod remarks;
 mod report;

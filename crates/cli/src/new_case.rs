@@ -1,0 +1,75 @@
+//! `wholestring new`: a commented case to begin with.
+
+use std::{
+    fs::OpenOptions,
+    io::{self, Write},
+    path::PathBuf,
+};
+
+use crate::{args::NewArgs, failure::Failure, say};
+
+/// The case. Its name is filled in.
+const TEMPLATE: &str = include_str!("new_case.toml");
+
+/// What stands in its place.
+const NAME: &str = "\"My well\"";
+
+pub(crate) fn new(args: &NewArgs) -> Result<(), Failure> {
+    let path = file(&args.name);
+    let shown = path.display();
+    let stem = path.file_stem().map(|stem| stem.to_string_lossy());
+    let Some(stem) = stem.filter(|stem| !stem.chars().any(char::is_control)) else {
+        return Err(Failure::BadInput(format!(
+            "error: `{}` is no name of a file",
+            shown.to_string().escape_debug()
+        )));
+    };
+    let text = TEMPLATE.replacen(NAME, &quoted(&stem), 1);
+    // Nothing that is there is written over.
+    let file = OpenOptions::new().write(true).create_new(true).open(&path);
+    let written = file.and_then(|mut file| file.write_all(text.as_bytes()));
+    if let Err(error) = written {
+        return Err(match error.kind() {
+            io::ErrorKind::AlreadyExists => Failure::BadInput(format!(
+                "error: {shown} is there already\nhelp: give another name: wholestring new NAME"
+            )),
+            io::ErrorKind::NotFound => Failure::BadInput(format!(
+                "error: cannot write {shown}: there is no such folder"
+            )),
+            _ => Failure::Failed(format!("error: cannot write {shown}: {error}")),
+        });
+    }
+    say(&format!(
+        "wrote {shown}: change what is yours, then\n  wholestring check {0}\n  wholestring run {0}\n",
+        in_shell(&shown.to_string())
+    ))
+}
+
+/// `NAME.toml`, also where the ending is given.
+fn file(name: &std::path::Path) -> PathBuf {
+    let is_toml = name
+        .extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+    if is_toml {
+        return name.to_owned();
+    }
+    // Not `with_extension`, which would cut `well-1.2` short.
+    let mut whole = name.as_os_str().to_owned();
+    whole.push(".toml");
+    whole.into()
+}
+
+/// A text of TOML.
+fn quoted(text: &str) -> String {
+    let text = text.replace('\\', "\\\\").replace('"', "\\\"");
+    format!("\"{text}\"")
+}
+
+/// A path as an argument.
+fn in_shell(path: &str) -> String {
+    if path.contains(char::is_whitespace) {
+        format!("\"{path}\"")
+    } else {
+        path.to_owned()
+    }
+}

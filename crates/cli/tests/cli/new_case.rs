@@ -1,0 +1,82 @@
+//! `new`: a case to begin with.
+
+use std::{fs, time::Instant};
+
+use crate::desk::{Desk, transcript};
+use insta::assert_snapshot;
+
+/// It is sound, without a warning, and runs as it is; every line that says something is explained.
+#[test]
+fn a_new_case_runs() {
+    let desk = Desk::new();
+    assert_snapshot!("new_case", transcript(&desk.run(&["new", "north-1"])));
+    let text = fs::read_to_string(desk.path("north-1.toml")).unwrap();
+    assert!(text.contains("name = \"north-1\""), "{text}");
+    assert_snapshot!(
+        "new_case_checked",
+        transcript(&desk.run(&["check", "north-1.toml"]))
+    );
+    let start = Instant::now();
+    let run = desk.run(&["run", "north-1.toml", "-o", "out"]);
+    assert!(run.status.success(), "{}", transcript(&run));
+    // A second where the machine is free; a crowded one has its time.
+    assert!(start.elapsed().as_secs() < 60);
+    assert_eq!(desk.summary("out").operations.len(), 5);
+}
+
+/// Its dynamics are not asked for, but sound.
+#[test]
+fn its_dynamics_are_sound() {
+    let desk = Desk::new();
+    desk.run(&["new"]);
+    let check = desk.run(&["check", "my-well.toml", "--set", "model=dynamic"]);
+    assert!(check.status.success(), "{}", transcript(&check));
+    assert!(check.stderr.is_empty(), "{}", transcript(&check));
+}
+
+/// Each key of the file has its comment, but for what repeats a key that has one.
+#[test]
+fn every_line_is_explained() {
+    let desk = Desk::new();
+    desk.run(&["new", "explained"]);
+    let text = fs::read_to_string(desk.path("explained.toml")).unwrap();
+    let mut explained = std::collections::BTreeSet::new();
+    for line in text.lines().filter(|line| !line.starts_with('#')) {
+        let Some((key, _)) = line.split_once(" = ") else {
+            continue;
+        };
+        if line.contains("# ") {
+            explained.insert(key.to_owned());
+        }
+        assert!(explained.contains(key), "{line}");
+    }
+    assert!(explained.len() > 20, "{explained:?}");
+}
+
+#[test]
+fn nothing_is_written_over() {
+    let desk = Desk::new();
+    let before = fs::read_to_string(desk.path("slant.toml")).unwrap();
+    for name in ["slant", "slant.toml"] {
+        assert_snapshot!(
+            "new_case_that_is_there",
+            transcript(&desk.run(&["new", name]))
+        );
+    }
+    assert_eq!(fs::read_to_string(desk.path("slant.toml")).unwrap(), before);
+    assert_snapshot!(
+        "new_case_in_no_folder",
+        transcript(&desk.run(&["new", "no-such-folder/well"]))
+    );
+}
+
+/// A name is a text of TOML, whatever is in it.
+#[test]
+fn a_name_with_a_point_and_quotes() {
+    let desk = Desk::new();
+    for name in ["well 1.2", "Bob's 'best' well"] {
+        assert!(desk.run(&["new", name]).status.success());
+        let check = desk.run(&["check", &format!("{name}.toml")]);
+        assert!(check.status.success(), "{}", transcript(&check));
+    }
+}
