@@ -6,7 +6,7 @@ use wholestring::outcome::{ModelKind, Scalars};
 use wholestring_results::{Numerics, OperationSummary, Status, Summary};
 use wholestring_units::{Dimension, UnitSet};
 
-mod drift;
+pub(crate) mod drift;
 
 use crate::pace::pace;
 
@@ -184,7 +184,6 @@ pub(crate) fn notes(summary: &Summary, units: UnitSet) -> String {
     if summary.operations.iter().any(incomplete) {
         notes += "* as far as it was computed\n";
     }
-    notes += &drift::notes(summary, units);
     for solved in &summary.operations {
         let Some(lift) = solved.lift else { continue };
         notes += &format!(

@@ -300,8 +300,7 @@ fn solve_dynamic(
     );
     // What was not computed to its end has said so already.
     if status == Status::Complete {
-        let from_s = settings.settle_s;
-        let found = findings::of_dynamic(&case.model, operation, &settings, &outcome, from_s);
+        let found = findings::of_dynamic(&case.model, operation, &settings, &outcome);
         record.judge(&found, &case.model.rig);
     }
     status

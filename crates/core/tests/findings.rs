@@ -313,7 +313,7 @@ impl Ran {
             settings,
             outcome,
         } = self;
-        of_dynamic(model, operation, settings, outcome, settings.settle_s)
+        of_dynamic(model, operation, settings, outcome)
     }
 
     fn has(&self, kind: Kind) -> Option<Finding> {
@@ -338,6 +338,9 @@ impl Ran {
             max: mean + by,
             p05: mean - by,
             p95: mean + by,
+            std_error: 0.01 * by,
+            drift: 0.0,
+            drifts: false,
         };
     }
 }
@@ -582,4 +585,41 @@ fn a_node_that_never_settled() {
     // A string that swings as a whole is another matter.
     ran.outcome.nodes.tension_std_N.fill(0.021 * largest_N);
     assert_eq!(ran.has(Kind::NodeUnsettled), None);
+}
+
+/// A mean that moves is a warning, and no more than a note where the bit moves, too.
+#[test]
+fn means_that_drift_and_settling_without_end_are_told() {
+    let mut ran = Ran::new(OperationKind::TripIn);
+    ran.outcome.numerics.bit_travel_m = 0.9;
+    assert_eq!(ran.level(Kind::WindowDrifts), None);
+    ran.statistic("hook_load_N").drifts = true;
+    assert_eq!(ran.level(Kind::WindowDrifts), Some(Level::Warning));
+    ran.outcome.numerics.bit_travel_m = -1.1;
+    assert_eq!(ran.level(Kind::WindowDrifts), Some(Level::Note));
+
+    assert_eq!(ran.level(Kind::NeverSteady), None);
+    ran.outcome.numerics.settled = Some(false);
+    let found = ran.has(Kind::NeverSteady).expect("a finding");
+    assert_eq!(found.level, Level::Warning);
+    assert_eq!(found.value, Some(ran.outcome.numerics.settle_s));
+}
+
+/// Settling that takes longer than foreseen moves the bit on; a time that is given is meant so.
+#[test]
+fn a_bit_that_has_gone_on_is_told() {
+    let mut ran = Ran::new(OperationKind::TripIn);
+    let asked_m = ran.operation.bit_depth_m;
+    for (settled, off_m, told) in [
+        (None, 27.0, false),
+        (Some(true), 0.9, false),
+        (Some(true), 1.1, true),
+        (Some(false), -1.1, true),
+    ] {
+        ran.outcome.numerics.settled = settled;
+        ran.outcome.numerics.mean_bit_depth_m = asked_m + off_m;
+        let found = ran.has(Kind::BitElsewhere);
+        assert_eq!(found.is_some(), told, "{settled:?} {off_m}");
+        assert!(found.is_none_or(|of| of.limit == Some(asked_m) && of.level == Level::Note));
+    }
 }

@@ -1,15 +1,12 @@
-//! What is to be known of means that do not stand still: marks in the table, and lines beneath it.
+//! What is to be known of means that do not stand still: marks in the table, and what a finding says of them.
 
-use wholestring_results::{OperationSummary, Statistic, Summary};
+use wholestring_results::{OperationSummary, Statistic};
 use wholestring_units::{Dimension, UnitSet};
 
 use super::{QUANTITIES, deviation};
 
 /// Travel of the bit in the window from which it is named as what may change a mean, m.
 const TRAVELS_M: f64 = 1.0;
-
-/// How far from the depth that was asked for the bit may be in the middle of the window without a word, m.
-const ELSEWHERE_M: f64 = 1.0;
 
 /// The mark beside the deviation of what drifts.
 pub(super) fn mark(statistic: &Statistic) -> &'static str {
@@ -30,25 +27,8 @@ pub(super) fn aligned(cells: Vec<String>) -> Vec<String> {
     cells.into_iter().map(pad).collect()
 }
 
-/// Lines beneath the table: what drifts, what never was steady, and where the bit was elsewhere.
-pub(super) fn notes(summary: &Summary, units: UnitSet) -> String {
-    summary
-        .operations
-        .iter()
-        .flat_map(|solved| {
-            [
-                drifting(solved, units),
-                unsteady(solved),
-                elsewhere(solved, units),
-            ]
-        })
-        .flatten()
-        .map(|line| line + "\n")
-        .collect()
-}
-
-/// What drifts in the window of an operation.
-fn drifting(solved: &OperationSummary, units: UnitSet) -> Option<String> {
+/// What drifts in the window of an operation, as a sentence; none where nothing of the table does.
+pub(crate) fn sentence(solved: &OperationSummary, units: UnitSet) -> Option<String> {
     let statistics = solved.statistics.as_ref()?;
     let drifts: Vec<String> = QUANTITIES
         .iter()
@@ -78,51 +58,17 @@ fn drifting(solved: &OperationSummary, units: UnitSet) -> Option<String> {
         ),
         None => "settle longer".to_owned(),
     };
-    Some(format!(
-        "{}: {list} over the window (↗ ↘): there ± is drift, not motion alone; {why}",
-        name(solved)
-    ))
-}
-
-/// An operation that settled for as long as it may and was not steady then.
-fn unsteady(solved: &OperationSummary) -> Option<String> {
-    let numerics = solved.numerics.as_ref()?;
-    let settle_s = numerics
-        .settle_s
-        .filter(|_| numerics.settled == Some(false))?;
-    Some(format!(
-        "{}: not steady after {settle_s:.0} s of settling, the most that it may take by itself; look at time.parquet before you believe \
-         its means, or give a longer dynamics.settle",
-        name(solved)
-    ))
-}
-
-/// An operation whose bit was elsewhere in the middle of the window, because settling took longer than was foreseen.
-fn elsewhere(solved: &OperationSummary, units: UnitSet) -> Option<String> {
-    let numerics = solved.numerics.as_ref()?;
-    numerics.settled?;
-    let (mean_m, settle_s) = (numerics.mean_bit_depth_m?, numerics.settle_s?);
-    let off_m = mean_m - solved.bit_depth_m;
-    if off_m.abs() < ELSEWHERE_M {
-        return None;
-    }
-    let length = |m: f64| Dimension::Length.format((10.0 * m).round() / 10.0, units);
-    Some(format!(
-        "{}: settling took {settle_s:.0} s, and the bit is at {} on average over the window, {} {} than asked",
-        name(solved),
-        length(mean_m),
-        length(off_m.abs()),
-        if off_m > 0.0 { "deeper" } else { "shallower" },
-    ))
-}
-
-fn name(solved: &OperationSummary) -> String {
-    solved.operation.replace('_', " ")
+    let sentence =
+        format!("{list} over the window (↗ ↘): there ± is drift, not motion alone; {why}");
+    let mut letters = sentence.chars();
+    let first = letters.next().map(char::to_uppercase);
+    Some(first.into_iter().flatten().chain(letters).collect())
 }
 
 #[cfg(test)]
 mod tests {
     use serde_json::{Value, json};
+    use wholestring_results::Summary;
 
     use super::{super::table, *};
 
@@ -160,10 +106,16 @@ mod tests {
         });
         Summary {
             schema_version: wholestring_results::SCHEMA_VERSION,
+            engine_version: None,
+            identity: None,
             case: "a case".into(),
             settings: Value::Null,
             operations: vec![serde_json::from_value(solved).expect("a summary")],
         }
+    }
+
+    fn told(summary: &Summary) -> Option<String> {
+        sentence(&summary.operations[0], UnitSet::Si)
     }
 
     #[test]
@@ -177,9 +129,11 @@ mod tests {
             json!({}),
         );
         assert_eq!(
-            notes(&drifts, UnitSet::Si),
-            "trip in: hook load falls by 2.1 kN and stretch rises by 0.010 m over the window (↗ ↘): there ± is drift, \
-             not motion alone; settle longer\n"
+            told(&drifts).as_deref(),
+            Some(
+                "Hook load falls by 2.1 kN and stretch rises by 0.010 m over the window (↗ ↘): there ± is drift, \
+                 not motion alone; settle longer"
+            )
         );
         let shown = table(&drifts, UnitSet::Si, None);
         let row = |label: &str| shown.lines().find(|line| line.starts_with(label)).unwrap();
@@ -198,7 +152,7 @@ mod tests {
             json!({"hook_load_N": {"drift": 2600.0, "drifts": true}}),
             travels,
         );
-        let told = notes(&drifts, UnitSet::Si);
+        let told = told(&drifts).expect("a sentence");
         assert!(
             told.contains("the string goes 18 m through the hole meanwhile"),
             "{told}"
@@ -207,23 +161,9 @@ mod tests {
     }
 
     #[test]
-    fn what_never_was_steady_and_what_was_elsewhere_is_told() {
+    fn what_stands_still_is_not_told() {
         let still = summary(json!({"hook_load_N": {}}), json!({}));
-        assert_eq!(notes(&still, UnitSet::Si), "");
+        assert_eq!(told(&still), None);
         assert!(!table(&still, UnitSet::Si, None).contains('↗'));
-        let unsteady = json!({"settled": false, "settle_s": 120.01, "mean_bit_depth_m": 1027.0});
-        let told = notes(&summary(json!({}), unsteady), UnitSet::Si);
-        let (first, second) = told.split_once('\n').expect("two lines");
-        assert!(
-            first.starts_with("trip in: not steady after 120 s of settling"),
-            "{told}"
-        );
-        assert_eq!(
-            second,
-            "trip in: settling took 120 s, and the bit is at 1027 m on average over the window, 27 m deeper than asked\n"
-        );
-        // Who gives the time has chosen the place.
-        let given = json!({"settled": null, "mean_bit_depth_m": 1027.0});
-        assert_eq!(notes(&summary(json!({}), given), UnitSet::Si), "");
     }
 }

@@ -11,6 +11,8 @@ use wholestring::{
 use wholestring_results::OperationSummary;
 use wholestring_units::{Dimension, UnitSet};
 
+use crate::comparison::drift;
+
 /// A sentence that begins with a capital and ends without a full stop.
 pub(super) fn sentence(
     found: &Finding,
@@ -82,9 +84,14 @@ pub(super) fn sentence(
             words.force(words.value()),
             words.force(words.limit() / 10.0),
         ),
-        Kind::WindowDrifts => {
-            "The means still drift: the window began before the run had settled".to_owned()
-        }
+        Kind::WindowDrifts => drift::sentence(of, units)
+            .unwrap_or_else(|| "The means of the window drift: settle longer".to_owned()),
+        Kind::NeverSteady => format!(
+            "Not steady after {:.0} s of settling, the most that it may take by itself; look at time.parquet before you \
+             believe the means, or give a longer dynamics.settle",
+            words.value()
+        ),
+        Kind::BitElsewhere => words.bit_elsewhere(),
     }
 }
 
@@ -140,6 +147,16 @@ impl Words<'_> {
         }
         let scale = 10.0_f64.powf(3.0 - value.abs().log10().floor());
         si * ((value * scale).round() / scale / value)
+    }
+
+    fn bit_elsewhere(&self) -> String {
+        let off_m = self.value() - self.limit();
+        let side = if off_m > 0.0 { "deeper" } else { "shallower" };
+        format!(
+            "Settling took so long that the bit is at {} on average over the window, {} {side} than asked",
+            self.depth(self.value()),
+            self.depth(off_m.abs()),
+        )
     }
 
     /// ` at 4310 m`, ` from 50 m to 3350 m` or nothing.

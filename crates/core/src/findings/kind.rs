@@ -71,6 +71,10 @@ kinds! {
     BitTableLeft, "bit_table_left", "";
     /// Standard deviation of the tension of a node, against what its neighbours let expect.
     NodeUnsettled, "node_unsettled", "N";
-    /// The mean of the window has not settled.
+    /// Means of the window drift: what they are depends on when it began.
     WindowDrifts, "window_drifts", "";
+    /// The string was not steady when settling ended, after this time.
+    NeverSteady, "never_steady", "s";
+    /// The mean measured depth of the bit over the window, against what was asked for.
+    BitElsewhere, "bit_elsewhere", "m";
 }

@@ -12,6 +12,7 @@ mod lock_up;
 mod motion;
 mod numerics;
 mod rig;
+mod steadiness;
 mod strength;
 mod weight_on_bit;
 mod window;
@@ -40,19 +41,18 @@ pub fn of_soft(model: &Model, operation: &Operation, profile: &SoftProfile) -> V
     found.extend(rig::hoist(&model.rig, [scalars.hook_load_N; 2]));
     let torque_N_m = scalars.surface_torque_N_m.abs();
     found.extend(rig::top_drive(&model.rig, [torque_N_m; 2]));
+    found.extend(strength::yield_use(&profile.md_m, &profile.yield_use));
     gravest_first(found)
 }
 
-/// What is to be told of an operation as the dynamics solved it to its end, the gravest first. The window of the statistics began
-/// at `window_from_s`.
+/// What is to be told of an operation as the dynamics solved it to its end, the gravest first.
 pub fn of_dynamic(
     model: &Model,
     operation: &Operation,
     settings: &DynamicsSettings,
     outcome: &DynamicOutcome,
-    window_from_s: f64,
 ) -> Vec<Finding> {
-    let Some(window) = Window::of(outcome, window_from_s) else {
+    let Some(window) = Window::of(outcome) else {
         return Vec::new();
     };
     let line = buckling::Line::of_nodes(model, operation, &outcome.nodes);
@@ -69,6 +69,7 @@ pub fn of_dynamic(
     ));
     found.extend(motion::findings(settings, outcome, &window));
     found.extend(numerics::findings(model, outcome));
+    found.extend(steadiness::findings(operation, outcome));
     gravest_first(found)
 }
 

@@ -11,8 +11,9 @@ pub struct Window<'a> {
 }
 
 impl<'a> Window<'a> {
-    /// The rows from a time on; none where there are none.
-    pub fn of(outcome: &'a DynamicOutcome, from_s: f64) -> Option<Self> {
+    /// The rows from where it begins; none where there are none.
+    pub fn of(outcome: &'a DynamicOutcome) -> Option<Self> {
+        let from_s = outcome.numerics.settle_s;
         let time_s = &outcome.series.time_s;
         let rows = time_s.partition_point(|time| *time < from_s)..time_s.len();
         let told = outcome.statistics.is_empty();

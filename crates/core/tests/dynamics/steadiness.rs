@@ -116,10 +116,8 @@ fn settling_goes_on_until_nothing_drifts() {
         let mut ends_s = Vec::new();
         while simulation.end_time_s() - simulation.time_s() > 0.005 {
             ends_s.push(simulation.end_time_s());
-            go(
-                &mut simulation,
-                0.5_f64.min(simulation.end_time_s() - simulation.time_s()),
-            );
+            let left_s = simulation.end_time_s() - simulation.time_s();
+            go(&mut simulation, left_s.min(0.5));
         }
         (simulation.outcome(), ends_s[0])
     });
@@ -166,10 +164,8 @@ fn a_string_that_trips_is_where_it_was_meant_to_be() {
     case.settings.duration_s = 4.0;
     let mut simulation = case.start();
     while simulation.end_time_s() - simulation.time_s() > 0.005 {
-        go(
-            &mut simulation,
-            0.5_f64.min(simulation.end_time_s() - simulation.time_s()),
-        );
+        let left_s = simulation.end_time_s() - simulation.time_s();
+        go(&mut simulation, left_s.min(0.5));
     }
     let outcome = simulation.outcome();
     let numerics = outcome.numerics;
