@@ -23,13 +23,13 @@ use crate::{
     },
     model::Model,
     operation::Operation,
-    rod::{number::Real, torsion},
+    rod::{torsion, wide::Registers},
 };
 
 /// Time over which the extra damping of a prepared start fades, s; a schedule that changes something before has nothing of it against itself.
 const FADING_S: f64 = 5.0;
 
-impl<R: Real> Run<R> {
+impl<R: Registers> Run<R> {
     /// Lays the string in its hole, ready to run.
     ///
     /// The bit is placed so that it passes the operation's depth in the middle of the window: a string
