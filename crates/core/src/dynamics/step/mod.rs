@@ -231,6 +231,28 @@ impl<R: Real> Losses<R> {
     }
 }
 
+/// Where a node lies from the hole's axis as its wall has it, and the clearance there, m: without a step in time.
+#[cfg(test)]
+pub fn met(chain: &Chain, index: usize) -> (crate::rod::vector::Vector<f64>, f64) {
+    use crate::rod::vector::Vector;
+
+    let (row, lane) = chain.place(index);
+    let input = StepInput {
+        dt: 0.0,
+        stiffness_damping: 0.0,
+        dissipation: 0.0,
+        stribeck_speed: 1.0,
+    };
+    let mut flight = Flight::none();
+    let (n, state) = (&chain.node_blocks[row], &chain.states[row]);
+    reach::<f64, true>(&mut flight, n, state, &input, lane);
+    let [x, y, z] = &flight.offset;
+    (
+        Vector(x.0[lane], y.0[lane], z.0[lane]),
+        flight.clearance.0[lane],
+    )
+}
+
 #[inline(always)]
 fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
     chain: &mut Chain<N::Real>,
