@@ -78,7 +78,8 @@ impl Rule for LengthRule {
 table! {
     /// A component of the string, from the bit up.
     ComponentTable in "[[string]]" {
-        /// What it is called in messages and results: "bit", "motor", "drill pipe".
+        /// What it is called in messages and results: "bit", "motor", "drill pipe". A first component whose last word is "bit"
+        /// and which fills its hole is held to the hole's axis in the dynamic model, all of it; of another one two diameters are.
         component: String = required(Text);
         /// Length, m unless a unit is given, or "to surface" for the topmost one, which then fills the
         /// rest of the string.

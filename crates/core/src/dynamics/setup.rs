@@ -20,6 +20,7 @@ use crate::{
         mesh::Mesh,
         number::Real,
         stability::{self, StepPlan},
+        wide::Registers,
     },
     statics::soft::SoftError,
 };
@@ -337,7 +338,7 @@ pub(super) struct Basis<R: Real> {
     pub(super) steps_per_sample: u64,
 }
 
-impl<R: Real> Basis<R> {
+impl<R: Registers> Basis<R> {
     pub(super) fn new(
         model: &Model,
         operation: &Operation,

@@ -437,3 +437,6 @@ impl Laying<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

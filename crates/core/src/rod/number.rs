@@ -8,8 +8,6 @@ use std::{
 use serde::{Serialize, de::DeserializeOwned};
 
 use super::lanes::{DOUBLES, SINGLES};
-#[cfg(target_arch = "x86_64")]
-use super::wide::x86;
 
 /// What a number is kept as.
 pub trait Real: Number<Real = Self> + Default + PartialOrd + Debug + Send + Sync + 'static {
@@ -27,17 +25,6 @@ pub trait Real: Number<Real = Self> + Default + PartialOrd + Debug + Send + Sync
         + Sync
         + Serialize
         + DeserializeOwned;
-    /// The same with fused multiply-add.
-    type Fused: Number<Real = Self>;
-    /// A register of AVX-512.
-    #[cfg(target_arch = "x86_64")]
-    type Zmm: Number<Real = Self>;
-    /// A register of AVX2.
-    #[cfg(target_arch = "x86_64")]
-    type Ymm: Number<Real = Self>;
-    /// A register of any x86-64.
-    #[cfg(target_arch = "x86_64")]
-    type Xmm: Number<Real = Self>;
     /// The same in every lane.
     fn in_every_lane(self) -> Self::Lanes;
     /// The nearest to a double.
@@ -50,13 +37,6 @@ impl Real for f64 {
     const LANES: usize = DOUBLES;
     const FINE: bool = true;
     type Lanes = [Self; DOUBLES];
-    type Fused = Fused<f64>;
-    #[cfg(target_arch = "x86_64")]
-    type Zmm = x86::Zmm64;
-    #[cfg(target_arch = "x86_64")]
-    type Ymm = x86::Ymm64;
-    #[cfg(target_arch = "x86_64")]
-    type Xmm = x86::Xmm64;
     #[inline(always)]
     fn in_every_lane(self) -> Self::Lanes {
         [self; Self::LANES]
@@ -75,13 +55,6 @@ impl Real for f32 {
     const LANES: usize = SINGLES;
     const FINE: bool = false;
     type Lanes = [Self; SINGLES];
-    type Fused = Fused<f32>;
-    #[cfg(target_arch = "x86_64")]
-    type Zmm = x86::Zmm32;
-    #[cfg(target_arch = "x86_64")]
-    type Ymm = x86::Ymm32;
-    #[cfg(target_arch = "x86_64")]
-    type Xmm = x86::Xmm32;
     #[inline(always)]
     fn in_every_lane(self) -> Self::Lanes {
         [self; Self::LANES]
@@ -99,7 +72,7 @@ impl Real for f32 {
 /// A real number, or several side by side, with or without fused multiply-add.
 ///
 /// The mechanics of an element, of a contact and of a node is written once over this trait: a plain
-/// `f64` or `f32` serves tests and the preparation of a run, the [registers](super::wide) of a processor the time
+/// `f64` or `f32` serves tests and the preparation of a run, the registers of a processor the time
 /// loop. Nothing in it branches.
 pub trait Number:
     Copy

@@ -5,7 +5,45 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::number::Number;
+use super::number::{Fused, Number, Real};
+
+/// What a kind of number is worked on in: for code that is compiled for a processor and runs where it is that one.
+///
+/// The operators of a register are safe to write and sound only in such code, so that neither they nor the ways to them
+/// leave this crate.
+pub trait Registers: Real {
+    /// One of them, with fused multiply-add.
+    type Fused: Number<Real = Self>;
+    /// A register of AVX-512.
+    #[cfg(target_arch = "x86_64")]
+    type Zmm: Number<Real = Self>;
+    /// A register of AVX2.
+    #[cfg(target_arch = "x86_64")]
+    type Ymm: Number<Real = Self>;
+    /// A register of any x86-64.
+    #[cfg(target_arch = "x86_64")]
+    type Xmm: Number<Real = Self>;
+}
+
+impl Registers for f64 {
+    type Fused = Fused<f64>;
+    #[cfg(target_arch = "x86_64")]
+    type Zmm = x86::Zmm64;
+    #[cfg(target_arch = "x86_64")]
+    type Ymm = x86::Ymm64;
+    #[cfg(target_arch = "x86_64")]
+    type Xmm = x86::Xmm64;
+}
+
+impl Registers for f32 {
+    type Fused = Fused<f32>;
+    #[cfg(target_arch = "x86_64")]
+    type Zmm = x86::Zmm32;
+    #[cfg(target_arch = "x86_64")]
+    type Ymm = x86::Ymm32;
+    #[cfg(target_arch = "x86_64")]
+    type Xmm = x86::Xmm32;
+}
 
 /// Two of them, worked on in turn: while the processor waits for the one, it works on the other.
 #[derive(Debug, Clone, Copy)]
@@ -116,7 +154,7 @@ impl<N: Number> Number for Pair<N> {
 /// Their operations are compiled into code of the same instruction set and nowhere else: a value exists only inside
 /// a step that the processor was found to be able to run.
 #[cfg(target_arch = "x86_64")]
-pub mod x86 {
+mod x86 {
     // The intrinsics have the processor's names.
     #![allow(missing_docs)]
 

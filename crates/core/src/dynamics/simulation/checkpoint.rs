@@ -14,7 +14,7 @@ use crate::{
     },
     model::Model,
     operation::Operation,
-    rod::number::Real,
+    rod::wide::Registers,
 };
 
 /// Everything of a run that changes while it goes on, as plain data; what the model, the operation and
@@ -76,7 +76,7 @@ impl Checkpoint<'_> {
     }
 }
 
-impl<R: Real> Run<R> {
+impl<R: Registers> Run<R> {
     /// The run as it stands, to be laid aside: between two calls of [`Self::advance`], at any time.
     pub fn checkpoint(&self) -> Checkpoint<'_> {
         Checkpoint {

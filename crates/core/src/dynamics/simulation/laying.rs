@@ -24,10 +24,10 @@ use crate::{
     },
     model::Model,
     operation::Operation,
-    rod::{number::Real, torsion},
+    rod::{torsion, wide::Registers},
 };
 
-impl<R: Real> Run<R> {
+impl<R: Registers> Run<R> {
     /// Lays the string in its hole, ready to run.
     ///
     /// The bit is placed so that it passes the operation's depth in the middle of the window: a string

@@ -4,10 +4,10 @@ use super::{Run, Stepper, node};
 use crate::{
     dynamics::step::StepInput,
     rock,
-    rod::{counted::Flops, number::Real},
+    rod::{counted::Flops, wide::Registers},
 };
 
-impl<R: Real> Run<R> {
+impl<R: Registers> Run<R> {
     /// Goes on with one of the instruction sets; with what it has if there is none of that name.
     pub fn use_instructions(&mut self, name: &str) {
         let mut all = Stepper::all(self.abilities).into_iter();

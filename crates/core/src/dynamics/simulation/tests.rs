@@ -3,6 +3,7 @@
 mod body;
 mod contact_map;
 mod laying;
+mod top;
 
 use super::*;
 use crate::{

@@ -25,7 +25,7 @@ use crate::rod::{
     counted::{self, Counted, Flops},
     number::{Number, Real},
     peak,
-    wide::Pair,
+    wide::{Pair, Registers},
 };
 pub use calm::Calming;
 use elements::{Pull, Strains, bend, chord, strain, twist};
@@ -90,7 +90,7 @@ impl<R: Real> std::fmt::Debug for Stepper<R> {
 macro_rules! compiled_for {
     ($name:ident, $calm:ident, $peak:ident, $number:ty, $work:ident $(, $features:literal)?) => {
         $(#[target_feature(enable = $features)])?
-        fn $name<R: Real, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
+        fn $name<R: Registers, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
             chain: &mut Chain<R>,
             input: &StepInput,
         ) -> StepLosses {
@@ -98,12 +98,12 @@ macro_rules! compiled_for {
         }
 
         $(#[target_feature(enable = $features)])?
-        fn $calm<R: Real>(chain: &mut Chain<R>, calming: &Calming) -> f64 {
+        fn $calm<R: Registers>(chain: &mut Chain<R>, calming: &Calming) -> f64 {
             calm::calm::<$number>(chain, calming)
         }
 
         $(#[target_feature(enable = $features)])?
-        fn $peak<R: Real>(rounds: usize) -> u64 {
+        fn $peak<R: Registers>(rounds: usize) -> u64 {
             peak::$work::<$number>(rounds)
         }
     };
@@ -150,7 +150,7 @@ macro_rules! with_laws {
     };
 }
 
-impl<R: Real> Stepper<R> {
+impl<R: Registers> Stepper<R> {
     /// The fastest code for this processor that does what is asked for.
     pub fn new(abilities: Abilities) -> Self {
         Self::all(abilities)[0]
@@ -181,7 +181,9 @@ impl<R: Real> Stepper<R> {
         all.push(choose!(baseline, baseline_calm, baseline_peak, "baseline"));
         all
     }
+}
 
+impl<R: Real> Stepper<R> {
     /// Advances the chain by one step of such code, and counts what that takes.
     pub fn count(abilities: Abilities, chain: &mut Chain<R>, input: &StepInput) -> Flops {
         let step: fn(&mut Chain<R>, &StepInput) -> StepLosses = with_laws!(counting, abilities);
@@ -227,6 +229,28 @@ impl<R: Real> Losses<R> {
             damping: zero,
         }
     }
+}
+
+/// Where a node lies from the hole's axis as its wall has it, and the clearance there, m: without a step in time.
+#[cfg(test)]
+pub fn met(chain: &Chain, index: usize) -> (crate::rod::vector::Vector<f64>, f64) {
+    use crate::rod::vector::Vector;
+
+    let (row, lane) = chain.place(index);
+    let input = StepInput {
+        dt: 0.0,
+        stiffness_damping: 0.0,
+        dissipation: 0.0,
+        stribeck_speed: 1.0,
+    };
+    let mut flight = Flight::none();
+    let (n, state) = (&chain.node_blocks[row], &chain.states[row]);
+    reach::<f64, true>(&mut flight, n, state, &input, lane);
+    let [x, y, z] = &flight.offset;
+    (
+        Vector(x.0[lane], y.0[lane], z.0[lane]),
+        flight.clearance.0[lane],
+    )
 }
 
 #[inline(always)]

@@ -1,7 +1,7 @@
 //! Verification of what the time loop is made of, driven piece by piece.
 
 mod beams;
-mod bench;
+pub mod bench;
 mod bit;
 mod damping;
 mod gyroscope;

@@ -5,11 +5,12 @@ use crate::{
         assembly::{self, Anchor, Surroundings},
         chain::node,
         settings::DynamicsSettings,
+        step,
     },
     model::Model,
     mud::Mud,
     rig::Rig,
-    rod::{mesh::Mesh, stability},
+    rod::{mesh::Mesh, stability, vector::Vector},
     string::{ComponentLength, ComponentSpec, StringSpec},
     well::{
         Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Roughness, Station, TieIn, Well,
@@ -88,16 +89,15 @@ fn met(model: &Model, element_length_m: f64, md_m: f64, along_m: f64) -> [f64; 8
     };
     let mut anchors = vec![anchor; mesh.nodes.len()];
     surroundings.place(&mut chain, &mut anchors, 10, md_m);
-    let (tangent, curvature) = (chain.tangent(10), chain.curvature(10));
-    // The wall `along_m` further on, as the step reckons it from this anchor.
-    let axis = anchors[10].position_m
-        + nalgebra::Vector3::from(
-            tangent
-                .scaled(along_m)
-                .plus(curvature, 0.5 * along_m * along_m),
-        );
+    let tangent = chain.tangent(10);
+    // The wall `along_m` further on, as the step finds it from this anchor, for a node that is off the axis.
+    let aside = tangent.cross(Vector(0.3, 0.5, 0.8)).scaled(0.02);
+    let place = tangent.scaled(along_m) + aside;
+    chain.set_displacement(10, place);
+    let (offset, clearance) = step::met(&chain, 10);
+    let axis = anchors[10].position_m + nalgebra::Vector3::from(place - offset);
     let slope = node!(chain, 10, clearance_slope);
-    let radius = node!(chain, 10, clearance) + 0.06985 + slope * along_m;
+    let radius = clearance + 0.06985;
     [
         radius, slope, axis.x, axis.y, axis.z, tangent.0, tangent.1, tangent.2,
     ]

@@ -18,10 +18,10 @@ use super::{
     grid::{GROUP, Grid},
 };
 use crate::rod::number::Number;
-#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
-use crate::rod::number::Real;
 #[cfg(not(target_arch = "x86_64"))]
 use crate::rod::wide::Pair;
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+use crate::rod::wide::Registers;
 use nodes::{drift, kick};
 pub use slab::{RowBook, Slab};
 
@@ -92,7 +92,7 @@ compiled_for!(
     avx512_begin,
     avx512_work,
     avx512_end,
-    <f64 as Real>::Zmm,
+    <f64 as Registers>::Zmm,
     "avx512f,avx512dq,avx512vl,avx2,fma"
 );
 #[cfg(target_arch = "x86_64")]
@@ -100,7 +100,7 @@ compiled_for!(
     avx2_begin,
     avx2_work,
     avx2_end,
-    <f64 as Real>::Ymm,
+    <f64 as Registers>::Ymm,
     "avx2,fma"
 );
 #[cfg(target_arch = "x86_64")]
@@ -108,14 +108,14 @@ compiled_for!(
     baseline_begin,
     baseline_work,
     baseline_end,
-    <f64 as Real>::Xmm
+    <f64 as Registers>::Xmm
 );
 #[cfg(target_arch = "aarch64")]
 compiled_for!(
     baseline_begin,
     baseline_work,
     baseline_end,
-    Pair<<f64 as Real>::Fused>
+    Pair<<f64 as Registers>::Fused>
 );
 #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
 compiled_for!(baseline_begin, baseline_work, baseline_end, Pair<f64>);
