@@ -1,7 +1,8 @@
 //! What an engineer must be told of an answer.
 //!
-//! Every rule is a pure function from the model, the operation and what a solver gave to [`Finding`]s: a kind, how grave
-//! it is, where, how much, and what that is held against. Words and users' units are not made here.
+//! Every rule is a pure function from the model, the operation and what a solver gave to
+//! [`Finding`]s: a kind, how grave it is, where, how much, and what that is held against. Words and
+//! users' units are not made here.
 
 mod buckling;
 mod finding;
@@ -43,8 +44,8 @@ pub fn of_soft(model: &Model, operation: &Operation, profile: &SoftProfile) -> V
     gravest_first(found)
 }
 
-/// What is to be told of an operation as the dynamics solved it to its end, the gravest first. The window of the statistics began
-/// at `window_from_s`.
+/// What is to be told of an operation as the dynamics solved it to its end, the gravest first. The
+/// window of the statistics began at `window_from_s`.
 pub fn of_dynamic(
     model: &Model,
     operation: &Operation,
