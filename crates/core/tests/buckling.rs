@@ -1,4 +1,5 @@
-//! Buckling of a pipe in its hole against `verification/`: critical loads (C01, C03, S2a) and lock-up (S2b).
+//! Buckling of a pipe in its hole against `verification/`: critical loads (C01, C03, S2a) and
+//! lock-up (S2b).
 
 mod common;
 
@@ -159,8 +160,8 @@ fn s2a_all_roots() {
     });
 }
 
-/// In a sharp drop a pipe is straight, buckled, pressed straight to the high side, and buckled again as it is pushed harder;
-/// what it is held against is the load that it passed last.
+/// In a sharp drop a pipe is straight, buckled, pressed straight to the high side, and buckled
+/// again as it is pushed harder; what it is held against is the load that it passed last.
 #[test]
 fn a_drop_has_three_critical_loads() {
     let data = verification("S2a_buckling_along_string.json");
@@ -235,7 +236,8 @@ fn s2b_lock_up() {
         // What goes up comes down.
         let arrives_N = weight_at_bit_N(&[part; 1000], push_N, helix);
         assert!((arrives_N - at_bit_N).abs() < 1.0, "{arrives_N}: {row}");
-        // Beyond that length the greatest push does not bring the load to the bit, short of it the load and more.
+        // Beyond that length the greatest push does not bring the load to the bit, short of it the
+        // load and more.
         let whole = |length_m: f64| {
             [Stretch {
                 length_m: length_m / 1000.0,

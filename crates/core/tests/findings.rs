@@ -93,7 +93,8 @@ fn words_of_kinds_are_their_own() {
     assert!(Level::Error > Level::Warning && Level::Warning > Level::Note);
 }
 
-/// A string in a slant slides down as long as `cot i` exceeds the friction: just below and just above `μ = 1/tan 60°`.
+/// A string in a slant slides down as long as `cot i` exceeds the friction: just below and just
+/// above `μ = 1/tan 60°`.
 #[test]
 fn a_hook_load_below_zero_is_told() {
     let slant = |mu| five_inch(&[[0.0, 60.0, 0.0], [1000.0, 60.0, 0.0]], 0.2159, mu, 260.0);
@@ -142,7 +143,8 @@ fn lock_up_is_what_does_not_arrive() {
     none(&soft_findings(&slant, &drill), Kind::LockUp);
 }
 
-/// In a long lateral the helix takes all push: as far above the bit as in `S2b`'s closed form, which has no build.
+/// In a long lateral the helix takes all push: as far above the bit as in `S2b`'s closed form,
+/// which has no build.
 #[test]
 fn a_helix_that_takes_all_push_is_placed() {
     let stations = [[0.0, 90.0, 0.0], [8000.0, 90.0, 0.0]];
@@ -157,7 +159,8 @@ fn a_helix_that_takes_all_push_is_placed() {
     assert_close("place", 8000.0 - of.from_md_m.unwrap(), length_m, 1e-6);
 }
 
-/// The two profiles of `S2a`: 100 kN on the bit buckle nothing, 150 kN the lower 250 m of the tangent below the drop.
+/// The two profiles of `S2a`: 100 kN on the bit buckle nothing, 150 kN the lower 250 m of the
+/// tangent below the drop.
 #[test]
 fn s2a_buckled_stretches() {
     let file = verification("S2a_buckling_along_string.json");
@@ -198,7 +201,8 @@ fn s2a_buckled_stretches() {
     }
 }
 
-/// A vertical string is held by its own weight: Lubinski's load below 10 m above the bit, and nothing of it a tenth less.
+/// A vertical string is held by its own weight: Lubinski's load below 10 m above the bit, and
+/// nothing of it a tenth less.
 #[test]
 fn a_vertical_hole_has_a_scale_of_its_own() {
     let vertical = five_inch(&[[0.0, 0.0, 0.0], [2000.0, 0.0, 0.0]], 0.2159, 0.3, 260.0);

@@ -1,4 +1,5 @@
-//! What is told of an answer: in the summary, on the screen, in `sweep.csv`, in studies, and as an exit status.
+//! What is told of an answer: in the summary, on the screen, in `sweep.csv`, in studies, and as an
+//! exit status.
 
 use std::{collections::BTreeSet, fs, path::Path};
 
@@ -111,7 +112,8 @@ fn strict_ends_with_four() {
     }
 }
 
-/// A string slides down a hole of 60° by its weight as long as its friction is below `1/tan 60°`, 0.577.
+/// A string slides down a hole of 60° by its weight as long as its friction is below `1/tan 60°`,
+/// 0.577.
 #[test]
 fn a_sweep_counts_what_was_found() {
     let desk = Desk::new();

@@ -35,11 +35,13 @@ fn cases() -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases")
 }
 
-/// From the case file to `summary.json`, the dynamics of a quiet string carry what the soft string says:
-/// its hook load, and its friction torque lowered to `1/√(1 + μ²)` by the climb of a turning pipe.
+/// From the case file to `summary.json`, the dynamics of a quiet string carry what the soft string
+/// says: its hook load, and its friction torque lowered to `1/√(1 + μ²)` by the climb of a turning
+/// pipe.
 ///
-/// The hook load may differ by 1 % and the torque by 2 %: bending bridges the ends of the build and the
-/// bit carries the motor, 0.42 % of the torque after a settling of 20 s; the rest is for what 5 s leave.
+/// The hook load may differ by 1 % and the torque by 2 %: bending bridges the ends of the build and
+/// the bit carries the motor, 0.42 % of the torque after a settling of 20 s; the rest is for what 5
+/// s leave.
 #[test]
 fn np13_with_both_models() {
     let solved = solved(&cases().join("np13-x1042.toml"), "5 s", "2 s");
@@ -110,7 +112,8 @@ fn every_case_runs_to_its_end() {
         found += 1;
         let text = fs::read_to_string(&path).unwrap();
         let solved = if text.contains("law = \"rock\"") {
-            // Wide bricks, which take a fiftieth of the time and less, and are not too heavy for the bit.
+            // Wide bricks, which take a fiftieth of the time and less, and are not too heavy for
+            // the bit.
             let coarse = [
                 "rock.element_size=24 mm",
                 "rock.density_factor=500",
@@ -131,7 +134,8 @@ fn every_case_runs_to_its_end() {
                 "{path:?}"
             );
         }
-        // One is wrong on purpose; of the others the soft string finds no error. Of the dynamics these windows are too short.
+        // One is wrong on purpose; of the others the soft string finds no error. Of the dynamics
+        // these windows are too short.
         let wrong = path.ends_with("lateral-that-cannot-be-drilled.toml");
         for of in &solved {
             assert_eq!(of.status, Status::Complete, "{path:?}: {}", of.operation);

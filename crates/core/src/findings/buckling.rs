@@ -34,7 +34,8 @@ impl<'a> Line<'a> {
         Self::new(model, operation, &profile.md_m, &profile.tension_N, load)
     }
 
-    /// Of the mean tension of a dynamic run; the wall load is that of a straight pipe, whatever the nodes' was.
+    /// Of the mean tension of a dynamic run; the wall load is that of a straight pipe, whatever the
+    /// nodes' was.
     pub fn of_nodes(model: &'a Model, operation: &Operation, nodes: &'a NodeProfile) -> Self {
         let bit_depth_m = operation.bit_depth_m;
         let load = |row: usize| {
@@ -52,7 +53,8 @@ impl<'a> Line<'a> {
         wall_load_N_per_m: impl Fn(usize) -> f64,
     ) -> Self {
         let bit_depth_m = operation.bit_depth_m;
-        // Of the last component and hole: load squared per wall load and load in a vertical hole, sinusoidal and helical.
+        // Of the last component and hole: load squared per wall load and load in a vertical hole,
+        // sinusoidal and helical.
         let mut known: Option<(usize, f64, [f64; 4])> = None;
         let mut of_row = |row: usize| -> [f64; 2] {
             let compression_N = -tension_N[row];
@@ -92,7 +94,8 @@ impl<'a> Line<'a> {
                     of
                 }
             };
-            // Below the load of a vertical hole nothing buckles, whatever presses the pipe to the wall.
+            // Below the load of a vertical hole nothing buckles, whatever presses the pipe to the
+            // wall.
             if compression_N <= of[1] {
                 return [compression_N / of[1], compression_N / of[3]];
             }
@@ -124,7 +127,8 @@ impl<'a> Line<'a> {
     }
 }
 
-/// The buckled stretches, those of the helix first. A bow in a vertical hole is not told where the same stretch is a helix.
+/// The buckled stretches, those of the helix first. A bow in a vertical hole is not told where the
+/// same stretch is a helix.
 pub fn findings(line: &Line<'_>) -> Vec<Finding> {
     let of = |criterion, kind, over: &[f64]| -> Vec<Finding> {
         let stretches = beyond_one(line.md_m, over).into_iter();

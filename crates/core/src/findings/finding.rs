@@ -34,7 +34,8 @@ pub struct Finding {
     pub kind: Kind,
     /// How grave it is.
     pub level: Level,
-    /// Measured depth at which it stands, or at which its interval begins, m; none where it has no place.
+    /// Measured depth at which it stands, or at which its interval begins, m; none where it has no
+    /// place.
     pub from_md_m: Option<f64>,
     /// Measured depth at which its interval ends, m; none where it is a point or has no place.
     pub to_md_m: Option<f64>,

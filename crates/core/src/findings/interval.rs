@@ -1,7 +1,7 @@
 //! Stretches of depth on which something is beyond its limit.
 
-/// Two stretches nearer than this are told as one, m: critical loads jump where a hole or a string changes, and so come
-/// in pieces.
+/// Two stretches nearer than this are told as one, m: critical loads jump where a hole or a string
+/// changes, and so come in pieces.
 const MERGED_M: f64 = 100.0;
 
 /// A stretch of measured depth.
@@ -13,7 +13,8 @@ pub struct Interval {
     pub worst: usize,
 }
 
-/// The stretches on which a measure is above one, its crossings put linearly between rows. `md_m` grows.
+/// The stretches on which a measure is above one, its crossings put linearly between rows. `md_m`
+/// grows.
 pub fn beyond_one(md_m: &[f64], measure: &[f64]) -> Vec<Interval> {
     let mut found: Vec<Interval> = Vec::new();
     let mut open: Option<Interval> = None;

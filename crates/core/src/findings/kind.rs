@@ -32,8 +32,9 @@ macro_rules! kinds {
 kinds! {
     /// The hook load is at or below zero: the string does not go down by its weight. Against zero.
     HookLoadNegative, "hook_load_negative", "N";
-    /// A string that slides down does not bring the weight to the bit: the weight that was asked for, against what arrives with the
-    /// whole string slacked off and the block, where its weight is known, pushing.
+    /// A string that slides down does not bring the weight to the bit: the weight that was asked
+    /// for, against what arrives with the whole string slacked off and the block, where its weight
+    /// is known, pushing.
     LockUp, "lock_up", "N";
     /// The mean weight on bit is below its target.
     WeightOnBitNotReached, "weight_on_bit_not_reached", "N";
@@ -57,13 +58,15 @@ kinds! {
     TopDriveStalled, "top_drive_stalled", "N·m";
     /// The largest von Mises stress over the yield strength.
     YieldUse, "yield_use", "";
-    /// Severity of stick-slip, `(max − min)/(2 mean)` of the bit's rotary speed; no value where the bit hardly turns.
+    /// Severity of stick-slip, `(max − min)/(2 mean)` of the bit's rotary speed; no value where the
+    /// bit hardly turns.
     StickSlip, "stick_slip", "";
     /// The fastest whirl against the rotation, against the rotary speed.
     BackwardWhirl, "backward_whirl", "rad/s";
     /// The fastest whirl with the rotation, against the rotary speed.
     ForwardWhirl, "forward_whirl", "rad/s";
-    /// The deepest penetration of the wall, against the part of the string's clearance that the law of the wall may be trusted to.
+    /// The deepest penetration of the wall, against the part of the string's clearance that the law
+    /// of the wall may be trusted to.
     WallPenetration, "wall_penetration", "m";
     /// What the integration gained or lost of the run's energy.
     EnergyResidual, "energy_residual", "";

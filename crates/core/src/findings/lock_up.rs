@@ -26,7 +26,8 @@ fn slides_down(operation: &Operation) -> bool {
     matches!(operation.kind, OperationKind::TripIn | OperationKind::Slide)
 }
 
-/// Of the soft string, which does not count what a helix presses against the wall: that is counted here.
+/// Of the soft string, which does not count what a helix presses against the wall: that is counted
+/// here.
 pub fn of_soft(
     model: &Model,
     operation: &Operation,
@@ -94,8 +95,8 @@ fn stretches(model: &Model, operation: &Operation, md_m: &[f64]) -> Vec<Stretch>
     stretches
 }
 
-/// Of a dynamic run, whose wall forces are those of the string as it lies: the hook is slack, and the string stands or does not
-/// press on the bit.
+/// Of a dynamic run, whose wall forces are those of the string as it lies: the hook is slack, and
+/// the string stands or does not press on the bit.
 pub fn of_dynamic(model: &Model, operation: &Operation, window: &Window<'_>) -> Option<Finding> {
     let hook_load_N = window.statistic("hook_load_N")?.mean;
     if !slides_down(operation) || hook_load_N > MISSING * weight_N(model) {

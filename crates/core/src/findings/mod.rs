@@ -1,7 +1,8 @@
 //! What an engineer must be told of an answer.
 //!
-//! Every rule is a pure function from the model, the operation and what a solver gave to [`Finding`]s: a kind, how grave
-//! it is, where, how much, and what that is held against. Words and users' units are not made here.
+//! Every rule is a pure function from the model, the operation and what a solver gave to
+//! [`Finding`]s: a kind, how grave it is, where, how much, and what that is held against. Words and
+//! users' units are not made here.
 
 mod buckling;
 mod finding;

@@ -6,18 +6,22 @@ use crate::{
     model::Model,
 };
 
-/// Parts of the string's mean clearance. A wall is to hold a pipe at the clearance that the hole leaves it: a tenth more moves the pipe
-/// as far as hole sizes are known; as much again, and it is another hole.
+/// Parts of the string's mean clearance. A wall is to hold a pipe at the clearance that the hole
+/// leaves it: a tenth more moves the pipe as far as hole sizes are known; as much again, and it is
+/// another hole.
 const DEEP: f64 = 0.1;
 const THROUGH: f64 = 1.0;
 
-/// Energy that the integration gained or lost: as much as torque and drag of a good model and a rig differ by, ...
+/// Energy that the integration gained or lost: as much as torque and drag of a good model and a rig
+/// differ by, ...
 const RESIDUAL: f64 = 0.05;
 
-/// ... and so much that friction, of which torque and drag are made, is no longer what was computed.
+/// ... and so much that friction, of which torque and drag are made, is no longer what was
+/// computed.
 const LOST: f64 = 0.2;
 
-/// A node whose tension varies by this many times as much as that of the median of its neighbours, ...
+/// A node whose tension varies by this many times as much as that of the median of its neighbours,
+/// ...
 const RESTLESS: f64 = 10.0;
 
 /// ... within this distance, m, ...

@@ -2,11 +2,12 @@
 
 use super::{Finding, Kind, Level, interval::beyond_one};
 
-/// A use of the yield strength that is told: the inverse of the design factor of 1.25 that is common for drill pipe.
+/// A use of the yield strength that is told: the inverse of the design factor of 1.25 that is
+/// common for drill pipe.
 pub const YIELD_USE_WARNING: f64 = 0.8;
 
-/// The stretches on which the largest stress comes near the yield strength: warnings beyond [`YIELD_USE_WARNING`], errors beyond one. Rows
-/// whose yield strength is not known bear all.
+/// The stretches on which the largest stress comes near the yield strength: warnings beyond
+/// [`YIELD_USE_WARNING`], errors beyond one. Rows whose yield strength is not known bear all.
 pub fn yield_use(md_m: &[f64], yield_use: &[Option<f64>]) -> Vec<Finding> {
     let use_of = |row: usize| yield_use[row].unwrap_or(0.0);
     let measure: Vec<f64> = (0..yield_use.len())

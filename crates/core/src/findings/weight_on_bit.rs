@@ -9,13 +9,15 @@ use crate::{
     operation::Operation,
 };
 
-/// A mean that is off its target by more than this part of it is told: what a weight indicator shows.
+/// A mean that is off its target by more than this part of it is told: what a weight indicator
+/// shows.
 const OFF: f64 = 0.05;
 
 /// A mean that is off by more than this is the answer to another question.
 const FAR_OFF: f64 = 0.2;
 
-/// A standard deviation beyond this part of the mean is told: the weight then swings by half of it either way.
+/// A standard deviation beyond this part of the mean is told: the weight then swings by half of it
+/// either way.
 const UNSTEADY: f64 = 0.25;
 
 /// A bit that is off the rock for more than this share of the time bounces.
@@ -57,8 +59,8 @@ pub fn findings(
     found
 }
 
-/// The weight that is asked for, N, and whether something is there to hold it; none where nothing is asked for, or it changes in the
-/// window.
+/// The weight that is asked for, N, and whether something is there to hold it; none where nothing
+/// is asked for, or it changes in the window.
 fn target_N(
     operation: &Operation,
     settings: &DynamicsSettings,

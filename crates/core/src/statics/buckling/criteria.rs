@@ -39,8 +39,9 @@ impl Criterion {
 const HALVINGS: usize = 200;
 
 impl Place {
-    /// `√(β EI w_n/r)` under a wall load `w_n`, N/m, or what the pipe's weight holds in a vertical hole, whichever is more,
-    /// N: the load that a compression is held against. Infinite where there is no clearance.
+    /// `√(β EI w_n/r)` under a wall load `w_n`, N/m, or what the pipe's weight holds in a vertical
+    /// hole, whichever is more, N: the load that a compression is held against. Infinite where
+    /// there is no clearance.
     pub fn threshold_N(&self, criterion: Criterion, wall_load_N_per_m: f64) -> f64 {
         if self.clearance_m <= 0.0 {
             return f64::INFINITY;
@@ -57,13 +58,15 @@ impl Place {
             * (self.bending_stiffness_N_m2 * weight_N_per_m * weight_N_per_m).cbrt()
     }
 
-    /// Whether a compression, N, is beyond the criterion's load, with the wall load that it makes itself.
+    /// Whether a compression, N, is beyond the criterion's load, with the wall load that it makes
+    /// itself.
     pub fn is_beyond(&self, criterion: Criterion, compression_N: f64) -> bool {
         compression_N > self.threshold_N(criterion, self.wall_load_N_per_m(compression_N))
     }
 
-    /// Every compression at which `F² = β EI w_n(F)/r`, N, from the least up: one, three in a drop where it may be buckled,
-    /// pressed straight to the high side and buckled again, none where nothing presses the pipe against the wall.
+    /// Every compression at which `F² = β EI w_n(F)/r`, N, from the least up: one, three in a drop
+    /// where it may be buckled, pressed straight to the high side and buckled again, none where
+    /// nothing presses the pipe against the wall.
     pub fn critical_loads_N(&self, criterion: Criterion) -> Vec<f64> {
         let (a, b, c) = (
             self.weight_across_N_per_m,
@@ -93,8 +96,8 @@ impl Place {
             .collect()
     }
 
-    /// The critical load that a compression, N, is held against: the greatest that it has passed, or the least where it has passed none; never
-    /// less than in a vertical hole.
+    /// The critical load that a compression, N, is held against: the greatest that it has passed,
+    /// or the least where it has passed none; never less than in a vertical hole.
     pub fn critical_load_N(&self, criterion: Criterion, compression_N: f64) -> f64 {
         if self.clearance_m <= 0.0 {
             return f64::INFINITY;

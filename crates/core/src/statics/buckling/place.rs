@@ -56,7 +56,8 @@ impl Place {
         }
     }
 
-    /// `w_n`: what presses a straight pipe against the wall under a compression, N/m; a negative compression is a tension.
+    /// `w_n`: what presses a straight pipe against the wall under a compression, N/m; a negative
+    /// compression is a tension.
     pub fn wall_load_N_per_m(&self, compression_N: f64) -> f64 {
         let built = self.weight_across_N_per_m + compression_N * self.build_rad_per_m;
         built.hypot(compression_N * self.turn_rad_per_m)

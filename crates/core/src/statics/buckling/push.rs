@@ -6,9 +6,10 @@
 //! dF/dx = μ (w_n(F) + [helical] r F²/(4 EI)) − w cos θ
 //! ```
 //!
-//! The helix's part (Mitchell, *Simple frictional analysis of helical buckling of tubing*, SPE Drilling Engineering 1, 1986)
-//! adds to the weight's, as is usual. It makes `F` infinite within a finite length: the string locks up, and no push from above adds
-//! anything below. The angle `φ = atan(F/F₀)`, which goes to a right angle there, is what is integrated.
+//! The helix's part (Mitchell, *Simple frictional analysis of helical buckling of tubing*, SPE
+//! Drilling Engineering 1, 1986) adds to the weight's, as is usual. It makes `F` infinite within a
+//! finite length: the string locks up, and no push from above adds anything below. The angle `φ =
+//! atan(F/F₀)`, which goes to a right angle there, is what is integrated.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -70,7 +71,8 @@ impl Stretch {
         angle + by_m / 6.0 * (k1 + 2.0 * (k2 + k3) + k4)
     }
 
-    /// The angle at the other end, `by_m` upwards (downwards where negative). Where the helix begins or ends the step is divided.
+    /// The angle at the other end, `by_m` upwards (downwards where negative). Where the helix
+    /// begins or ends the step is divided.
     fn cross(&self, helix: Criterion, angle: f64, by_m: f64) -> f64 {
         let helical = self.is_helical(helix, angle);
         let whole = self.step(angle, by_m, helical);
@@ -91,8 +93,8 @@ impl Stretch {
     }
 }
 
-/// Compression at the upper end of stretches, from the bit up, that slide down with a compression at their lower end, N. A pipe
-/// is helical beyond the load of `helix`.
+/// Compression at the upper end of stretches, from the bit up, that slide down with a compression
+/// at their lower end, N. A pipe is helical beyond the load of `helix`.
 pub fn push_through(stretches: &[Stretch], at_bit_N: f64, helix: Criterion) -> Pushed {
     let mut angle = (at_bit_N / SCALE_N).atan();
     let mut below_m = 0.0;
@@ -108,8 +110,8 @@ pub fn push_through(stretches: &[Stretch], at_bit_N: f64, helix: Criterion) -> P
     Pushed::Through(SCALE_N * angle.tan())
 }
 
-/// Compression at the lower end of the same stretches under a compression at their upper end, N, which may be infinite: what of a push
-/// arrives at the bit.
+/// Compression at the lower end of the same stretches under a compression at their upper end, N,
+/// which may be infinite: what of a push arrives at the bit.
 pub fn weight_at_bit_N(stretches: &[Stretch], at_top_N: f64, helix: Criterion) -> f64 {
     let mut angle = (at_top_N / SCALE_N).atan();
     for stretch in stretches.iter().rev() {

@@ -1,0 +1,123 @@
+//! Sentences of every kind.
+
+use std::collections::BTreeSet;
+
+use wholestring::outcome::Scalars;
+use wholestring_results::{Friction, Status};
+
+use super::*;
+
+fn solved(model: ModelKind) -> OperationSummary {
+    OperationSummary {
+        model,
+        operation: "slide".into(),
+        status: Status::Complete,
+        friction: Friction::Uniform(0.3),
+        bit_depth_m: 4500.0,
+        findings: Vec::new(),
+        scalars: Scalars {
+            hook_load_N: -257.9e3,
+            surface_torque_N_m: 3e3,
+            friction_torque_N_m: 0.0,
+            axial_friction_N: 0.0,
+            side_force_total_N: 0.0,
+            weight_on_bit_N: 49e3,
+            bit_torque_N_m: 3e3,
+            twist_rad: 0.0,
+            stretch_m: 0.0,
+            neutral_point_m: None,
+            cutoff_depth_m: None,
+        },
+        lift: None,
+        hydraulics: None,
+        statistics: None,
+        indicators: None,
+        bit_table: None,
+        numerics: None,
+    }
+}
+
+fn found(kind: Kind, level: Level, value: f64, limit: f64) -> Finding {
+    Finding {
+        kind,
+        level,
+        from_md_m: None,
+        to_md_m: None,
+        value: Some(value),
+        limit: Some(limit),
+    }
+}
+
+#[test]
+fn every_kind_has_a_sentence_of_its_own() {
+    let of = solved(ModelKind::Dynamic);
+    let said = |kind: &Kind| {
+        let found = found(*kind, Level::Warning, -300e3, 1.0);
+        sentence(&found, &of, &Rig::default(), UnitSet::Si)
+    };
+    let all: BTreeSet<String> = Kind::ALL.iter().map(said).collect();
+    assert_eq!(all.len(), Kind::ALL.len(), "{all:#?}");
+    for text in &all {
+        assert!(text.starts_with(char::is_uppercase), "{text}");
+        assert!(!text.contains("NaN") && !text.ends_with('.'), "{text}");
+    }
+}
+
+#[test]
+fn the_hook_load_is_told_with_and_without_the_block() {
+    let of = solved(ModelKind::Soft);
+    let negative = found(Kind::HookLoadNegative, Level::Error, -257.9e3, 0.0);
+    let said = |rig: &Rig, level| {
+        let found = Finding { level, ..negative };
+        sentence(&found, &of, rig, UnitSet::Si)
+    };
+    assert_eq!(
+        said(&Rig::default(), Level::Error),
+        "The string does not go down by its weight: hook load -257.9 kN"
+    );
+    let rig = Rig {
+        block_weight_N: Some(300e3),
+        ..Rig::default()
+    };
+    assert_eq!(
+        said(&rig, Level::Warning),
+        "The string does not go down by its weight, the block pushes it: hook load -257.9 kN, 42.1 kN with the block"
+    );
+    let heavy = found(Kind::HoistOverloaded, Level::Error, 1200e3, 1000e3);
+    assert_eq!(
+        sentence(&heavy, &of, &rig, UnitSet::Si),
+        "Hook load with block of 1200 kN (900 kN without) exceeds the hoist's capacity of 1000 kN"
+    );
+}
+
+#[test]
+fn lock_up_tells_what_arrives() {
+    let of = solved(ModelKind::Dynamic);
+    let said = |asked_N, arrives_N| {
+        let found = found(Kind::LockUp, Level::Error, asked_N, arrives_N);
+        sentence(&found, &of, &Rig::default(), UnitSet::Si)
+    };
+    assert_eq!(
+        said(49e3, 24e3),
+        "Lock-up: with all of its weight slacked off the string brings 24 kN of 49 kN to the bit"
+    );
+    assert_eq!(
+        said(0.0, -30e3),
+        "Lock-up: with all of its weight slacked off the string stands; at the bit 30 kN are missing"
+    );
+    assert!(said(0.0, 0.0).ends_with("does not follow the block"));
+}
+
+#[test]
+fn buckled_stretches_are_told_in_the_units_of_the_case() {
+    let of = solved(ModelKind::Dynamic);
+    let buckled = Finding {
+        from_md_m: Some(457.2),
+        to_md_m: Some(1021.08),
+        ..found(Kind::HelicalBuckling, Level::Warning, 444_822.0, 222_411.0)
+    };
+    assert_eq!(
+        sentence(&buckled, &of, &Rig::default(), UnitSet::Field),
+        "Buckled to a helix from 1500 ft to 3350 ft: compression of 100 klbf where 50 klbf is critical"
+    );
+}
