@@ -72,8 +72,8 @@ table! {
             Quantity::si(Dimension::Time, Range::positive_to(86_400.0).usual(0.01, 86_400.0), "60 s"),
             DynamicsSettings::default().duration_s,
         );
-        /// Simulated time before that window, or "auto": until the string is steady, 120 s at most. It is not begun before the
-        /// last line of a schedule is done; then the 120 s count from there.
+        /// Simulated time before that window, or "auto": until the string is steady, 120 s at most. With a schedule it lasts
+        /// beyond the end of the last line, and the 120 s count from there.
         settle: Settle = default(SettleRule, Settle::Auto);
         /// How the string lies at time zero: "prepared" (on its contact side with the soft string's
         /// tension and torque) or "centred" (on the hole's axis, untwisted, at rest).

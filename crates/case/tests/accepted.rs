@@ -8,7 +8,7 @@ use common::{EXAMPLE, changed, read, read_with};
 use wholestring::{
     dynamics::{
         BitLaw, CentredStart, ContactLaw, Cutters, DynamicsSettings, HoistControl, Motor, Start,
-        StartTension,
+        StartTension, UntilSteady,
     },
     operation::OperationKind,
     outcome::ModelKind,
@@ -56,7 +56,32 @@ fn optional_tables_take_their_defaults() {
     assert_eq!(case.settings, read(EXAMPLE).expect("the example").settings);
     let end = EXAMPLE.find("[mesh]").expect("[mesh]");
     let case = read(&EXAMPLE[..end]).unwrap_or_else(|report| panic!("{report}"));
-    assert_eq!(case.dynamics, DynamicsSettings::default());
+    // A library's caller gives the time; a case settles until it is steady.
+    let steady = DynamicsSettings {
+        settle_s: 0.0,
+        steady: Some(UntilSteady::default()),
+        ..DynamicsSettings::default()
+    };
+    assert_eq!(case.dynamics, steady);
+    assert_eq!(case.settings["dynamics"]["settle_s"], "auto");
+}
+
+/// A time stays a time; the word is what there is without one, and the rows that it may take are counted.
+#[test]
+fn settling_is_a_time_or_as_long_as_it_takes() {
+    let settling = |value: &str| {
+        let case = read(&changed("settle = \"20 s\"", &format!("settle = {value}")));
+        let case = case.unwrap_or_else(|report| panic!("{report}"));
+        (
+            case.dynamics.settle_s,
+            case.dynamics.steady,
+            case.dynamics.longest_s(),
+        )
+    };
+    assert_eq!(settling("\"1 min\""), (60.0, None, 120.0));
+    assert_eq!(settling("0"), (0.0, None, 60.0));
+    let until = Some(UntilSteady::default());
+    assert_eq!(settling("\"auto\""), (0.0, until, 180.0));
 }
 
 #[test]

@@ -21,6 +21,7 @@ fn values() {
             "start = \"prepared\"",
             "start = \"centred\"\nstart_ramp = -1",
         ),
+        ("settle_misspelt", "settle = \"20 s\"", "settle = \"auot\""),
         ("elements_too_short", "\"3.2 m\"", "\"3.2 mm\""),
         ("rows_without_end", "\"60 s\"", "\"86400 s\""),
         ("window_without_samples", "\"60 s\"", "\"1 ms\""),

@@ -35,9 +35,19 @@ const SCALARS: [&str; 10] = [
 /// Numbers, or `null` where there is none.
 const DEPTHS: [&str; 2] = ["neutral_point_m", "cutoff_depth_m"];
 
-const STATISTIC: [&str; 6] = ["mean", "std", "min", "max", "p05", "p95"];
+const STATISTIC: [&str; 9] = [
+    "mean",
+    "std",
+    "min",
+    "max",
+    "p05",
+    "p95",
+    "std_error",
+    "drift",
+    "drifts",
+];
 
-const NUMERICS: [&str; 8] = [
+const NUMERICS: [&str; 11] = [
     "elements",
     "time_step_s",
     "steps",
@@ -46,6 +56,9 @@ const NUMERICS: [&str; 8] = [
     "energy_residual",
     "wall_time_s",
     "real_time_factor",
+    "settle_s",
+    "mean_bit_depth_m",
+    "bit_travel_m",
 ];
 
 /// A run of every operation with both models.
@@ -177,6 +190,11 @@ fn check_dynamic(operation: &Value) {
         assert!(value("mean") >= value("min") - rounding, "{key}: {of}");
         assert!(value("mean") <= value("max") + rounding, "{key}: {of}");
         assert!(value("std") >= 0.0, "{key}: {of}");
+        assert!(
+            value("std_error") >= 0.0 && value("drift").is_finite(),
+            "{key}: {of}"
+        );
+        assert!(of["drifts"].is_boolean(), "{key}: {of}");
     }
 }
 
