@@ -161,7 +161,10 @@ fn a_step_that_is_none() {
 fn with_survey(desk: &Desk, survey: &str) {
     fs::write(desk.path("own.csv"), survey).unwrap();
     let case = fs::read_to_string(desk.path("slant.toml")).unwrap();
-    let case = case.replace("stations = [[0, 60, 0], [600, 60, 0]]", "survey = \"own.csv\"");
+    let case = case.replace(
+        "stations = [[0, 60, 0], [600, 60, 0]]",
+        "survey = \"own.csv\"",
+    );
     fs::write(desk.path("own.toml"), case).unwrap();
 }
 
@@ -187,7 +190,15 @@ fn a_survey_without_units_is_refused_by_all_alike() {
     let said = ["--set", "well.survey_unit=ft"];
     for command in [
         &["check", "own.toml"][..],
-        &["run", "own.toml", "--quiet", "--set", "model=soft", "-o", "r"],
+        &[
+            "run",
+            "own.toml",
+            "--quiet",
+            "--set",
+            "model=soft",
+            "-o",
+            "r",
+        ],
     ] {
         let refused = desk.run(command);
         assert_eq!(refused.status.code(), Some(2), "{}", transcript(&refused));
