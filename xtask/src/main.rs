@@ -137,10 +137,20 @@ fn tests() -> Result<Finding, Failure> {
 
 /// Damaged inputs for every reader, as the fuzzer is asked. Unoptimised checks of arithmetic stay in.
 fn fuzz(asked: &[&str]) -> Result<Finding, Failure> {
+    // Built as part of the workspace, so that what it is made of is that of the other programs.
     run(
-        cargo()
-            .args(["run", "--quiet", "--package", "wholestring-fuzz", "--"])
-            .args(asked),
+        cargo().args([
+            "build",
+            "--quiet",
+            "--workspace",
+            "--bin",
+            "wholestring-fuzz",
+        ]),
+        "the fuzzer must compile",
+    )?;
+    let program = format!("debug/wholestring-fuzz{}", env::consts::EXE_SUFFIX);
+    run(
+        Command::new(target().join(program)).args(asked),
         "a reader did not stand an input: mend it, and keep the input as a test",
     )?;
     Ok(Finding::Done)

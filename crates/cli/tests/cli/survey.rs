@@ -157,21 +157,28 @@ fn a_step_that_is_none() {
     }
 }
 
+/// The desk's case with its survey in a file.
+fn with_survey(desk: &Desk, survey: &str) {
+    fs::write(desk.path("own.csv"), survey).unwrap();
+    let case = fs::read_to_string(desk.path("slant.toml")).unwrap();
+    let case = case.replace(
+        "stations = [[0, 60, 0], [600, 60, 0]]",
+        "survey = \"own.csv\"",
+    );
+    fs::write(desk.path("own.toml"), case).unwrap();
+}
+
 /// A survey that begins at 500 m, of which nothing else is known, begins 500 m below the origin: alone as in a case.
 #[test]
 fn a_first_station_below_the_surface_lies_as_deep_everywhere() {
     let desk = Desk::new();
-    let survey = "MD (m),Inc,Azi\n500,0,0\n800,0,0\n1000,20,45\n";
-    fs::write(desk.path("late.csv"), survey).unwrap();
-    let output = desk.run(&["survey", "late.csv"]);
+    with_survey(&desk, "MD (m),Inc,Azi\n500,60,0\n600,60,0\n");
+    let output = desk.run(&["survey", "own.csv"]);
     let rows = rows(&text(&output.stdout));
     assert_eq!((rows[0].md_m, rows[0].tvd_m), (500.0, 500.0));
     let note = "the first station is at 500 m";
     assert!(text(&output.stderr).contains(note));
-    let case = fs::read_to_string(desk.path("slant.toml")).unwrap();
-    let case = case.replace("survey.csv", "late.csv");
-    fs::write(desk.path("late.toml"), case).unwrap();
-    let check = desk.run(&["check", "late.toml", "--set", "bit_depth=1000m"]);
+    let check = desk.run(&["check", "own.toml"]);
     assert!(text(&check.stdout).contains(note), "{}", transcript(&check));
 }
 
@@ -179,15 +186,13 @@ fn a_first_station_below_the_surface_lies_as_deep_everywhere() {
 #[test]
 fn a_survey_without_units_is_refused_by_all_alike() {
     let desk = Desk::new();
-    let survey = fs::read_to_string(desk.path("survey.csv")).unwrap();
-    let bare = survey.lines().skip(1).collect::<Vec<_>>().join("\n");
-    fs::write(desk.path("survey.csv"), bare).unwrap();
+    with_survey(&desk, "0,60,0\n2000,60,0\n");
     let said = ["--set", "well.survey_unit=ft"];
     for command in [
-        &["check", "slant.toml"][..],
+        &["check", "own.toml"][..],
         &[
             "run",
-            "slant.toml",
+            "own.toml",
             "--quiet",
             "--set",
             "model=soft",
@@ -201,10 +206,10 @@ fn a_survey_without_units_is_refused_by_all_alike() {
         let accepted = desk.run(&[command, &said[..]].concat());
         assert!(accepted.status.success(), "{}", transcript(&accepted));
     }
-    let refused = desk.run(&["survey", "survey.csv"]);
+    let refused = desk.run(&["survey", "own.csv"]);
     assert_eq!(refused.status.code(), Some(2), "{}", transcript(&refused));
     assert!(text(&refused.stderr).contains("--unit m"));
-    let accepted = desk.run(&["survey", "survey.csv", "--unit", "ft"]);
+    let accepted = desk.run(&["survey", "own.csv", "--unit", "ft"]);
     assert!(accepted.status.success(), "{}", transcript(&accepted));
-    assert_eq!(rows(&text(&accepted.stdout))[1].md_m, 304.8);
+    assert_eq!(rows(&text(&accepted.stdout))[1].md_m, 2000.0 * 0.3048);
 }

@@ -127,14 +127,18 @@ mod tests {
     /// A seed that is refused tries nothing beyond its first mistake.
     #[test]
     fn every_seed_is_accepted() {
+        let mut refused = Vec::new();
         for (name, new) in READERS {
             let mut reader = new();
             assert_eq!(reader.name, name);
             for index in 0..reader.seeds.len() {
                 let seed = reader.seeds[index].clone();
-                assert!(reader.read(&seed), "{name} {index}");
+                if !reader.read(&seed) {
+                    refused.push((name, index));
+                }
             }
         }
+        assert_eq!(refused, []);
     }
 
     #[test]

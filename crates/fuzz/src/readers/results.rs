@@ -58,7 +58,7 @@ const SUMMARY: &str = r#"{
      "bit_depth_m": 1500.0, "weight_on_bit_N": 1.0, "bit_torque_N_m": 2.0, "hook_load_N": 3.0, "surface_torque_N_m": 3.0,
      "friction_torque_N_m": 4.0, "axial_friction_N": 5.0, "side_force_total_N": 6.0, "twist_rad": 7.0, "stretch_m": 8.0,
      "neutral_point_m": 1.0, "cutoff_depth_m": null, "lift": {"hook_load_N": 1.0, "weight_on_bit_N": 2.0, "runs": 5},
-     "indicators": {"stick_slip": {"severity": 1.0, "torque_severity": null, "period_s": 2.0, "stuck_fraction": 0.0},
+     "indicators": {"stick_slip": {"severity": 1.0, "bit_speed_max_rad_per_s": 20.0, "torque_severity": null, "period_s": 2.0, "stuck_fraction": 0.0},
        "backward_whirl": null, "forward_whirl": null, "top_drive": {"p95": 0.5, "max": 0.7}}}
   ]
 }"#;
