@@ -96,7 +96,14 @@ fn keys_of_the_summary() {
     let desk = solved();
     let text = fs::read(desk.path("results/summary.json")).unwrap();
     let summary: Value = serde_json::from_slice(&text).unwrap();
-    let top = ["schema_version", "case", "settings", "operations"];
+    let top = [
+        "schema_version",
+        "engine_version",
+        "case",
+        "identity",
+        "settings",
+        "operations",
+    ];
     assert_eq!(keys(&summary), top.into());
     assert_eq!(summary["schema_version"], 1);
     assert_eq!(summary["case"], "Straight slant");

@@ -96,9 +96,11 @@ fn frames_and_spectra() {
         "{variance} for {std}²"
     );
 
-    let output = desk.run(&[&["run", "slant.toml", "-o", "out"], &SOFT[..]].concat());
+    let anew = ["run", "slant.toml", "-o", "out", "--overwrite"];
+    let output = desk.run(&[&anew[..], &SOFT].concat());
     assert!(output.status.success());
     let expected = [
+        ".wholestring",
         "contact.parquet",
         "nodes.parquet",
         "profile.svg",

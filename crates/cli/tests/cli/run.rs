@@ -24,6 +24,7 @@ fn soft_string_side_by_side() {
     let output = desk.run(&[&["run", "slant.toml"], &SOFT[..]].concat());
     assert_snapshot!(transcript(&output));
     let expected = [
+        ".wholestring",
         "contact.parquet",
         "nodes.parquet",
         "profile.svg",
@@ -81,6 +82,7 @@ fn soft_string_and_dynamics_side_by_side() {
     let output = desk.run(&["run", "slant.toml", "--csv", "-o", "here/and/there"]);
     assert_snapshot!(masked(&transcript(&output)));
     let expected = [
+        ".wholestring",
         "contact.csv",
         "contact.parquet",
         "nodes.csv",
