@@ -114,7 +114,14 @@ pub(crate) const TORQUE: &[Unit] = &[
     unit(
         "ft-lbf",
         FOOT * POUND_FORCE,
-        &["lbf.ft", "ft.lb", "lb.ft", "ft.lbs", "lbs.ft", "foot pounds"],
+        &[
+            "lbf.ft",
+            "ft.lb",
+            "lb.ft",
+            "ft.lbs",
+            "lbs.ft",
+            "foot pounds",
+        ],
     ),
     unit(
         "kft-lbf",
@@ -141,7 +148,11 @@ pub(crate) const TORQUE: &[Unit] = &[
     unit("MN.m", 1e6, &[]),
     unit("daN.m", 10.0, &[]),
     unit("kgf.m", GRAVITY, &["m.kgf"]),
-    unit("in-lbf", INCH * POUND_FORCE, &["lbf.in", "in.lb", "lb.in", "in.lbs", "lbs.in"]),
+    unit(
+        "in-lbf",
+        INCH * POUND_FORCE,
+        &["lbf.in", "in.lb", "lb.in", "in.lbs", "lbs.in"],
+    ),
 ];
 
 pub(crate) const PRESSURE: &[Unit] = &[
@@ -188,7 +199,11 @@ pub(crate) const DENSITY: &[Unit] = &[
 
 pub(crate) const MASS_PER_LENGTH: &[Unit] = &[
     unit("kg/m", 1.0, &[]),
-    unit("lb/ft", POUND / FOOT, &["lbm/ft", "lbs/ft", "ppf", "#/ft", "#"]),
+    unit(
+        "lb/ft",
+        POUND / FOOT,
+        &["lbm/ft", "lbs/ft", "ppf", "#/ft", "#"],
+    ),
     unit("t/m", 1e3, &[]),
 ];
 

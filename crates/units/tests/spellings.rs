@@ -113,7 +113,15 @@ fn the_fields_units_are_read_in_its_spellings() {
         close(D::Torque, text, 9e3 * foot_pound);
     }
     let pound = 0.45359237 * 9.80665;
-    for text in ["9 klbs", "9 kips", "9 klb", "9 klbf", "9 k-lbs", "9 KLBS", "9 1000 lbs"] {
+    for text in [
+        "9 klbs",
+        "9 kips",
+        "9 klb",
+        "9 klbf",
+        "9 k-lbs",
+        "9 KLBS",
+        "9 1000 lbs",
+    ] {
         close(D::Force, text, 9e3 * pound);
     }
     close(D::Force, "9 metric tons", 9e3 * 9.80665);

@@ -31,8 +31,8 @@ pub fn describes(description: &str, asked: &str) -> bool {
                     .iter()
                     .any(|own| matches!(own, Part::Word(own) if own.starts_with(word.as_str())))
         }
-        Part::Number(number) => own.iter().any(
-            |own| matches!(own, Part::Number(own) if (own - number).abs() < NUMBER_TOLERANCE),
-        ),
+        Part::Number(number) => own
+            .iter()
+            .any(|own| matches!(own, Part::Number(own) if (own - number).abs() < NUMBER_TOLERANCE)),
     })
 }
