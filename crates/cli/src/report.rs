@@ -1,9 +1,9 @@
 //! `report.html`: the page of a run, made from the files that it left.
 
 mod answers;
-mod findings;
 pub(crate) mod asked;
 pub(crate) mod dimensions;
+mod findings;
 mod frames;
 pub(crate) mod history;
 pub(crate) mod inputs;
@@ -159,6 +159,7 @@ pub(crate) fn along_the_hole(
             Some(units) => units.name().into(),
             None => settings["units"].as_str().unwrap_or("si").into(),
         },
+        told_in: settings["units"].as_str().unwrap_or("si").into(),
         dimensions: dimensions::all(),
         asked: asked::asked(summary),
         solved: summary

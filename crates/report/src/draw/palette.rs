@@ -128,11 +128,15 @@ mod tests {
     }
 
     /// Light and dark, each as a way to a colour.
-    const LOOKS: [(&str, fn(&Colour) -> u32); 2] =
-        [("light", |colour| colour.light), ("dark", |colour| colour.dark)];
+    const LOOKS: [(&str, fn(&Colour) -> u32); 2] = [
+        ("light", |colour| colour.light),
+        ("dark", |colour| colour.dark),
+    ];
 
     fn lines() -> Vec<&'static Colour> {
-        (0..LINES).map(|place| find(&format!("line-{place}"))).collect()
+        (0..LINES)
+            .map(|place| find(&format!("line-{place}")))
+            .collect()
     }
 
     /// All colours that may stand in one chart together, the curves and the areas of the sides of the hole, differ by at
@@ -146,7 +150,12 @@ mod tests {
             for (i, a) in all.iter().enumerate() {
                 for b in &all[..i] {
                     let apart = least_difference(rgb(of(a)), rgb(of(b)));
-                    assert!(apart >= 20.0, "{look}: {} and {}: {apart:.1}", a.name, b.name);
+                    assert!(
+                        apart >= 20.0,
+                        "{look}: {} and {}: {apart:.1}",
+                        a.name,
+                        b.name
+                    );
                 }
             }
         }

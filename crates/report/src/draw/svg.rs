@@ -110,7 +110,11 @@ impl Drawing {
                 Item::Begin { keys, of_legend } => {
                     let class = if *of_legend { "legend-key" } else { "series" };
                     let keys: Vec<String> = keys.iter().map(usize::to_string).collect();
-                    writeln!(body, "<g class=\"{class}\" data-keys=\"{}\">", keys.join(" "))
+                    writeln!(
+                        body,
+                        "<g class=\"{class}\" data-keys=\"{}\">",
+                        keys.join(" ")
+                    )
                 }
                 Item::End => writeln!(body, "</g>"),
                 Item::Spot { at: (x, y), row } => writeln!(

@@ -231,7 +231,8 @@ pub(super) fn names(on: &mut Drawing, all: &[Mark], place: &Place) {
             width,
             height: 8.0,
         };
-        let offsets = (0..8).flat_map(|step| [-1.0, 1.0].map(|side| side * (6.5 + 4.0 * f64::from(step))));
+        let offsets =
+            (0..8).flat_map(|step| [-1.0, 1.0].map(|side| side * (6.5 + 4.0 * f64::from(step))));
         let lefts = [at.0 - width - 3.0, at.0 + 3.0, at.0 - 0.5 * width];
         let places = offsets.flat_map(|off| lefts.map(|left| (left, at.1 + off)));
         let free = places.filter(|at| {

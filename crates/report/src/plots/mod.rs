@@ -11,15 +11,15 @@ mod shown;
 mod spectra;
 mod tracks;
 
-pub use self::{
-    contact::{ContactMap, contact_figure},
-    spectra::spectrum_dimension,
-};
 use self::look::Looks;
 pub(crate) use self::{
     bottom::bottoms_figure,
     look::spoken,
     shown::{SETS, Shown},
+};
+pub use self::{
+    contact::{ContactMap, contact_figure},
+    spectra::spectrum_dimension,
 };
 use crate::{Fact, Report, TimeRun, figure::Figure};
 

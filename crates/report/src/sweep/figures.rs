@@ -227,7 +227,10 @@ impl<'a> Drawing<'a> {
                     marks.push(Mark::Of { keys: keys.clone() });
                 }
                 let name = self.name(place, done);
-                let last = mean.iter().rev().find(|(at, value)| (at + value).is_finite());
+                let last = mean
+                    .iter()
+                    .rev()
+                    .find(|(at, value)| (at + value).is_finite());
                 // Where two models are one beside the other, one name is enough.
                 if let (Some(end), false) = (last, name.is_empty() || names.contains(&name)) {
                     curves.push(Mark::Name {

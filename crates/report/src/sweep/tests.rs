@@ -175,7 +175,13 @@ fn the_table_has_every_case() {
     let sheet = sweep.sheet();
     assert_eq!(
         sheet.heads,
-        ["friction", "bit_depth", "Model", "Operation", "Hook load without block"]
+        [
+            "friction",
+            "bit_depth",
+            "Model",
+            "Operation",
+            "Hook load without block"
+        ]
     );
     assert_eq!(sheet.rows.len(), 4);
     assert_eq!(
@@ -259,7 +265,11 @@ fn operations_differ_by_stroke_and_have_their_names() {
     for key in ["0", "1"] {
         let group = format!("<g class=\"series\" data-keys=\"{key}\">");
         assert!(page.matches(&group).count() >= 6, "{group}");
-        assert_eq!(page.matches(&format!("<g class=\"legend-key\" data-keys=\"{key}\">")).count(), 3);
+        assert_eq!(
+            page.matches(&format!("<g class=\"legend-key\" data-keys=\"{key}\">"))
+                .count(),
+            3
+        );
     }
     for row in 0..4 {
         assert_eq!(page.matches(&format!("data-row=\"{row}\"")).count(), 3);
