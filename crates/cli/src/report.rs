@@ -205,6 +205,7 @@ pub(crate) fn along_the_hole(
             Some(units) => units.name().into(),
             None => settings["units"].as_str().unwrap_or("si").into(),
         },
+        told_in: settings["units"].as_str().unwrap_or("si").into(),
         dimensions: dimensions::all(),
         asked: asked::asked(summary),
         solved: summary

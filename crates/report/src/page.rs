@@ -259,6 +259,7 @@ mod tests {
             program: "wholestring".into(),
             title: NASTY.into(),
             units: "si".into(),
+            told_in: "si".into(),
             dimensions: BTreeMap::from([("force".into(), ["kN", "t", "klbf"].map(unit))]),
             asked: vec![
                 fact(Cell::Text(NASTY.into())),

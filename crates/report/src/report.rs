@@ -18,6 +18,9 @@ pub struct Report {
     pub title: String,
     /// Units that the page opens with: `si`, `metric` or `field`.
     pub units: String,
+    /// Units of the sentences of findings: those of the case.
+    #[serde(default)]
+    pub told_in: String,
     /// By dimension: its unit in SI, metric and field units.
     pub dimensions: BTreeMap<String, [DisplayUnit; 3]>,
     /// What was asked.

@@ -35,14 +35,14 @@ pub(super) fn answers(solved: &OperationSummary, settings: &Json, nodes: &Table)
         held: block_N
             .map(|block_N| largest("hook_load_N").unwrap_or(scalars.hook_load_N) + block_N),
         more: more.into_iter().collect(),
-        about: words(&["hook_load", "hoist", "lock_up", "rig"]),
+        about: words(&["hook_load", "hoist", "lock_up"]),
         ..limited(rig("hoist_capacity_N"), whose)
     };
     let torque = Answer {
         label: "Surface torque".into(),
         value: Cell::quantity(scalars.surface_torque_N_m, "torque"),
         worst: largest("surface_torque_N_m"),
-        about: words(&["torque", "top_drive", "stall"]),
+        about: words(&["top_drive"]),
         ..limited(rig("top_drive_torque_N_m"), "top drive's rated torque")
     };
     let side = side_force(solved, nodes);
@@ -113,7 +113,7 @@ fn stick_slip(solved: &OperationSummary) -> Option<Answer> {
     let severity = solved.indicators?.stick_slip?.severity?;
     Some(Answer {
         label: "Stick-slip severity".into(),
-        about: words(&["stick_slip", "stall"]),
+        about: words(&["stick_slip", "top_drive_stalled"]),
         value: Cell::quantity(severity, "ratio"),
         ..limited(Some(1.0), "at 1 the bit just stops")
     })
@@ -125,13 +125,13 @@ fn stress(solved: &OperationSummary, nodes: &Table) -> Answer {
     match largest("yield_use") {
         Some(part) => Answer {
             label: "Use of yield strength".into(),
-            about: words(&["yield"]),
+            about: words(&["yield_use"]),
             value: Cell::quantity(part, "percent"),
             ..limited(Some(1.0), "minimum yield strength, pipe body")
         },
         None => Answer {
             label: "Largest von Mises stress".into(),
-            about: words(&["yield"]),
+            about: words(&["yield_use"]),
             value: largest("von_mises_stress_max_Pa")
                 .or_else(|| largest("von_mises_stress_Pa"))
                 .map_or(Cell::Nothing, |stress| Cell::quantity(stress, "pressure")),

@@ -32,13 +32,13 @@ fn dimension(unit: &str) -> Option<&'static str> {
         "N" => "force",
         "N.m" | "N·m" => "torque",
         "N/m" => "force per length",
-        "m" => "length",
+        // Depths are places of findings, not values: a length is that of a penetration.
+        "m" => "diameter",
         "m/s" => "speed",
         "rad/s" => "rotary speed",
         "rad" => "angle",
         "Pa" => "pressure",
         "s" => "time",
-        "W" | "J" => return None,
         _ => return None,
     })
 }

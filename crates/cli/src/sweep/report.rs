@@ -58,7 +58,12 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, Res
         };
         others.iter().filter_map(number).collect()
     };
-    let count = |name: &str, row: usize| word(name, row).parse().unwrap_or(0);
+    // A sweep of before findings has no such columns.
+    let count = |name: &str, row: usize| {
+        word(name, row)
+            .parse::<f64>()
+            .map_or(0, |many| many as usize)
+    };
     // Cases that keep no page of their own have none to lead to.
     let page = |case: &str| {
         let there = !case.is_empty() && folder.join(case).join(report::FILE).is_file();
@@ -74,7 +79,7 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, Res
             numbers: numbers(row),
             errors: count("errors", row),
             warnings: count("warnings", row),
-            finding: word("finding", row),
+            finding: word("worst_finding_message", row),
             page: page(&word("folder", row)),
         })
         .collect();

@@ -3,6 +3,7 @@
 use std::fs;
 
 use wholestring_report::{Cell, Place, Report};
+use wholestring_results::{Finding, Level};
 
 use crate::desk::Desk;
 
@@ -134,6 +135,78 @@ fn a_report_of_a_minute_stays_small() {
         let shown = frames.time_s.values().len();
         assert!((30..400).contains(&shown), "{shown} of {}", frames.kept);
     }
+}
+
+/// The hook load stands without block, as in the summary, with the block's beside it, which is what the hoist carries;
+/// findings and spectra reach the page.
+#[test]
+fn block_findings_and_spectra_reach_the_page() {
+    let desk = Desk::new();
+    let settings = [
+        "operation.kind=\"rotate_off_bottom\"",
+        "rig.block_weight=\"200 kN\"",
+        "rig.hoist_capacity=\"1000 kN\"",
+        "records.spectra=[\"surface_torque\"]",
+    ];
+    let settings = settings.iter().flat_map(|key| ["--set", key]);
+    let asked: Vec<&str> = ["run", "slant.toml", "-o", "out"]
+        .into_iter()
+        .chain(settings)
+        .collect();
+    assert!(desk.run(&asked).status.success());
+    let mut summary = desk.summary("out");
+    for solved in &mut summary.operations {
+        solved.findings = vec![Finding {
+            kind: "helical_buckling".into(),
+            level: Level::Error,
+            md_m: Some(100.0),
+            to_md_m: Some(300.0),
+            value: Some(190e3),
+            limit: Some(95e3),
+            unit: "N".into(),
+            message: "Helically buckled".into(),
+        }];
+    }
+    fs::write(
+        desk.path("out/summary.json"),
+        serde_json::to_string(&summary).unwrap(),
+    )
+    .unwrap();
+    assert!(desk.run(&["report", "out"]).status.success());
+    let report = read(&fs::read_to_string(desk.path("out/report.html")).unwrap());
+    for (shown, told) in report.solved.iter().zip(&summary.operations) {
+        let hook = &shown.answers[0];
+        let load_N = told.scalars.hook_load_N;
+        assert_eq!(hook.label, "Hook load without block");
+        assert_eq!(hook.value, Cell::quantity(load_N, "force"));
+        assert_eq!(hook.more[0].value, Cell::quantity(load_N + 200e3, "force"));
+        let largest_N = told
+            .statistics
+            .as_ref()
+            .map_or(load_N, |all| all["hook_load_N"].max);
+        assert_eq!(hook.held, Some(largest_N + 200e3));
+        assert_eq!(hook.limit, Some(1e6));
+        let found = &shown.findings[0];
+        assert_eq!((found.md_m, found.to_md_m), (Some(100.0), Some(300.0)));
+        assert_eq!(found.value, Cell::quantity(190e3, "force"));
+        assert_eq!(found.limit, Cell::quantity(95e3, "force"));
+    }
+    let results = report
+        .sheets
+        .iter()
+        .find(|sheet| sheet.place == Place::Results);
+    let names: Vec<&Cell> = results.unwrap().rows.iter().map(|row| &row[0]).collect();
+    for name in ["Hook load without block", "Hook load with block"] {
+        assert!(names.contains(&&Cell::Text(name.into())), "{name}");
+    }
+    let spectra = &report.runs[0].spectra;
+    assert_eq!(spectra.len(), 1);
+    assert_eq!(
+        (spectra[0].signal.as_str(), spectra[0].dimension.as_str()),
+        ("surface_torque", "torque")
+    );
+    let lengths = [&spectra[0].frequency_Hz, &spectra[0].density].map(|of| of.values().len());
+    assert!(lengths[0] > 3 && lengths[0] == lengths[1], "{lengths:?}");
 }
 
 #[test]

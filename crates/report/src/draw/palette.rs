@@ -127,8 +127,10 @@ mod tests {
         PALETTE.iter().find(|colour| colour.name == name).unwrap()
     }
 
+    type Look = fn(&Colour) -> u32;
+
     /// Light and dark, each as a way to a colour.
-    const LOOKS: [(&str, fn(&Colour) -> u32); 2] = [
+    const LOOKS: [(&str, Look); 2] = [
         ("light", |colour| colour.light),
         ("dark", |colour| colour.dark),
     ];

@@ -1,13 +1,13 @@
 // What an engineer must be told of the answers, the gravest first.
 
 import { el } from "./dom.js";
-import { byLevel, levelMark, LEVELS } from "./levels.js";
+import { byLevel, countText, levelMark, LEVELS } from "./levels.js";
 import { modelName, spoken } from "./solutions.js";
 import { choose, on, state } from "./state.js";
 import { depthText, plain, quantity } from "./units.js";
 
-/** More notes than this are folded away. */
-const MOST_NOTES = 3;
+/** Of more findings than these, those that are neither errors nor of the chosen operation are folded away. */
+const MOST = 8;
 
 /** Every finding of a report with the answer that it is about, the gravest first. */
 export const allFindings = (report) =>
@@ -29,9 +29,10 @@ export function placeText({ md_m, to_md_m }) {
 
 const numberText = (cell) => (typeof cell === "number" ? plain(cell, 4) : quantity(cell.value, cell.dimension, 4, plain));
 
-/** What was found against its limit, in the reader's units; null where it is no number. */
-function numbers({ value, limit }) {
-  if (value === null) return null;
+/** What was found against its limit in the reader's units, where those are not the sentence's; null where it is no number. */
+function numbers({ value, limit }, toldIn) {
+  // The sentence says them in its own units.
+  if (value === null || state.units === toldIn) return null;
   return limit === null ? numberText(value) : `${numberText(value)} against ${numberText(limit)}`;
 }
 
@@ -72,14 +73,14 @@ export function findingList(report, zoom) {
         el(
           "span",
           { class: "note" },
-          numbers(finding) && ` ${numbers(finding)}`,
+          numbers(finding, report.told_in) && ` ${numbers(finding, report.told_in)}`,
           place && " ",
           place &&
             el(
               "button",
               {
                 type: "button",
-                class: "link noprint",
+                class: "link",
                 title: "Show these depths along the hole",
                 onclick: () => {
                   choose({ operation: solved.operation, times: null, moment: null });
@@ -95,20 +96,19 @@ export function findingList(report, zoom) {
 
   function draw() {
     const all = allFindings(report);
-    const notes = all.filter((of) => of.level === "note");
-    const grave = all.filter((of) => of.level !== "note");
-    const folded = notes.length > MOST_NOTES;
+    const first = (of) => of.level === "error" || (of.level === "warning" && of.solved.operation === state.operation);
+    const folded = all.length > MOST ? all.filter((of) => !first(of)) : [];
     const open = holder.querySelector("details")?.open ?? false;
     holder.replaceChildren(
       ...(all.length
         ? [
-            el("ul", { class: "findings" }, (folded ? grave : all).map(item)),
-            folded &&
+            el("ul", { class: "findings" }, all.filter((of) => !folded.includes(of)).map(item)),
+            folded.length > 0 &&
               el(
                 "details",
                 { class: "prints", open },
-                el("summary", {}, `${notes.length} notes`),
-                el("ul", { class: "findings" }, notes.map(item)),
+                el("summary", {}, `${folded.length} more: ${countText(folded)}`),
+                el("ul", { class: "findings" }, folded.map(item)),
               ),
           ].filter(Boolean)
         : []),

@@ -6,6 +6,7 @@ import {
   Float32BufferAttribute,
   LineBasicMaterial,
   LineSegments,
+  SRGBColorSpace,
   Sprite,
   SpriteMaterial,
   Vector3,
@@ -30,7 +31,10 @@ export function label(text, place, high, ink = "text", anchor = 0.5) {
   pen.textBaseline = "middle";
   pen.fillStyle = colour(ink);
   pen.fillText(text, 4, 30);
-  const sprite = new Sprite(new SpriteMaterial({ map: new CanvasTexture(sheet), depthTest: false, transparent: true }));
+  const map = new CanvasTexture(sheet);
+  // Or its colours would be taken for linear ones, and pale.
+  map.colorSpace = SRGBColorSpace;
+  const sprite = new Sprite(new SpriteMaterial({ map, depthTest: false, transparent: true }));
   sprite.position.set(...place);
   sprite.center.set(anchor, 0.5);
   sprite.userData.pixels = [(high * sheet.width) / sheet.height, high];
@@ -68,6 +72,17 @@ export function walls({ low, high }, [x, , z]) {
   ];
 }
 
+/** How far the well is from an edge of the box at a height, seen from the reader's side; endless where it does not pass. */
+function gap(course, [from, to], height, along, edge) {
+  const steps = 100;
+  let least = Infinity;
+  for (let i = 0; i <= steps; i++) {
+    const [x, y, z] = course.at(from + ((to - from) * i) / steps, {}).place;
+    if (Math.abs(y - height) <= (to - from) / steps) least = Math.min(least, Math.abs(along([x, z]) - along(edge)));
+  }
+  return least;
+}
+
 /** The signs for the depths in view, beside a hole of this radius in the scene, to a reader who looks from there. */
 export function reference(course, range, radius, from) {
   const box = bounds(course, range);
@@ -93,12 +108,15 @@ export function reference(course, range, radius, from) {
   const lines = [];
   const edge = (a, b) => lines.push(...a, ...b);
   const down = ticks(shown(-high.y, "length"), shown(-low.y, "length"), 5);
+  // Vertical depths stand to the left, or to the right where the well is much nearer to the left.
+  const near = (edge) => Math.min(...down.values.map((value) => gap(course, range, -si(value, "length"), along, edge)));
+  const beside = near(right) > near(left) + 0.1 * size ? right : left;
   const levels = down.values.map((value) => {
     const y = -si(value, "length");
     const at = ([x, z]) => [x, y, z];
     edge(at(behind), at(right));
     edge(at(behind), at(left));
-    return label(`TVD ${tickText(value, down.step)} ${unit}`, at(left), LETTERS, "muted", 1.06);
+    return label(`TVD ${tickText(value, down.step)} ${unit}`, at(beside), LETTERS, "muted", beside === left ? 1.06 : -0.06);
   });
   for (const [x, z] of [behind, right, left]) edge([x, low.y, z], [x, high.y, z]);
   const frame = new BufferGeometry();

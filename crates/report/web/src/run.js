@@ -20,8 +20,12 @@ import { tracks } from "./tracks.js";
 
 /** The operation with the gravest finding, if that is more than a note. */
 function worstOperation(report) {
-  const [worst] = allFindings(report);
-  return worst && worst.level !== "note" ? worst.solved.operation : null;
+  const all = allFindings(report);
+  if (!all.length || all[0].level === "note") return null;
+  // Of several as grave, the one with the most of them; of those alike the first.
+  const grave = all.filter((of) => of.level === all[0].level).map((of) => of.solved.operation);
+  const count = (operation) => grave.filter((other) => other === operation).length;
+  return grave.reduce((worst, operation) => (count(operation) > count(worst) ? operation : worst));
 }
 
 /** The name of an operation with what was found of it, for eyes and ears. */
