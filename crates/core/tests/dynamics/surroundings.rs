@@ -206,7 +206,7 @@ fn a_long_bit_has_the_torque_of_any_mesh() {
 /// A motor of 9 m that all but fills its hole lies on the wall, whether or not a bit is listed below it: no node of it leaves
 /// the hole by more than the contact gives way, and the deepest penetration is what the nodes' offsets say.
 ///
-/// Its clearance is 1.95 mm; without a wall its upper end followed the pipe 38 mm off the axis.
+/// Its clearance is 1.95 mm; without a wall a node of it was 36 mm off the axis.
 #[test]
 fn a_snug_motor_touches_the_wall() {
     let motor = tool("motor", ComponentLength::Metres(9.0), 0.212, 0.0714);
