@@ -171,12 +171,10 @@ impl<'a> Batch<'a> {
         if self.interrupt.asked() {
             return;
         }
-        let ending = self
-            .ending(&self.points[case])
-            .unwrap_or_else(|why| Ending {
-                solved: Vec::new(),
-                why: Some(why),
-            });
+        let ending = self.ending(case).unwrap_or_else(|why| Ending {
+            solved: Vec::new(),
+            why: Some(why),
+        });
         let mut reached = lock(&self.progress);
         reached.endings[case] = Some(ending);
         reached.count += 1;
@@ -196,11 +194,15 @@ impl<'a> Batch<'a> {
         }
     }
 
-    fn ending(&self, point: &Point) -> Result<Ending, Stop> {
-        let case = point
-            .template
-            .case(&point.changes)
-            .map_err(|report| Stop::Unsolved(report.render(false)))?;
+    fn ending(&self, case: usize) -> Result<Ending, Stop> {
+        let (point, checked) = (&self.points[case], &self.checked[case]);
+        let case = match checked.take() {
+            Some(case) => case,
+            None => point
+                .template
+                .case(&point.changes)
+                .map_err(|report| Stop::Unsolved(report.render(false)))?,
+        };
         let folder = ResultsFolder::create(self.folder(point))?;
         let keep = self.sets[point.set].keep(&case, self.args.csv);
         let mut begun = None;
@@ -211,8 +213,7 @@ impl<'a> Batch<'a> {
                 if keep == Keep::All {
                     page::complete(&folder, case.units)?;
                 }
-                let simulated_s = Checked::of(&case).simulated_s;
-                self.bar.inc(milliseconds(simulated_s));
+                self.bar.inc(milliseconds(checked.simulated_s));
                 return Ok(Ending { solved, why: None });
             }
             begun = self.begun(point, &case, &folder);
