@@ -219,9 +219,8 @@ impl<'a> Batch<'a> {
         if self.interrupt.asked() {
             return;
         }
-        let simulated_s = self.checked[case].simulated_s;
         // A mistake of the program in one case is no reason to lose the others.
-        let ending = contain(|| self.ending(&self.points[case], simulated_s))
+        let ending = contain(|| self.ending(case))
             .unwrap_or_else(|Panicked(mistake)| {
                 Err(Stop::Unsolved(format!(
                     "a mistake of the program, please report it: {mistake}"
@@ -250,11 +249,15 @@ impl<'a> Batch<'a> {
         }
     }
 
-    fn ending(&self, point: &Point, simulated_s: f64) -> Result<Ending, Stop> {
-        let case = point
-            .template
-            .case(&point.changes)
-            .map_err(|report| Stop::Unsolved(report.render(false)))?;
+    fn ending(&self, case: usize) -> Result<Ending, Stop> {
+        let (point, checked) = (&self.points[case], &self.checked[case]);
+        let case = match checked.take() {
+            Some(case) => case,
+            None => point
+                .template
+                .case(&point.changes)
+                .map_err(|report| Stop::Unsolved(report.render(false)))?,
+        };
         let folder = ResultsFolder::create(self.folder(point))?;
         let keep = self.sets[point.set].keep(&case, self.args.csv);
         let mut begun = None;
@@ -266,7 +269,7 @@ impl<'a> Batch<'a> {
                     if keep == Keep::All {
                         page::complete(&folder, case.units)?;
                     }
-                    self.bar.inc(milliseconds(simulated_s));
+                    self.bar.inc(milliseconds(checked.simulated_s));
                     return Ok(Ending { solved, why: None });
                 }
                 Ok(None) => begun = self.begun(point, &case, &folder),

@@ -29,10 +29,15 @@ pub(super) struct Checked {
     /// Whether its lift is tuned.
     pub(super) lift: bool,
     warnings: String,
+    /// The case itself, until it is solved, where reading it again would take as long as solving it.
+    case: Mutex<Option<Case>>,
 }
 
+/// Most cases that are held in memory between their check and their solution; each takes some 0.2 MB.
+const MOST_HELD: usize = 500;
+
 impl Checked {
-    pub(super) fn of(case: &Case) -> Self {
+    fn of(case: Case, holds: bool) -> Self {
         let dynamic = case.models.contains(&ModelKind::Dynamic);
         let operations = if dynamic { &case.operations[..] } else { &[] };
         let efforts: Vec<Effort> = operations
@@ -49,7 +54,13 @@ impl Checked {
             lift: dynamic && case.tunes_lift,
             simulated_s: efforts.iter().map(|effort| effort.end_s).sum(),
             warnings: case.warnings.render(color()),
+            case: Mutex::new((holds && !dynamic).then_some(case)),
         }
+    }
+
+    /// The case, where it was held since its check; only once.
+    pub(super) fn take(&self) -> Option<Case> {
+        lock(&self.case).take()
     }
 }
 
@@ -66,7 +77,7 @@ pub(super) fn check(
         points.iter().map(|_| Mutex::default()).collect();
     in_parallel(jobs, &all, |i| {
         let answer = points[i].template.case(&points[i].changes);
-        *lock(&answers[i]) = Some(answer.map(|case| Checked::of(&case)));
+        *lock(&answers[i]) = Some(answer.map(|case| Checked::of(case, points.len() <= MOST_HELD)));
     });
     let mut checked = Vec::new();
     let mut unsound: Vec<(&Point<'_>, String)> = Vec::new();

@@ -189,32 +189,7 @@ fn dynamics_and_soft_string_agree_in_a_mud_that_flows() {
             "{name}: {:?}",
             dynamic.numerics
         );
-        // Node by node as well, to 0.1 % of the whole string's.
-        let (nodes, mesh) = (&dynamic.nodes, case.start().mesh().clone());
-        for node in (0..nodes.md_m.len()).step_by(25) {
-            let md_m = LENGTH_M - mesh.nodes[node].from_bit_m;
-            let close = |what: &str, found: f64, of: &[f64]| {
-                let wanted = between_rows(&soft.md_m, of, md_m);
-                assert!(
-                    (found - wanted).abs() <= 1e-3 * of[0].abs(),
-                    "{name}: {what} at {md_m} m, {found} for {wanted}"
-                );
-            };
-            close("stretch", nodes.stretch_m[node], &soft.stretch_m);
-            if case.operation.kind.rotates() {
-                close("twist", nodes.twist_rad[node], &soft.twist_rad);
-            }
-        }
     }
-}
-
-/// The value at a depth, on the line between the rows above and below.
-fn between_rows(md_m: &[f64], values: &[f64], at_m: f64) -> f64 {
-    let below = md_m
-        .partition_point(|&md| md < at_m)
-        .clamp(1, md_m.len() - 1);
-    let part = (at_m - md_m[below - 1]) / (md_m[below] - md_m[below - 1]);
-    values[below - 1] + part * (values[below] - values[below - 1])
 }
 
 /// When the pumps start the string becomes lighter by what the soft string says: the stream lifts it, the bit's jets
