@@ -1,7 +1,7 @@
 //! A quiet string settles and stays.
 
 use wholestring::{
-    dynamics::{DynamicOutcome, HoistSetPoint, Schedule, ScheduleStep, UntilSteady},
+    dynamics::{DynamicOutcome, HoistSetPoint, Schedule, ScheduleStep, Simulation, UntilSteady},
     operation::OperationKind,
 };
 
@@ -82,6 +82,17 @@ fn drilling(bit_depth_m: f64, settle_s: f64, duration_s: f64) -> Case {
     case
 }
 
+/// Goes on to the end of the window, which is known when that has begun.
+fn to_its_end(simulation: &mut Simulation) {
+    loop {
+        let left_s = simulation.end_time_s() - simulation.time_s();
+        if left_s < 0.5 * simulation.sample_interval_s() {
+            return;
+        }
+        go(simulation, left_s.min(0.5));
+    }
+}
+
 /// A string that slides is drilled by its autodriller, whose weight finds its place in tens of seconds: 3 s after the start what varies is the drift
 /// of that, and the window says so. Until it is steady, at most 120 s, nothing drifts any more.
 ///
@@ -113,15 +124,9 @@ fn settling_goes_on_until_nothing_drifts() {
     ];
     let outcomes = each(&cases, |case| {
         let mut simulation = case.start();
-        let mut ends_s = Vec::new();
-        while simulation.end_time_s() - simulation.time_s() > 0.005 {
-            ends_s.push(simulation.end_time_s());
-            go(
-                &mut simulation,
-                0.5_f64.min(simulation.end_time_s() - simulation.time_s()),
-            );
-        }
-        (simulation.outcome(), ends_s[0])
+        let longest_s = simulation.end_time_s();
+        to_its_end(&mut simulation);
+        (simulation.outcome(), longest_s)
     });
     let drifting = |outcome: &DynamicOutcome| {
         let drifts = outcome.statistics.iter().filter(|(_, of)| of.drifts);
@@ -165,12 +170,7 @@ fn a_string_that_trips_is_where_it_was_meant_to_be() {
     case.settings.steady = Some(UntilSteady::default());
     case.settings.duration_s = 4.0;
     let mut simulation = case.start();
-    while simulation.end_time_s() - simulation.time_s() > 0.005 {
-        go(
-            &mut simulation,
-            0.5_f64.min(simulation.end_time_s() - simulation.time_s()),
-        );
-    }
+    to_its_end(&mut simulation);
     let outcome = simulation.outcome();
     let numerics = outcome.numerics;
     let speed_m_per_s = case.operation.trip_speed_m_per_s;
