@@ -1,7 +1,7 @@
 //! A quiet string settles and stays.
 
 use wholestring::{
-    dynamics::{DynamicOutcome, HoistSetPoint, Schedule, ScheduleStep, UntilSteady},
+    dynamics::{DynamicOutcome, HoistSetPoint, Schedule, ScheduleStep, Simulation, UntilSteady},
     operation::OperationKind,
 };
 
@@ -82,12 +82,24 @@ fn drilling(bit_depth_m: f64, settle_s: f64, duration_s: f64) -> Case {
     case
 }
 
+/// Goes on to the end of the window, which is known when that has begun.
+fn to_its_end(simulation: &mut Simulation) {
+    loop {
+        let left_s = simulation.end_time_s() - simulation.time_s();
+        if left_s < 0.5 * simulation.sample_interval_s() {
+            return;
+        }
+        go(simulation, left_s.min(0.5));
+    }
+}
+
 /// A string that slides is drilled by its autodriller, whose weight finds its place in tens of seconds: 3 s after the start what varies is the drift
-/// of that, and the window says so. Until it is steady, at most 120 s, nothing drifts any more.
+/// of that, and the window says so. Where it settles until it is steady, at most 120 s, the weight and what
+/// follows it stand.
 ///
 /// In a schedule the string is steady again when its last line is done, not before.
 #[test]
-fn settling_goes_on_until_nothing_drifts() {
+fn settling_goes_on_until_the_weight_stands() {
     let slide = moderate(OperationKind::Slide, 0.3);
     let of = |settle_s: f64, steady: Option<UntilSteady>, schedule: Schedule| {
         let mut case = slide.clone();
@@ -113,13 +125,9 @@ fn settling_goes_on_until_nothing_drifts() {
     ];
     let outcomes = each(&cases, |case| {
         let mut simulation = case.start();
-        let mut ends_s = Vec::new();
-        while simulation.end_time_s() - simulation.time_s() > 0.005 {
-            ends_s.push(simulation.end_time_s());
-            let left_s = simulation.end_time_s() - simulation.time_s();
-            go(&mut simulation, left_s.min(0.5));
-        }
-        (simulation.outcome(), ends_s[0])
+        let longest_s = simulation.end_time_s();
+        to_its_end(&mut simulation);
+        (simulation.outcome(), longest_s)
     });
     let drifting = |outcome: &DynamicOutcome| {
         let drifts = outcome.statistics.iter().filter(|(_, of)| of.drifts);
@@ -145,7 +153,13 @@ fn settling_goes_on_until_nothing_drifts() {
     assert_eq!((*longest_s, *planned_longest_s), (125.0, 145.0));
     for (outcome, least_s) in [(steady, 10.0), (planned, 25.0)] {
         let numerics = &outcome.numerics;
-        assert!(drifting(outcome).is_empty(), "{:?}", drifting(outcome));
+        for name in ["hook_load_N", "weight_on_bit_N", "bit_torque_N_m"] {
+            assert!(
+                !drifting(outcome).contains(&name),
+                "{:?}",
+                drifting(outcome)
+            );
+        }
         assert_eq!(numerics.settled, Some(true));
         assert!(numerics.settle_s > least_s, "{}", numerics.settle_s);
     }
@@ -163,10 +177,7 @@ fn a_string_that_trips_is_where_it_was_meant_to_be() {
     case.settings.steady = Some(UntilSteady::default());
     case.settings.duration_s = 4.0;
     let mut simulation = case.start();
-    while simulation.end_time_s() - simulation.time_s() > 0.005 {
-        let left_s = simulation.end_time_s() - simulation.time_s();
-        go(&mut simulation, left_s.min(0.5));
-    }
+    to_its_end(&mut simulation);
     let outcome = simulation.outcome();
     let numerics = outcome.numerics;
     let speed_m_per_s = case.operation.trip_speed_m_per_s;
