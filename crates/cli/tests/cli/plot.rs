@@ -58,7 +58,7 @@ fn a_run_is_drawn() {
         "--set",
         r#"records.node_spectra=["torque"]"#,
         "--set",
-        "records.node_spectra_at=[100, 500]",
+        r#"records.node_spectra_at=["100 m", "500 m"]"#,
     ];
     run(&desk, "out", &more);
     let output = desk.run(&["plot", "out", "--units", "field", "--png"]);
