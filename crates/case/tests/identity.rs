@@ -77,6 +77,10 @@ const VALUES: &[(&str, [&str; 2])] = &[
     ("string.0.mass_per_length", ["160 kg/m", "161 kg/m"]),
     ("string.0.od", ["171 mm", "172 mm"]),
     ("top_drive.control", ["constant", "soft-torque"]),
+    (
+        "well.hole.0.casing",
+        ["9-5/8 in 40 lb/ft", "9-5/8 in 47 lb/ft"],
+    ),
     ("well.hole.0.diameter", ["222.96 mm", "223 mm"]),
     ("well.hole.0.kind", ["casing", "open"]),
     ("well.hole.0.to", ["2986.53 m", "2990 m"]),
@@ -89,6 +93,7 @@ const VALUES: &[(&str, [&str; 2])] = &[
         ],
     ),
     ("well.survey", [SURVEY_NAME, "other.csv"]),
+    ("well.survey_unit", ["m", "ft"]),
 ];
 
 /// What is put before the drill pipe of the example, so that a component has everything.
@@ -158,6 +163,11 @@ fn bases() -> Vec<String> {
             "survey = \"np13-x1042-survey.csv\"",
             "stations = [[0, 0, 0], [1000, 0, 0], [4305, 60, 90]]",
         ),
+        with(
+            "survey = \"np13-x1042-survey.csv\"",
+            "survey = \"bare.csv\"\nsurvey_unit = \"m\"",
+        ),
+        with("diameter = \"222.96 mm\"", "casing = \"9-5/8 in 40 lb/ft\""),
         and("[well.roughness]\nrms = \"1 mm\"\ntortuosity = \"2 mm\"\n"),
         and("[well.tie_in]\nnorth = \"10 m\"\n"),
         before_pipe(TOOL),
@@ -224,6 +234,7 @@ fn read(text: &str, change: &Override) -> Result<Case, String> {
     let mut put =
         |name: &str, text: &str| files.0.insert(name.to_owned(), text.as_bytes().to_vec());
     put(SURVEY_NAME, SURVEY);
+    put("bare.csv", "md,inc,azi\n0,0,0\n1000,0,0\n4305,50,0\n");
     put(
         "other.csv",
         "md (m),inc (deg),azi (deg)\n0,0,0\n1000,0,0\n4305,50,0\n",
@@ -365,7 +376,7 @@ fn what_is_only_shown_makes_no_other_case() {
 /// What earlier versions left out of what they compared.
 #[test]
 fn settings_tell_of_bends_eccentricities_and_the_tolerance() {
-    let [_, _, _, _, _, tool, ..] = &bases()[..] else {
+    let [_, _, _, _, _, _, _, tool, ..] = &bases()[..] else {
         panic!("the base with a tool");
     };
     let plain: Override = "name=one".parse().expect("KEY=VALUE");
