@@ -66,7 +66,7 @@ fn another_case_goes_to_a_folder_of_its_own() {
     );
     // Each again: into its own, whatever it is called and shown in.
     assert_eq!(soft(&desk, &["--set", "friction=0.4"]).0, 0);
-    let (status, told, said) = soft(&desk, &["--set", "units=field"]);
+    let (status, told, said) = soft(&desk, &["--set", "units=metric"]);
     assert_eq!((status, said.as_str()), (0, ""));
     assert!(told.ends_with("Results in out/Straight slant\n"), "{told}");
     assert!(!desk.path("out/Straight slant-3").exists());
@@ -178,7 +178,7 @@ fn a_resumed_sweep_does_not_take_the_answers_of_another_case() {
         words(&desk.run(&[&sweep[..], &SOFT, more].concat()))
     };
     assert_eq!(with(&[]).0, 0);
-    let path = desk.path("swept/friction=0.1/nodes.parquet");
+    let path = desk.path("swept/friction=0.1/summary.json");
     let written = || fs::metadata(&path).unwrap().modified().unwrap();
     let first = written();
     let (status, _, said) = with(&["--resume"]);
