@@ -139,7 +139,7 @@ impl Drawn {
         let tables = Tables::read(folder).map_err(bad)?;
         Ok(Self {
             folder: folder.to_owned(),
-            report: gather(&tables, &summary, units),
+            report: gather(&tables, &summary, units).map_err(bad)?,
             spectra: spectra(&table(folder, "spectra").map_err(bad)?),
         })
     }

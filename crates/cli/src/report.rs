@@ -11,7 +11,7 @@ mod sheets;
 pub(crate) mod spectra;
 pub(crate) mod well;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use wholestring_report::{Packed, Report, Solved, TimeRun, report_html};
 use wholestring_results::{OperationSummary, ResultsError, ResultsFolder, Status, Summary, Table};
@@ -117,7 +117,7 @@ pub(crate) fn lacking(folder: &Path) -> Result<Option<String>, ResultsError> {
 /// The page of the run in a folder.
 fn page(folder: &Path, units: Option<UnitSet>) -> Result<String, ResultsError> {
     let summary = Summary::read(&folder.join("summary.json"))?;
-    let mut report = gather(&Tables::read(folder)?, &summary, units);
+    let mut report = gather(&Tables::read(folder)?, &summary, units)?;
     let mut frames = frames::read(folder, report.runs.len())?;
     for run in &mut report.runs {
         run.frames = frames.remove(&run.operation);
@@ -125,27 +125,35 @@ fn page(folder: &Path, units: Option<UnitSet>) -> Result<String, ResultsError> {
     Ok(report_html(&report))
 }
 
-/// The tables of a run, without rows where there is none.
+/// The tables of a run, without rows where there is none. Those against time are large, and are
+/// read operation by operation.
 pub(crate) struct Tables {
+    folder: PathBuf,
     nodes: Table,
     wear: Table,
-    time: Table,
-    contact: Table,
     bottom_hole: Table,
-    spectra: Table,
 }
 
 impl Tables {
     /// Those in a folder.
     pub(crate) fn read(folder: &Path) -> Result<Self, ResultsError> {
         Ok(Self {
+            folder: folder.to_owned(),
             nodes: table(folder, "nodes")?,
             wear: table(folder, "wear")?,
-            time: table(folder, "time")?,
-            contact: table(folder, "contact")?,
             bottom_hole: table(folder, "bottom_hole")?,
-            spectra: table(folder, "spectra")?,
         })
+    }
+
+    /// A table against time, as far as it is about an operation.
+    fn of(&self, name: &str, operation: &str) -> Result<Table, ResultsError> {
+        let path = self.folder.join(format!("{name}.parquet"));
+        let rows = if path.is_file() {
+            Table::read_parquet_with(&path, "operation", operation)?
+        } else {
+            None
+        };
+        Ok(rows.unwrap_or_else(|| Table::new(Vec::new())))
     }
 }
 
@@ -160,7 +168,14 @@ pub(crate) fn table(folder: &Path, name: &str) -> Result<Table, ResultsError> {
 }
 
 /// What is told of a run; all but the string at moments.
-pub(crate) fn gather(tables: &Tables, summary: &Summary, units: Option<UnitSet>) -> Report {
+///
+/// # Errors
+/// Tables that cannot be read.
+pub(crate) fn gather(
+    tables: &Tables,
+    summary: &Summary,
+    units: Option<UnitSet>,
+) -> Result<Report, ResultsError> {
     let runs: Vec<&OperationSummary> = summary
         .operations
         .iter()
@@ -168,25 +183,31 @@ pub(crate) fn gather(tables: &Tables, summary: &Summary, units: Option<UnitSet>)
         .collect();
     let many = runs.len();
     let timed = |solved: &&OperationSummary| {
-        let history = history::history(&tables.time, &solved.operation, many);
+        let time = tables.of("time", &solved.operation)?;
+        let contact = tables.of("contact", &solved.operation)?;
+        let spectra = tables.of("spectra", &solved.operation)?;
+        let history = history::history(&time, &solved.operation, many);
         let window_s = solved.window_from_s(&summary.settings);
-        TimeRun {
+        Ok(TimeRun {
             operation: solved.operation.clone(),
             window_s,
             samples: history.samples,
             history: history.columns,
             notes: history.notes,
-            contact: history::contact(&tables.contact, &solved.operation, many),
+            contact: history::contact(&contact, &solved.operation, many),
             frames: None,
-            drill_off: history::drill_off(&tables.time, &solved.operation, window_s, many),
+            drill_off: history::drill_off(&time, &solved.operation, window_s, many),
             bottom: history::bottom(&tables.bottom_hole, &solved.operation),
-            spectra: spectra::pictures(&tables.spectra, &solved.operation),
-        }
+            spectra: spectra::pictures(&spectra, &solved.operation),
+        })
     };
-    Report {
-        runs: runs.iter().map(timed).collect(),
+    Ok(Report {
+        runs: runs
+            .iter()
+            .map(timed)
+            .collect::<Result<_, ResultsError>>()?,
         ..along_the_hole(&tables.nodes, &tables.wear, summary, units)
-    }
+    })
 }
 
 /// What is told of a run along its hole, and nothing of what it did in time.

@@ -126,6 +126,7 @@ pub(crate) fn solve(
                 Status::Interrupted => return Err(Stop::Interrupted),
                 Status::Failed(reason) => {
                     keeper.finish()?;
+                    record.finish(folder, way.keep)?;
                     return Err(Stop::Unsolved(format!(
                         "{}: {reason}",
                         operation.kind.name()
@@ -142,6 +143,7 @@ pub(crate) fn solve(
         record.write(folder, way.keep, way.csv)?;
     }
     keeper.finish()?;
+    record.finish(folder, way.keep)?;
     Ok(())
 }
 

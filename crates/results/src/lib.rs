@@ -15,6 +15,7 @@ mod finding;
 mod folder;
 mod formula;
 mod frames;
+mod growing_table;
 mod hold;
 mod json;
 mod parquet_file;
@@ -31,6 +32,7 @@ pub use error::ResultsError;
 pub use finding::{Finding, Level};
 pub use folder::ResultsFolder;
 pub use frames::{FrameWriter, FramesSoFar};
+pub use growing_table::{GrowingTable, TableSoFar};
 pub use hold::{Hold, Holding, Occupant};
 pub use spectrum::Spectrum;
 pub use summary::{

@@ -6,12 +6,12 @@ use parquet::{
     basic::{Compression, LogicalType, Repetition, Type as PhysicalType},
     column::{
         reader::{ColumnReader, ColumnReaderImpl},
-        writer::ColumnWriter,
+        writer::{ColumnCloseResult, ColumnWriter},
     },
     data_type::{ByteArray, DataType},
     errors::ParquetError,
     file::{
-        metadata::KeyValue,
+        metadata::{KeyValue, ParquetMetaData},
         properties::{WriterProperties, WriterPropertiesBuilder},
         reader::{FileReader, SerializedFileReader},
         writer::{SerializedFileWriter, SerializedRowGroupWriter},
@@ -33,6 +33,17 @@ pub(crate) fn write(table: &Table, path: &Path) -> Result<(), ResultsError> {
 }
 
 fn write_to(table: &Table, writer: impl io::Write + Send) -> Result<(), ParquetError> {
+    let mut file = begin(table, writer)?;
+    write_group(table, &mut file)?;
+    file.close()?;
+    Ok(())
+}
+
+/// Begins a file with the columns of a table.
+pub(crate) fn begin<W: io::Write + Send>(
+    table: &Table,
+    writer: W,
+) -> Result<SerializedFileWriter<W>, ParquetError> {
     let fields = table.columns().iter().map(|column| {
         let kind = match column.data {
             Data::Number(_) => PhysicalType::DOUBLE,
@@ -45,13 +56,44 @@ fn write_to(table: &Table, writer: impl io::Write + Send) -> Result<(), ParquetE
         (name, unit, column.meaning.as_str())
     });
     let properties = Arc::new(properties(notes).build());
-    let mut file = SerializedFileWriter::new(writer, schema(fields)?, properties)?;
+    SerializedFileWriter::new(writer, schema(fields)?, properties)
+}
+
+/// Writes the rows of a table as a row group.
+pub(crate) fn write_group<W: io::Write + Send>(
+    table: &Table,
+    file: &mut SerializedFileWriter<W>,
+) -> Result<(), ParquetError> {
     let mut rows = file.next_row_group()?;
     for column in table.columns() {
         write_column(&mut rows, &column.data)?;
     }
     rows.close()?;
-    file.close()?;
+    Ok(())
+}
+
+/// Copies the first `most` row groups of a file as they are packed.
+pub(crate) fn copy_groups<W: io::Write + Send>(
+    from: &File,
+    metadata: &ParquetMetaData,
+    most: usize,
+    to: &mut SerializedFileWriter<W>,
+) -> Result<(), ParquetError> {
+    for rows in metadata.row_groups().iter().take(most) {
+        let mut group = to.next_row_group()?;
+        for column in rows.columns() {
+            let packed = ColumnCloseResult {
+                bytes_written: column.compressed_size() as u64,
+                rows_written: rows.num_rows() as u64,
+                metadata: column.clone(),
+                bloom_filter: None,
+                column_index: None,
+                offset_index: None,
+            };
+            group.append_column(from, packed)?;
+        }
+        group.close()?;
+    }
     Ok(())
 }
 
@@ -148,6 +190,43 @@ pub(crate) fn read_groups(
         take(opened.read_some(|name| names.contains(&name), group..group + 1)?);
     }
     Ok(())
+}
+
+/// Reads one row group after the other, with all columns.
+pub(crate) fn read_each_group(
+    path: &Path,
+    mut take: impl FnMut(Table) -> Result<(), ResultsError>,
+) -> Result<(), ResultsError> {
+    let opened = Opened::new(path)?;
+    for group in 0..opened.reader.num_row_groups() {
+        take(opened.read_some(|_| true, group..group + 1)?)?;
+    }
+    Ok(())
+}
+
+/// Reads the row groups in which a column of words holds this one, one after the other.
+pub(crate) fn read_groups_with(
+    path: &Path,
+    column: &str,
+    word: &str,
+) -> Result<Option<Table>, ResultsError> {
+    let opened = Opened::new(path)?;
+    let mut found: Option<Table> = None;
+    for group in 0..opened.reader.num_row_groups() {
+        let words = opened.read_some(|name| name == column, group..group + 1)?;
+        let has = words.columns().iter().any(|column| match &column.data {
+            Data::Text(words) => words.iter().any(|one| one == word),
+            Data::Number(_) => false,
+        });
+        if has {
+            let rows = opened.read_some(|_| true, group..group + 1)?;
+            match &mut found {
+                None => found = Some(rows),
+                Some(found) => found.extend(rows),
+            }
+        }
+    }
+    Ok(found)
 }
 
 /// Calls the reader of Parquet, which is not ours and panics at some of what a damaged file holds.

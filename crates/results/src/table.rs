@@ -185,6 +185,66 @@ impl Table {
         parquet_file::read_groups(path, names, take)
     }
 
+    /// Reads back the pieces of a file that hold a row with this word in that column, whole: they
+    /// may hold rows with other words. `None` where there is no such piece. The tables of a run
+    /// against time have a piece for each operation.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or is damaged.
+    pub fn read_parquet_with(
+        path: &Path,
+        column: &str,
+        word: &str,
+    ) -> Result<Option<Self>, ResultsError> {
+        parquet_file::read_groups_with(path, column, word)
+    }
+
+    /// Adds the rows of a table of the same columns.
+    pub(crate) fn extend(&mut self, other: Self) {
+        for (column, more) in self.columns.iter_mut().zip(other.columns) {
+            match (&mut column.data, more.data) {
+                (Data::Number(all), Data::Number(more)) => all.extend(more),
+                (Data::Text(all), Data::Text(more)) => all.extend(more),
+                _ => unreachable!("both are read by the same schema"),
+            }
+        }
+    }
+
+    /// Writes pieces of a table as [`Table::write_csv`] writes the whole; `like` has its columns.
+    pub(crate) fn write_csv_pieces(
+        path: &Path,
+        like: &Self,
+        pieces: impl FnOnce(
+            &mut dyn FnMut(Self) -> Result<(), ResultsError>,
+        ) -> Result<(), ResultsError>,
+    ) -> Result<(), ResultsError> {
+        let mut unread = None;
+        let written = write_whole(path, |writer| {
+            let mut csv = csv::Writer::from_writer(writer);
+            like.write_header(&mut csv).map_err(io_error)?;
+            let mut failed = None;
+            let read = pieces(&mut |piece| {
+                piece.write_rows(&mut csv).map_err(|error| {
+                    failed = Some(io_error(error));
+                    ResultsError::format(path, "it cannot be written")
+                })
+            });
+            match (failed, read) {
+                (Some(error), _) => Err(error),
+                (None, Err(error)) => {
+                    let told = io::Error::other(error.to_string());
+                    unread = Some(error);
+                    Err(told)
+                }
+                (None, Ok(())) => csv.flush(),
+            }
+        });
+        match unread {
+            Some(error) => Err(error),
+            None => written,
+        }
+    }
+
     /// Writes the table as CSV: a header row of column names, numbers with the digits that make them
     /// exact, nothing where a number does not apply. A text that a spreadsheet would take for a formula gets
     /// an apostrophe before it, which [`Table::read_csv`] takes away again.
@@ -228,8 +288,16 @@ impl Table {
     }
 
     fn write_records(&self, csv: &mut csv::Writer<impl io::Write>) -> csv::Result<()> {
+        self.write_header(csv)?;
+        self.write_rows(csv)
+    }
+
+    fn write_header(&self, csv: &mut csv::Writer<impl io::Write>) -> csv::Result<()> {
         let names = self.columns.iter().map(|column| column.name.as_str());
-        csv.write_record(names.map(|name| formula::guarded(name).into_owned()))?;
+        csv.write_record(names.map(|name| formula::guarded(name).into_owned()))
+    }
+
+    fn write_rows(&self, csv: &mut csv::Writer<impl io::Write>) -> csv::Result<()> {
         for row in 0..self.rows() {
             for column in &self.columns {
                 match &column.data {

@@ -19,9 +19,9 @@ use wholestring::{
 use wholestring_case::{Case, Records};
 use wholestring_report::{Report, profile};
 use wholestring_results::{
-    BOTTOM_HOLE, CONTACT, ENGINE_VERSION, FramesSoFar, Friction, NODES, OperationSummary,
-    ResultsError, ResultsFolder, SCHEMA_VERSION, SPECTRA, Status, Summary, TIME, Table, WEAR,
-    digest,
+    BOTTOM_HOLE, CONTACT, ENGINE_VERSION, FramesSoFar, Friction, GrowingTable, NODES,
+    OperationSummary, ResultsError, ResultsFolder, SCHEMA_VERSION, SPECTRA, Status, Summary, TIME,
+    Table, TableSoFar, WEAR, digest,
 };
 use wholestring_units::{Dimension, UnitSet};
 
@@ -33,17 +33,18 @@ use crate::{
     report::{self, along_the_hole},
 };
 
-/// What a run has solved to its end, as a checkpoint keeps it. The tables are not copied for it: they are large.
+/// What a run has solved to its end, as a checkpoint keeps it. The tables against time are large:
+/// what was written of them is on the disk. The others are not copied for it.
 #[derive(Serialize, Deserialize)]
 pub(crate) struct Solved<'a> {
     /// The operations of the summary, as JSON.
     operations: String,
     nodes: Cow<'a, Table>,
-    time: Cow<'a, Table>,
+    time: TableSoFar<'a>,
     wear: Cow<'a, Table>,
-    contact: Cow<'a, Table>,
+    contact: TableSoFar<'a>,
     bottom_hole: Cow<'a, Table>,
-    spectra: Cow<'a, Table>,
+    spectra: TableSoFar<'a>,
     /// Frames up to the checkpoint, of the operation under way too.
     frames: Option<Cow<'a, FramesSoFar>>,
 }
@@ -54,13 +55,13 @@ pub(crate) struct Record {
     /// All that the case's answers depend on.
     pub(crate) identity: Value,
     nodes: Table,
-    time: Table,
+    time: GrowingTable,
     /// Lines of the case's schedule.
     schedule: Vec<ScheduleStep>,
     wear: Table,
-    contact: Table,
+    contact: GrowingTable,
     bottom_hole: Table,
-    spectra: Table,
+    spectra: GrowingTable,
     /// Frames of the whole string, where the case asks for them.
     pub(crate) frames: Option<Frames>,
     records: Records,
@@ -92,11 +93,8 @@ impl Record {
         let mut record = Self::empty(case, units, frames);
         let tables = [
             (&solved.nodes, &record.nodes),
-            (&solved.time, &record.time),
             (&solved.wear, &record.wear),
-            (&solved.contact, &record.contact),
             (&solved.bottom_hole, &record.bottom_hole),
-            (&solved.spectra, &record.spectra),
         ];
         if tables.iter().any(|(stored, empty)| !stored.is_like(empty)) {
             return Err("the checkpoint is damaged: a table lacks a column".to_owned());
@@ -104,11 +102,14 @@ impl Record {
         let operations = serde_json::from_str(&solved.operations);
         record.summary.operations = operations.map_err(|e| e.to_string())?;
         record.nodes = solved.nodes.into_owned();
-        record.time = solved.time.into_owned();
+        let growing = |empty: &mut GrowingTable, so_far| {
+            empty.resume(folder, so_far).map_err(|e| e.to_string())
+        };
+        growing(&mut record.time, solved.time)?;
         record.wear = solved.wear.into_owned();
-        record.contact = solved.contact.into_owned();
+        growing(&mut record.contact, solved.contact)?;
         record.bottom_hole = solved.bottom_hole.into_owned();
-        record.spectra = solved.spectra.into_owned();
+        growing(&mut record.spectra, solved.spectra)?;
         Ok(record)
     }
 
@@ -125,12 +126,12 @@ impl Record {
             },
             identity,
             nodes: Table::with_columns(NODES),
-            time: Table::with_columns(TIME),
+            time: GrowingTable::begin("time", TIME),
             schedule: case.dynamics.schedule.steps.clone(),
             wear: Table::with_columns(WEAR),
-            contact: Table::with_columns(CONTACT),
+            contact: GrowingTable::begin("contact", CONTACT),
             bottom_hole: Table::with_columns(BOTTOM_HOLE),
-            spectra: Table::with_columns(SPECTRA),
+            spectra: GrowingTable::begin("spectra", SPECTRA),
             frames,
             records: case.records.clone(),
             hole: case.model.well.hole.clone(),
@@ -159,11 +160,11 @@ impl Record {
         Solved {
             operations: serde_json::to_string(&summary.operations).expect("numbers and words"),
             nodes: Cow::Borrowed(nodes),
-            time: Cow::Borrowed(time),
+            time: time.so_far(),
             wear: Cow::Borrowed(wear),
-            contact: Cow::Borrowed(contact),
+            contact: contact.so_far(),
             bottom_hole: Cow::Borrowed(bottom_hole),
-            spectra: Cow::Borrowed(spectra),
+            spectra: spectra.so_far(),
             frames: frames.as_ref().map(|frames| Cow::Borrowed(frames.so_far())),
         }
     }
@@ -215,9 +216,7 @@ impl Record {
     ) -> Result<(), Failure> {
         for (name, table) in [
             ("nodes", Some(&self.nodes)),
-            ("time", Some(&self.time)),
             ("wear", Some(&self.wear)),
-            ("contact", Some(&self.contact)),
             // Of most bits there is none.
             (
                 "bottom_hole",
@@ -229,10 +228,16 @@ impl Record {
                 None => remove_table(folder, name)?,
             }
         }
+        for table in [&mut self.time, &mut self.contact] {
+            match keep {
+                Keep::Summary => table.leave_out(folder)?,
+                Keep::Tables | Keep::All => table.write(folder, csv)?,
+            }
+        }
         if self.records.spectra.is_empty() && self.records.probes.is_empty() {
             remove_table(folder, "spectra")?;
         } else {
-            folder.write_table("spectra", &self.spectra, csv)?;
+            self.spectra.write(folder, csv)?;
         }
         match &mut self.frames {
             Some(frames) => frames.write()?,
@@ -251,6 +256,17 @@ impl Record {
             folder.write_compact_summary(&self.summary)?;
         } else {
             folder.write_summary(&self.summary)?;
+        }
+        Ok(())
+    }
+
+    /// Removes the tables that are not kept but whose rows a checkpoint counted on: those of a run
+    /// that was begun to keep them. Only once there is no checkpoint.
+    pub(crate) fn finish(&self, folder: &ResultsFolder, keep: Keep) -> Result<(), ResultsError> {
+        if keep == Keep::Summary {
+            for table in [&self.time, &self.contact] {
+                remove_table(folder, table.name())?;
+            }
         }
         Ok(())
     }

@@ -10,7 +10,6 @@ use std::{
 };
 
 use parquet::{
-    column::writer::ColumnCloseResult,
     errors::ParquetError,
     file::{
         metadata::{ParquetMetaData, ParquetMetaDataReader},
@@ -24,7 +23,7 @@ use self::rows::{FrameRows, Layout};
 use crate::{
     ResultsError, checkpoint,
     file::write_whole,
-    parquet_file::{self, io_error},
+    parquet_file::{self, copy_groups, io_error},
 };
 
 /// Rows that are held until they are written: 0.5 MB a column.
@@ -134,7 +133,7 @@ impl FrameWriter {
             for number in 1..=self.so_far.parts {
                 let part = Part::open(&self.folder, number);
                 let part = part.map_err(|error| ParquetError::External(error.into()))?;
-                part.copy_to(file)?;
+                copy_groups(&part.file, &part.metadata, usize::MAX, file)?;
             }
             match self.so_far.waiting.len() {
                 0 => Ok(()),
@@ -191,29 +190,6 @@ impl Part {
             ParquetMetaDataReader::new().parse_and_finish(&file)
         })?;
         Ok(Self { file, metadata })
-    }
-
-    /// Copies the rows as they are packed.
-    fn copy_to<W: io::Write + Send>(
-        &self,
-        file: &mut SerializedFileWriter<W>,
-    ) -> Result<(), ParquetError> {
-        for rows in self.metadata.row_groups() {
-            let mut group = file.next_row_group()?;
-            for column in rows.columns() {
-                let packed = ColumnCloseResult {
-                    bytes_written: column.compressed_size() as u64,
-                    rows_written: rows.num_rows() as u64,
-                    metadata: column.clone(),
-                    bloom_filter: None,
-                    column_index: None,
-                    offset_index: None,
-                };
-                group.append_column(&self.file, packed)?;
-            }
-            group.close()?;
-        }
-        Ok(())
     }
 }
 
