@@ -9,7 +9,7 @@ use crate::{
     draw::palette,
     plots::{
         SETS,
-        catalogue::{BIT_PLOTS, TIME_PLOTS, TRACKS, TimePlot, Track},
+        catalogue::{BIT_PLOTS, RULES, Rules, TIME_PLOTS, TRACKS, TimePlot, Track},
     },
     sweep_plots,
 };
@@ -30,6 +30,7 @@ struct Data<'a> {
     #[serde(flatten)]
     report: &'a Report,
     tracks: &'a [Track],
+    rules: Rules,
     time_plots: &'a [TimePlot],
     bit_plots: &'a [TimePlot],
 }
@@ -41,6 +42,7 @@ pub fn report_html(report: &Report) -> String {
     let data = Data {
         report,
         tracks: TRACKS,
+        rules: RULES,
         time_plots: TIME_PLOTS,
         bit_plots: BIT_PLOTS,
     };
@@ -234,7 +236,7 @@ pub(crate) fn escaped(text: &str) -> String {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use std::collections::BTreeMap;
 
     use super::*;
@@ -245,7 +247,8 @@ mod tests {
 
     const NASTY: &str = "</script><script>alert(1)</script> <!-- & \" ' \u{2028} </title>";
 
-    fn report() -> Report {
+    /// A report with something in every part of it.
+    pub(crate) fn report() -> Report {
         let column = || Packed::single([0.0, 1.0, f64::NAN]);
         let unit = |symbol: &str| DisplayUnit {
             symbol: symbol.into(),

@@ -46,6 +46,11 @@ impl Answer {
                     .any(|kind| kind.name() == self.solved.operation))
     }
 
+    /// Whether an error was found in it.
+    pub(super) fn has_error(&self) -> bool {
+        findings::count(&self.solved, Level::Error) > 0
+    }
+
     /// The value of a varied key.
     pub(super) fn value(&self, key: &str) -> Option<&str> {
         let place = self.keys.iter().position(|name| name == key)?;

@@ -21,6 +21,8 @@ pub(super) struct Curve {
     pub(super) at: Option<f64>,
     /// Its points, SI; NaN where there is none.
     pub(super) points: Vec<(f64, f64)>,
+    /// Those of them whose case has an error.
+    pub(super) errors: Vec<(f64, f64)>,
     /// What else a map needs; none of a curve.
     pub(super) map: Option<map::MapData>,
 }
@@ -38,8 +40,12 @@ pub(super) fn curves(figure: &Figure, answers: &Answers) -> Result<Vec<Curve>, R
                         let value = answer.summary(quantity, *statistic);
                         // A soft string has no spread: its curve is left out, not empty.
                         if let (Some(place), Some(value)) = (place, value) {
-                            let curve = blank(answer, Some(&x.key), quantity, Some(*statistic));
-                            put(&mut curves, curve, (place, value));
+                            let mut curve = blank(answer, Some(&x.key), quantity, Some(*statistic));
+                            curve.points.push((place, value));
+                            if answer.has_error() {
+                                curve.errors.push((place, value));
+                            }
+                            put(&mut curves, curve);
                         }
                     }
                 }
@@ -111,12 +117,13 @@ fn blank(
         statistic,
         at: None,
         points: Vec::new(),
+        errors: Vec::new(),
         map: None,
     }
 }
 
-/// Puts a point at the end of the curve that is alike, or begins it.
-fn put(curves: &mut Vec<Curve>, like: Curve, point: (f64, f64)) {
+/// Puts the points of a curve at the end of the one that is alike, or begins it.
+fn put(curves: &mut Vec<Curve>, like: Curve) {
     let alike = |curve: &&mut Curve| {
         curve.series == like.series
             && curve.values == like.values
@@ -124,11 +131,11 @@ fn put(curves: &mut Vec<Curve>, like: Curve, point: (f64, f64)) {
             && curve.statistic == like.statistic
     };
     match curves.iter_mut().find(alike) {
-        Some(curve) => curve.points.push(point),
-        None => curves.push(Curve {
-            points: vec![point],
-            ..like
-        }),
+        Some(curve) => {
+            curve.points.extend(like.points);
+            curve.errors.extend(like.errors);
+        }
+        None => curves.push(like),
     }
 }
 

@@ -1,8 +1,11 @@
 //! A figure of a study as a picture.
 
 use wholestring_case::study::{Figure, FigureData, Level, Pointing, Quantity, Source};
-use wholestring_report::figure::{
-    Axis, Direction, Figure as Picture, Ink, Layout, Mark, Panel, Range, Shape,
+use wholestring_report::{
+    Level as Grave,
+    figure::{
+        Axis, Direction, Figure as Picture, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape,
+    },
 };
 use wholestring_units::UnitSet;
 
@@ -78,6 +81,19 @@ pub(super) fn picture(
             });
         }
     }
+    let mut keys = looks.keys();
+    let errors = curves.iter().flat_map(|curve| &curve.errors);
+    let errors: Vec<_> = errors.map(|(x, y)| (x / x_worth, y / y_worth)).collect();
+    if !errors.is_empty() {
+        keys.push(Key {
+            name: "with errors".into(),
+            sample: Sample::Ring(Grave::Error),
+        });
+        marks.push(Mark::Rings {
+            level: Grave::Error,
+            points: errors,
+        });
+    }
     let upright = figure.x_axis == Pointing::Down;
     let x = match &figure.data {
         FigureData::Rows { x, .. } => Some(x),
@@ -105,7 +121,7 @@ pub(super) fn picture(
     Picture {
         title: figure.title.clone(),
         subtitle: String::new(),
-        keys: looks.keys(),
+        keys,
         layout: Layout {
             direction: match (upright, plan) {
                 (true, _) => Direction::Down,

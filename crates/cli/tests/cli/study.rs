@@ -288,6 +288,43 @@ fn maps_and_wells_are_drawn() {
     assert!(!desk.path("results/figures/map.png").exists());
 }
 
+/// Pulling takes `w L (cos i + μ sin i)`, 88 kN at 300 m and 147 kN at 500 m: a hoist of 120 kN lifts the first alone,
+/// and the figure rings the other.
+#[test]
+fn a_case_with_an_error_is_ringed() {
+    const STUDY: &str = r#"
+name = "Lifts"
+
+[[sweep]]
+name = "lifts"
+case = "slant.toml"
+set = { "operation.kind" = "trip_out", model = "soft" }
+vary = { bit_depth = ["300 m", "500 m"] }
+
+[[figure]]
+name = "load"
+title = "Hook load against depth"
+x = "bit_depth"
+y = "hook_load_N"
+"#;
+    let desk = Desk::new();
+    fs::write(desk.path("lifts.toml"), STUDY).unwrap();
+    // A ring in the legend and one for each case with an error.
+    for (capacity, rings) in [
+        ("rig.hoist_capacity=120 kN", 2),
+        ("rig.hoist_capacity=200 kN", 0),
+    ] {
+        let folder = format!("results-{rings}");
+        let study = ["study", "lifts.toml", "-o", &folder, "--quiet"];
+        let output = desk.run(&[&study[..], &["--set", capacity]].concat());
+        assert!(output.status.success(), "{}", transcript(&output));
+        let svg = desk.path(&folder).join("figures/load.svg");
+        let svg = fs::read_to_string(svg).unwrap();
+        assert_eq!(svg.matches("stroke-over").count(), rings, "{svg}");
+        assert_eq!(svg.contains("with errors"), rings > 0);
+    }
+}
+
 /// The study of the book's tour does what the book says, by the soft string.
 #[test]
 fn the_tours_study_answers_as_told() {

@@ -25,6 +25,10 @@ pub enum Ink {
     HighSide,
     /// The low side.
     LowSide,
+    /// Errors.
+    Error,
+    /// Warnings.
+    Warning,
     /// The ground.
     Paper,
 }
@@ -50,6 +54,8 @@ impl Ink {
             Self::Rock => "rock",
             Self::HighSide => "high-side",
             Self::LowSide => "low-side",
+            Self::Error => "over",
+            Self::Warning => "near",
             Self::Paper => "paper",
         }
     }

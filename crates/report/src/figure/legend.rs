@@ -1,7 +1,7 @@
 //! What colours, strokes and shapes mean.
 
 use super::{
-    Key, Sample,
+    Key, Sample, found,
     marks::{BAND, bar, pen, shape},
 };
 use crate::draw::{Anchor, Drawing, Ink, text_width};
@@ -73,6 +73,8 @@ impl<'a> Legend<'a> {
                     shape(on, of, (x + SAMPLE / 2.0, y), ink);
                 }
                 Sample::Spread(ink) => bar(on, across[0], across[1], ink),
+                Sample::Found(level) => found::sample(on, level, (x, y - 3.0), (SAMPLE, 6.0)),
+                Sample::Ring(level) => found::ring(on, level, (x + SAMPLE / 2.0, y)),
                 Sample::Words => {}
             }
             let before = match key.sample {

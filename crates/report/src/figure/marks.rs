@@ -1,6 +1,6 @@
 //! What is drawn in a panel.
 
-use super::{Map, Mark, Shape, Stroke, panel::Place};
+use super::{Map, Mark, Shape, Stroke, found, panel::Place};
 use crate::draw::{
     Anchor, Box, ColourScale, Drawing, Hue, Image, Ink, Pen, envelope, text_width, thinned,
 };
@@ -120,6 +120,12 @@ pub(super) fn draw(on: &mut Drawing, mark: &Mark, all: &[Mark], place: &Place) {
             let [a, b] = place.shared_line(*from);
             let [d, c] = place.shared_line(*to);
             on.fill(vec![a, b, c, d], Ink::Settling, 1.0);
+        }
+        Mark::Found { level, from, to } => found::stretch(on, *level, (*from, *to), place),
+        Mark::Rings { level, points } => {
+            for point in points {
+                found::ring(on, *level, place.of(*point));
+            }
         }
         Mark::Map(map) => on.image(image(map, place), place.frame),
         Mark::Spots { points, rows } => {

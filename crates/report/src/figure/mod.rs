@@ -1,6 +1,7 @@
 //! A figure: panels that share one axis, with curves, bands and maps.
 
 mod beyond;
+mod found;
 mod layout;
 mod legend;
 mod marks;
@@ -9,8 +10,9 @@ mod panel;
 mod ruler;
 mod scale;
 
-use crate::draw::Drawing;
 pub use crate::draw::{Hue, Ink};
+use crate::{Level, draw::Drawing};
+pub(crate) use outliers::{OUTLIERS, Outliers};
 
 /// A figure: panels side by side, or one below the other, that share one axis.
 ///
@@ -189,6 +191,22 @@ pub enum Mark {
         /// Where it ends.
         to: f64,
     },
+    /// A stretch of the shared axis where something was found, or a place of it where both ends are one.
+    Found {
+        /// How grave it is.
+        level: Level,
+        /// Where it begins.
+        from: f64,
+        /// Where it ends.
+        to: f64,
+    },
+    /// Rings about points of which something was found.
+    Rings {
+        /// How grave it is.
+        level: Level,
+        /// The points.
+        points: Vec<(f64, f64)>,
+    },
     /// A map in colours.
     Map(Map),
     /// What follows, up to the next of these, is what these keys of the figure's legend say: a page hides it with them.
@@ -257,6 +275,10 @@ pub enum Sample {
     Marked(Ink, Stroke, Shape),
     /// How far points spread.
     Spread(Ink),
+    /// Stretches where something was found.
+    Found(Level),
+    /// Rings about points of which something was found.
+    Ring(Level),
     /// Words alone.
     Words,
 }

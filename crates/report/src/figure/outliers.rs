@@ -1,33 +1,49 @@
 //! Values so far from all others that an axis that reached them would flatten what it is about.
 
-/// Part of the values at either end that may be outliers.
-const TAIL: f64 = 0.01;
+use serde::Serialize;
 
-/// Values are outliers where the axis would have to be this many times as long to reach them.
-const TIMES_AS_LONG: f64 = 3.0;
+/// Which values are outliers: of figures, and of the tracks of a page, which applies the same rule.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(crate) struct Outliers {
+    /// Part of the values at either end that may be outliers.
+    pub(crate) tail: f64,
+    /// Values are outliers where the axis would have to be this many times as long to reach them.
+    pub(crate) times_as_long: f64,
+    /// Fewer values than this have no outliers: each of them is a hundredth and more.
+    pub(crate) fewest: usize,
+}
 
-/// Fewer values than this have no outliers: each of them is a hundredth and more.
-const FEWEST: usize = 100;
+/// The rule that all axes follow.
+pub(crate) const OUTLIERS: Outliers = Outliers {
+    tail: 0.01,
+    times_as_long: 3.0,
+    fewest: 100,
+};
 
 /// The interval that an axis has to reach, without outliers: the whole one where there are none.
 ///
 /// The inner interval holds all but the lowest and the highest hundredth of the values, and zero where `zero` says that
 /// the axis goes there. An end is an outlier's where the distance to it from the inner interval is more than
-/// [`TIMES_AS_LONG`] less one lengths of the inner interval.
+/// `times_as_long` less one lengths of the inner interval.
 pub(super) fn without(values: &[f64], zero: bool) -> Option<(f64, f64)> {
+    let Outliers {
+        tail,
+        times_as_long,
+        fewest,
+    } = OUTLIERS;
     let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
     let (count, last) = (sorted.len(), sorted.len().checked_sub(1)?);
     sorted.sort_by(f64::total_cmp);
     let whole = (sorted[0], sorted[last]);
-    if count < FEWEST {
+    if count < fewest {
         return Some(whole);
     }
-    let tail = (TAIL * count as f64).ceil() as usize;
+    let tail = (tail * count as f64).ceil() as usize;
     let (mut low, mut high) = (sorted[tail], sorted[last - tail]);
     if zero {
         (low, high) = (low.min(0.0), high.max(0.0));
     }
-    let far = (TIMES_AS_LONG - 1.0) * (high - low);
+    let far = (times_as_long - 1.0) * (high - low);
     if far == 0.0 {
         return Some(whole);
     }

@@ -186,6 +186,8 @@ fn own_values(mark: &Mark) -> Vec<f64> {
         Mark::OwnRule { at, .. } => vec![*at],
         Mark::SharedRule { .. }
         | Mark::Shade { .. }
+        | Mark::Found { .. }
+        | Mark::Rings { .. }
         | Mark::Of { .. }
         | Mark::Name { .. }
         | Mark::Spots { .. } => Vec::new(),
@@ -205,6 +207,8 @@ pub(super) fn shared_values(mark: &Mark) -> Vec<f64> {
         Mark::SharedRule { .. }
         | Mark::OwnRule { .. }
         | Mark::Shade { .. }
+        | Mark::Found { .. }
+        | Mark::Rings { .. }
         | Mark::Of { .. }
         | Mark::Name { .. }
         | Mark::Spots { .. } => Vec::new(),
@@ -214,7 +218,7 @@ pub(super) fn shared_values(mark: &Mark) -> Vec<f64> {
 /// Draws a panel with the ticks and the label of its own axis.
 pub(super) fn draw(on: &mut Drawing, figure: &Figure, panel: &Panel, place: &Place<'_>) {
     let frame = place.frame;
-    let shade = |mark: &&Mark| matches!(mark, Mark::Shade { .. });
+    let shade = |mark: &&Mark| matches!(mark, Mark::Shade { .. } | Mark::Found { .. });
     on.within(frame, |on| {
         for mark in panel.marks.iter().filter(shade) {
             marks::draw(on, mark, &panel.marks, place);

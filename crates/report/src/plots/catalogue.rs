@@ -2,6 +2,29 @@
 
 use serde::Serialize;
 
+use super::near::JOINT_REACH_M;
+use crate::figure::{OUTLIERS, Outliers};
+
+/// How tracks are drawn, on the page and in files alike.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(crate) struct Rules {
+    /// Where more of the string than this is in view, joints are too many to tell apart, m.
+    pub(crate) far_m: f64,
+    /// Half of the distance between joints, and a little, m.
+    pub(crate) joint_reach_m: f64,
+    /// A curve is seen beside another where it is this part of the largest value from it somewhere.
+    pub(crate) least_difference: f64,
+    /// Values that no axis reaches.
+    pub(crate) outliers: Outliers,
+}
+
+pub(crate) const RULES: Rules = Rules {
+    far_m: 400.0,
+    joint_reach_m: JOINT_REACH_M,
+    least_difference: 0.01,
+    outliers: OUTLIERS,
+};
+
 /// A quantity against measured depth.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub(crate) struct Track {

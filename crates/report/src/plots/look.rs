@@ -66,6 +66,15 @@ impl<'a> Looks<'a> {
         self.alone() && (solved.model == "dynamic" || !self.dynamic)
     }
 
+    /// What a curve is of: a run of two, an operation of several; nothing where there is one alone.
+    pub(super) fn whose(&self, run: usize, solved: &Solved) -> Option<String> {
+        if self.runs.len() > 1 {
+            Some(self.runs[run].name.to_owned())
+        } else {
+            (!self.alone()).then(|| spoken(&solved.operation))
+        }
+    }
+
     /// What colours and strokes mean; nothing where there is one curve alone.
     pub(super) fn keys(&self) -> Vec<Key> {
         let line = |name: &str, ink, stroke| Key {

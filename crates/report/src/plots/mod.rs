@@ -4,6 +4,7 @@ mod bottom;
 pub(crate) mod catalogue;
 mod contact;
 mod drill_off;
+mod found;
 mod histories;
 mod look;
 mod near;

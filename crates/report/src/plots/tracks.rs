@@ -2,9 +2,10 @@
 
 use super::{
     Plot, Run,
-    catalogue::{Source, TRACKS, Track},
+    catalogue::{RULES, Source, TRACKS, Track},
+    found::Found,
     look::Looks,
-    near::{self, JOINT_REACH_M},
+    near,
     shown::Shown,
 };
 use crate::{
@@ -13,9 +14,6 @@ use crate::{
         Axis, Direction, Figure, Ink, Interval, Key, Layout, Mark, Panel, Range, Sample, Stroke,
     },
 };
-
-/// Where more of the string than this is in view, joints are too many to tell apart, m.
-const FAR_M: f64 = 400.0;
 
 /// Most tracks side by side on a page.
 const IN_A_LINE: usize = 4;
@@ -28,14 +26,18 @@ pub(super) fn plots(
     subtitle: &str,
     suffix: &str,
 ) -> Vec<Plot> {
-    let tracks: Vec<(&Track, Panel)> = TRACKS
+    let mut tracks: Vec<(&Track, Panel)> = TRACKS
         .iter()
         .filter_map(|track| Some((track, panel(track, runs, looks, shown)?)))
         .collect();
+    let found = Found::of(looks);
+    for (_, panel) in &mut tracks {
+        panel.marks.splice(0..0, found.marks(shown));
+    }
     let figure = |tracks: &[(&Track, Panel)], columns, width_mm, panel_mm| Figure {
         title: super::title(runs),
         subtitle: subtitle.to_owned(),
-        keys: keys(tracks, looks),
+        keys: [keys(tracks, looks), found.keys()].concat(),
         layout: Layout {
             direction: Direction::Down,
             columns,
@@ -175,13 +177,13 @@ fn solved_marks(track: &Track, looks: &Looks<'_>, shown: Shown<'_>) -> Vec<Mark>
             _ => false,
         };
         if track.touches {
-            values = near::largest(&depths, &values, JOINT_REACH_M);
+            values = near::largest(&depths, &values, RULES.joint_reach_m);
         }
         // From afar two curves, at the joints and between them; the band is the joint's own.
         let mut between = None;
-        if track.swings && reach(FAR_M) {
-            let smallest = near::smallest(&depths, &values, JOINT_REACH_M);
-            let joints = near::row_of_largest(&depths, &values, JOINT_REACH_M);
+        if track.swings && reach(RULES.far_m) {
+            let smallest = near::smallest(&depths, &values, RULES.joint_reach_m);
+            let joints = near::row_of_largest(&depths, &values, RULES.joint_reach_m);
             let at_joints = |of: &[f64]| joints.iter().map(|row| of[*row]).collect::<Vec<f64>>();
             values = at_joints(&values);
             band = band.map(|(low, high)| (at_joints(&low), at_joints(&high)));
@@ -219,13 +221,13 @@ fn solved_marks(track: &Track, looks: &Looks<'_>, shown: Shown<'_>) -> Vec<Mark>
     [areas, bands, curves].concat()
 }
 
-/// Whether a curve would be seen beside another: somewhere a hundredth of the largest value from it.
+/// Whether a curve would be seen beside another.
 fn differs(one: &[f64], other: &[f64]) -> bool {
     let largest = other
         .iter()
         .fold(0.0_f64, |most, value| most.max(value.abs()));
     let off = one.iter().zip(other).map(|(a, b)| (a - b).abs());
-    off.fold(0.0, f64::max) > 0.01 * largest
+    off.fold(0.0, f64::max) > RULES.least_difference * largest
 }
 
 /// A curve of the path: one alone where all runs are on the same.

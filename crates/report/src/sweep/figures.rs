@@ -2,7 +2,7 @@
 
 use super::{QUANTITIES, Quantity, Sweep, SweepRow};
 use crate::{
-    Plot,
+    Level, Plot,
     figure::{
         Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Scale, Shape, Stroke,
     },
@@ -256,6 +256,20 @@ impl<'a> Drawing<'a> {
                     points: mean.clone(),
                     rows: rows.iter().map(|(_, place, _)| *place).collect(),
                 });
+                for (key, level) in self.judged().into_iter().enumerate() {
+                    let of_level = rows.iter().zip(&mean);
+                    let of_level = of_level.filter(|((.., row), _)| judged(row) == Some(level));
+                    let ringed: Vec<_> = of_level.map(|(_, point)| *point).collect();
+                    if !ringed.is_empty() {
+                        let mut of_ring = self.keys_of(place, model, done);
+                        of_ring.push(self.first_judged() + key);
+                        points.push(Mark::Of { keys: of_ring });
+                        points.push(Mark::Rings {
+                            level,
+                            points: ringed,
+                        });
+                    }
+                }
                 curves.push(Mark::Curve {
                     ink,
                     stroke: self.stroke(model, done),
@@ -273,6 +287,24 @@ impl<'a> Drawing<'a> {
             marks: [bands, curves, points].concat(),
             keys: Vec::new(),
         })
+    }
+
+    /// The levels that cases have, the gravest first: a ring of the gravest is about each point.
+    fn judged(&self) -> Vec<Level> {
+        let levels = [Level::Error, Level::Warning].into_iter();
+        levels
+            .filter(|level| {
+                self.sweep
+                    .rows
+                    .iter()
+                    .any(|row| judged(row) == Some(*level))
+            })
+            .collect()
+    }
+
+    /// Place of the first key of a ring in the legend: after all others.
+    fn first_judged(&self) -> usize {
+        self.band_key() + usize::from(self.has_bands()) + self.count(self.operations.len())
     }
 
     /// Place of the bands' key in the legend.
@@ -333,6 +365,16 @@ impl<'a> Drawing<'a> {
                     }),
             );
         }
+        keys.extend(self.judged().into_iter().map(|level| {
+            Key {
+                name: match level {
+                    Level::Error => "with errors",
+                    _ => "with warnings",
+                }
+                .into(),
+                sample: Sample::Ring(level),
+            }
+        }));
         keys
     }
 
@@ -357,6 +399,15 @@ impl<'a> Drawing<'a> {
             panels: panels.iter().map(|(_, panel)| panel.clone()).collect(),
             hole: Vec::new(),
         }
+    }
+}
+
+/// The level of the gravest finding of a row that is marked.
+fn judged(row: &SweepRow) -> Option<Level> {
+    if row.errors > 0 {
+        Some(Level::Error)
+    } else {
+        (row.warnings > 0).then_some(Level::Warning)
     }
 }
 

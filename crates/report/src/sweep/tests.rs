@@ -1,7 +1,10 @@
 //! Pictures and tables of sweeps.
 
 use super::*;
-use crate::figure::{Direction, Figure, Mark, Sample, Scale, Stroke};
+use crate::{
+    Level,
+    figure::{Direction, Figure, Mark, Sample, Scale, Stroke},
+};
 
 const MODELS: [&str; 2] = ["soft", "dynamic"];
 
@@ -278,4 +281,71 @@ fn operations_differ_by_stroke_and_have_their_names() {
     let file = figure.drawing().svg();
     assert!(!file.contains("data-") && !file.contains("class=\"series\""));
     assert!(file.contains(">slide</text>"));
+}
+
+/// A case with errors has a ring in every picture and a name for it in the legend, one with warnings alone a broken one.
+#[test]
+fn judged_cases_are_ringed() {
+    let mut sweep = sweep(["friction", "bit_depth"], [&["0.1"], &["300m", "600m"]]);
+    let rings = |figure: &Figure| -> Vec<(Level, Vec<(f64, f64)>)> {
+        let marks = figure.panels[0].marks.iter();
+        marks
+            .filter_map(|mark| match mark {
+                Mark::Rings { level, points } => Some((*level, points.clone())),
+                _ => None,
+            })
+            .collect()
+    };
+    let named = |figure: &Figure| -> Vec<(String, Sample)> {
+        let keys = figure.keys.iter();
+        let ringed = keys.filter(|key| matches!(key.sample, Sample::Ring(_)));
+        ringed.map(|key| (key.name.clone(), key.sample)).collect()
+    };
+    let clean = figure(&sweep, "si");
+    assert!(rings(&clean).is_empty() && named(&clean).is_empty());
+    for row in &mut sweep.rows {
+        let deep = row.values[1] == "600m";
+        (row.errors, row.warnings) = match (deep, row.model.as_str()) {
+            (true, "soft") => (1, 2),
+            (true, _) => (0, 1),
+            _ => (0, 0),
+        };
+    }
+    let judged = figure(&sweep, "si");
+    // 100 kN (1 + 10) at 600 m.
+    let at = (600.0, 1100.0);
+    assert_eq!(
+        rings(&judged),
+        [(Level::Warning, vec![at]), (Level::Error, vec![at])]
+    );
+    assert_eq!(
+        named(&judged),
+        [
+            ("with errors".to_owned(), Sample::Ring(Level::Error)),
+            ("with warnings".to_owned(), Sample::Ring(Level::Warning))
+        ]
+    );
+    // A page hides a ring with its curve and with its own key.
+    let place = judged.keys.iter().position(|key| key.name == "with errors");
+    let marks = &judged.panels[0].marks;
+    let of_ring = marks.windows(2).find_map(|pair| match pair {
+        [
+            Mark::Of { keys },
+            Mark::Rings {
+                level: Level::Error,
+                ..
+            },
+        ] => Some(keys),
+        _ => None,
+    });
+    let of_ring = of_ring.unwrap();
+    assert_eq!(of_ring.last().copied(), place);
+    let also = of_ring.iter().map(|key| judged.keys[*key].name.as_str());
+    assert!(also.into_iter().any(|name| name == "soft string"));
+    // A full ring and a broken one are drawn.
+    let svg = judged.drawing().svg();
+    assert!(
+        svg.contains("stroke-over") && svg.contains("stroke-near"),
+        "{svg}"
+    );
 }

@@ -1,0 +1,201 @@
+//! Errors and warnings that have a place along the string.
+
+use super::{look::Looks, shown::Shown};
+use crate::{
+    Level,
+    figure::{Key, Mark, Sample},
+};
+
+/// What was found of each level, the gravest last, so that it lies above the others.
+pub(super) struct Found(Vec<(Level, Places)>);
+
+/// Where something was found.
+struct Places {
+    /// Stretches of measured depth, m, apart from one another and downwards; one place has one depth twice.
+    stretches: Vec<(f64, f64)>,
+    /// Of which operations or runs, where there are several.
+    whose: Vec<String>,
+}
+
+impl Found {
+    pub(super) fn of(looks: &Looks<'_>) -> Self {
+        let places = |level: Level| {
+            let (mut stretches, mut whose) = (Vec::new(), Vec::new());
+            for (run, solved) in looks.solved() {
+                let of_level = solved.findings.iter().filter(|of| of.level == level);
+                let placed = of_level.filter_map(|of| {
+                    let from = of.md_m?;
+                    Some((from, of.to_md_m.unwrap_or(from)))
+                });
+                let before = stretches.len();
+                stretches.extend(placed);
+                if let (true, Some(name)) = (stretches.len() > before, looks.whose(run, solved))
+                    && !whose.contains(&name)
+                {
+                    whose.push(name);
+                }
+            }
+            (!stretches.is_empty()).then(|| Places {
+                stretches: joined(stretches),
+                whose,
+            })
+        };
+        let levels = [Level::Warning, Level::Error].into_iter();
+        Self(
+            levels
+                .filter_map(|level| Some((level, places(level)?)))
+                .collect(),
+        )
+    }
+
+    /// Where they are, for every track.
+    pub(super) fn marks(&self, shown: Shown<'_>) -> Vec<Mark> {
+        let all = self.0.iter();
+        let all =
+            all.flat_map(|(level, places)| places.stretches.iter().map(move |of| (level, of)));
+        all.map(|(level, (from, to))| Mark::Found {
+            level: *level,
+            from: shown.value(*from, "length"),
+            to: shown.value(*to, "length"),
+        })
+        .collect()
+    }
+
+    /// What they say in a legend, the gravest first.
+    pub(super) fn keys(&self) -> Vec<Key> {
+        let key = |(level, places): &(Level, Places)| {
+            let name = match level {
+                Level::Error => "error here",
+                Level::Warning => "warning here",
+                Level::Note => "note here",
+            };
+            let name = match &places.whose[..] {
+                [] => name.to_owned(),
+                whose => format!("{name}: {}", whose.join(", ")),
+            };
+            Key {
+                name,
+                sample: Sample::Found(*level),
+            }
+        };
+        self.0.iter().rev().map(key).collect()
+    }
+}
+
+/// Stretches, those that touch as one; a place within a stretch goes with it.
+fn joined(mut stretches: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    stretches.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut apart: Vec<(f64, f64)> = Vec::new();
+    for (from, to) in stretches {
+        match apart.last_mut() {
+            Some(last) if from <= last.1 => last.1 = last.1.max(to),
+            _ => apart.push((from, to)),
+        }
+    }
+    apart
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Finding, Packed, Report, Run, figure::Figure, page::tests::report, plots::plots};
+
+    fn finding(level: Level, md_m: Option<f64>, to_md_m: Option<f64>) -> Finding {
+        Finding {
+            kind: "helical_buckling".into(),
+            level,
+            md_m,
+            to_md_m,
+            value: crate::Cell::Nothing,
+            limit: crate::Cell::Nothing,
+            message: String::new(),
+        }
+    }
+
+    /// A report of operations with these findings, each with a curve of tension.
+    fn solved(operations: &[(&str, Vec<Finding>)]) -> Report {
+        let mut report = report();
+        let of = report.solved.remove(0);
+        let column = |values: &[f64]| Packed::single(values.iter().copied());
+        report.solved = operations
+            .iter()
+            .map(|(operation, findings)| crate::Solved {
+                operation: (*operation).into(),
+                findings: findings.clone(),
+                profile: [
+                    ("md_m".into(), column(&[0.0, 500.0, 1000.0])),
+                    ("tension_N".into(), column(&[1e5, -2e4, 0.0])),
+                ]
+                .into(),
+                ..of.clone()
+            })
+            .collect();
+        report.runs.clear();
+        report
+    }
+
+    fn tension(report: &Report) -> Figure {
+        let run = Run {
+            name: "",
+            report,
+            spectra: &[],
+        };
+        let plots = plots(&[run], "si");
+        let tension = plots.into_iter().find(|plot| plot.name == "tension");
+        tension.unwrap().figure
+    }
+
+    /// Buckled stretches lie below the curve of every track; those of two models that overlap are one.
+    #[test]
+    fn what_was_found_is_shaded_where_it_is() {
+        let report = solved(&[
+            (
+                "slide",
+                vec![
+                    finding(Level::Error, Some(300.0), Some(600.0)),
+                    finding(Level::Error, Some(550.0), Some(700.0)),
+                    finding(Level::Error, Some(900.0), None),
+                    finding(Level::Error, None, None),
+                    finding(Level::Note, Some(0.0), Some(1000.0)),
+                ],
+            ),
+            (
+                "drill",
+                vec![finding(Level::Warning, Some(100.0), Some(200.0))],
+            ),
+        ]);
+        let figure = tension(&report);
+        let of = |mark: &Mark| match mark {
+            Mark::Found { level, from, to } => Some((*level, *from, *to)),
+            _ => None,
+        };
+        let found: Vec<_> = figure.panels[0].marks.iter().filter_map(of).collect();
+        assert_eq!(
+            found,
+            [
+                (Level::Warning, 100.0, 200.0),
+                (Level::Error, 300.0, 700.0),
+                (Level::Error, 900.0, 900.0)
+            ]
+        );
+        let names: Vec<&str> = figure.keys.iter().map(|key| key.name.as_str()).collect();
+        assert!(
+            names.ends_with(&["error here: slide", "warning here: drill"]),
+            "{names:?}"
+        );
+        // One ground for each stretch, none of a single place; bars for all three.
+        let svg = figure.drawing().svg();
+        assert_eq!(svg.matches("fill-opacity=\"0.1\"").count(), 2, "{svg}");
+    }
+
+    /// Of one operation alone no name is needed, and without findings nothing is said.
+    #[test]
+    fn nothing_is_said_where_nothing_was_found() {
+        let alone = |findings| tension(&solved(&[("slide", findings)]));
+        let has = |figure: &Figure, name: &str| figure.keys.iter().any(|key| key.name == name);
+        let judged = alone(vec![finding(Level::Error, Some(300.0), None)]);
+        assert!(has(&judged, "error here"), "{:?}", judged.keys);
+        let clean = alone(vec![finding(Level::Error, None, None)]);
+        assert!(!has(&clean, "error here"), "{:?}", clean.keys);
+    }
+}
