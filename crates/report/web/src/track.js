@@ -43,6 +43,9 @@ function curvesOf(report, track) {
 export const tracksOf = (report) =>
   report.tracks.map((track) => ({ ...track, curves: curvesOf(report, track) })).filter((track) => track.curves.length);
 
+/** A value of a track in which what is nothing beside its least span, such as rounding, is 0. */
+export const sized = (track, value) => (Math.abs(value) < 1e-4 * track.least_span ? 0 : value);
+
 /** Whether the reader wants to see a curve. */
 export const seen = (curve) => curve.well || !state.hidden.has(curveId(curve.solved));
 

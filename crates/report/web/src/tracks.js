@@ -12,7 +12,7 @@ import { choose, on, state } from "./state.js";
 import { isPrinting } from "./theme.js";
 import { hideTip, showTip } from "./tip.js";
 import { ticks, tickText } from "./ticks.js";
-import { seen, tracksOf } from "./track.js";
+import { seen, sized, tracksOf } from "./track.js";
 import { trackLegend } from "./track_legend.js";
 import { drawTrack } from "./track_panel.js";
 import { digits, quantity, shown, si, symbol } from "./units.js";
@@ -192,7 +192,7 @@ export function tracks(report) {
     const rows = (under?.curves ?? []).flatMap((curve) => {
       const name = curve.well ? "well" : curveName(report, curve.solved);
       const line = (values, where) => {
-        const value = valueAt(curve.depths, values, depth);
+        const value = sized(under.track, valueAt(curve.depths, values, depth));
         return {
           colour: curve.well ? "var(--text)" : look(report, curve.solved).colour,
           text: `${name}${where}: ${Number.isFinite(value) ? quantity(value, under.track.dimension) : "–"}`,
@@ -245,7 +245,7 @@ export function tracks(report) {
   function values(track, curves) {
     const mine = curves.filter((curve) => curve.well || curve.solved.operation === state.operation);
     return mine.map((curve, i) => {
-      const value = valueAt(curve.depths, curve.values, state.pointer);
+      const value = sized(track, valueAt(curve.depths, curve.values, state.pointer));
       const fill = curve.well ? "var(--text)" : look(report, curve.solved).colour;
       return svg(
         "tspan",

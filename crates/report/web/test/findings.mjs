@@ -167,8 +167,11 @@ await check("numbers of findings follow the units", async () => {
 
 /** Lines of the tip over the track with this title, in the middle of its depths. */
 async function tipOver(title) {
-  const box = await page.locator(".tracks .title", { hasText: title }).boundingBox();
-  await page.mouse.move(box.x + box.width / 2, box.y + 400);
+  const head = page.locator(".tracks .title", { hasText: title });
+  await head.evaluate((head) => head.ownerSVGElement.scrollIntoView({ block: "center" }));
+  const box = await head.boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + 250);
+  await settled(page);
   return page.locator(".tip > *").allTextContents();
 }
 
