@@ -51,7 +51,7 @@ const TORQUE: Unit = Unit::Of(Dimension::Torque);
 
 const QUANTITIES: &[Quantity] = &[
     Quantity {
-        label: "Hook load",
+        label: "Hook load without block",
         unit: FORCE,
         key: "hook_load_N",
         value: |of| Some(of.hook_load_N),

@@ -154,8 +154,8 @@ mod tests {
         results.iter().chain(&others).for_each(|name| put(name));
         remove(place.path()).expect("removed");
         let is_there = |name: &&str| place.path().join(name).exists();
-        assert!(!results.iter().any(&is_there));
-        assert!(others.iter().all(&is_there));
+        assert!(!results.iter().any(is_there));
+        assert!(others.iter().all(is_there));
         assert!(!is_there(&"sweep") && !is_there(&"frames.parts"));
     }
 }

@@ -131,8 +131,8 @@ mod tests {
         assert_eq!(
             told(&drifts).as_deref(),
             Some(
-                "Hook load falls by 2.1 kN and stretch rises by 0.010 m over the window (↗ ↘): there ± is drift, \
-                 not motion alone; settle longer"
+                "Hook load without block falls by 2.1 kN and stretch rises by 0.010 m over the window (↗ ↘): there \
+                 ± is drift, not motion alone; settle longer"
             )
         );
         let shown = table(&drifts, UnitSet::Si, None);

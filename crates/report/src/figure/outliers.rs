@@ -23,8 +23,8 @@ pub(crate) const OUTLIERS: Outliers = Outliers {
 /// The interval that an axis has to reach, without outliers: the whole one where there are none.
 ///
 /// The inner interval holds all but the lowest and the highest hundredth of the values, and zero where `zero` says that
-/// the axis goes there. An end is an outlier's where the distance to it from the inner interval is more than
-/// `times_as_long` less one lengths of the inner interval.
+/// the axis goes there. A value is an outlier where the distance to it from the inner interval is more than
+/// `times_as_long` less one lengths of the inner interval; the axis reaches the outermost of all others.
 pub(super) fn without(values: &[f64], zero: bool) -> Option<(f64, f64)> {
     let Outliers {
         tail,
@@ -47,10 +47,10 @@ pub(super) fn without(values: &[f64], zero: bool) -> Option<(f64, f64)> {
     if far == 0.0 {
         return Some(whole);
     }
-    Some((
-        if low - whole.0 > far { low } else { whole.0 },
-        if whole.1 - high > far { high } else { whole.1 },
-    ))
+    // Whatever is not far off is reached.
+    let first = sorted.partition_point(|value| low - value > far);
+    let end = sorted.partition_point(|value| value - high <= far);
+    Some((sorted[first], sorted[end - 1]))
 }
 
 #[cfg(test)]
@@ -72,6 +72,8 @@ mod tests {
         values[400] = -230.0;
         let (low, high) = without(&values, true).unwrap();
         assert!((-0.01..=0.0).contains(&low) && high <= 1.0, "{low} {high}");
+        // Values at the edge of the others are none.
+        assert_eq!(without(&values, false), Some((0.0, 1.0)));
         // What a tenth of the values do is no outlier.
         values[..100].fill(50.0);
         assert_eq!(without(&values, false).unwrap().1, 50.0);

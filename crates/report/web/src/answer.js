@@ -32,19 +32,29 @@ function flag(level, findings) {
   return el("p", { class: `flag level-${level}` }, levelMark(level), el("strong", {}, ` ${LEVELS[level][0]}`), `: ${few}`);
 }
 
-function card(answer, softAnswer, findings) {
+/** Quantities of which the least span of a chart says what is nothing: a hundredth of it. */
+const NOTHING = { part: 0.01, of: ["force", "torque"] };
+
+/** A cell in which what is nothing beside the quantity's usual size, such as a torque of 3 N·m, is 0. */
+function sized(cell, report) {
+  if (!NOTHING.of.includes(cell?.dimension)) return cell;
+  const spans = report.time_plots.filter((plot) => plot.dimension === cell.dimension).map((plot) => plot.least_span);
+  return Math.abs(cell.value) < NOTHING.part * Math.max(...spans) ? { ...cell, value: 0 } : cell;
+}
+
+function card(report, answer, softAnswer, findings) {
   const mine = findings.filter((of) => answer.about.some((word) => of.kind.includes(word)));
   const level = worstOf(mine);
   const dimension = answer.value?.dimension;
   const children = [
     el("h3", {}, answer.label),
-    el("p", { class: "number" }, cellText(answer.value, dimension === "ratio" || dimension === "percent" ? 3 : 4)),
+    el("p", { class: "number" }, cellText(sized(answer.value, report), dimension === "ratio" || dimension === "percent" ? 3 : 4)),
   ];
   if (answer.worst !== null && dimension)
-    children.push(el("p", { class: "note" }, `mean; at most ${quantity(answer.worst, dimension)}`));
+    children.push(el("p", { class: "note" }, `mean; at most ${quantity(sized({ value: answer.worst, dimension }, report).value, dimension)}`));
   for (const { label, value } of answer.more) children.push(el("p", { class: "note" }, `${cellText(value, 4)} ${label}`));
   if (softAnswer?.value?.dimension === dimension && dimension)
-    children.push(el("p", { class: "note" }, `soft string ${cellText(softAnswer.value, 4)}`));
+    children.push(el("p", { class: "note" }, `soft string ${cellText(sized(softAnswer.value, report), 4)}`));
   if (level) children.push(flag(level, mine));
   const worst = answer.held ?? answer.worst ?? answer.value?.value;
   if (answer.limit !== null && Number.isFinite(worst)) {
@@ -89,7 +99,7 @@ export function answers(report) {
       el(
         "div",
         { class: "answers" },
-        main.answers.map((answer) => card(answer, same(answer), findingsOf(report, state.operation))),
+        main.answers.map((answer) => card(report, answer, same(answer), findingsOf(report, state.operation))),
       ),
     );
   };

@@ -13,7 +13,7 @@ export function below(depths, depth) {
 }
 
 /** Indices that show between two depths, one more on either side. */
-function inView(depths, [from, to]) {
+export function inView(depths, [from, to]) {
   return [Math.max(below(depths, from) - 1, 0), Math.min(below(depths, to) + 1, depths.length)];
 }
 
@@ -93,18 +93,6 @@ export function area(depths, lows, highs, view, x, y) {
   return there.length > 1 ? `M${there.join("L")}L${back.reverse().join("L")}Z` : "";
 }
 
-/** The mean of the values within `reach` of each depth. */
-export function meanNear(depths, values, reach) {
-  const mean = new Float32Array(values.length);
-  let [from, to, sum] = [0, 0, 0];
-  for (let i = 0; i < values.length; i++) {
-    while (to < values.length && depths[to] <= depths[i] + reach) sum += values[to++];
-    while (depths[from] < depths[i] - reach) sum -= values[from++];
-    mean[i] = sum / (to - from);
-  }
-  return mean;
-}
-
 /** The largest value within `reach` of each depth. */
 export function largestNear(depths, values, reach) {
   const largest = new Float32Array(values.length);
@@ -116,4 +104,16 @@ export function largestNear(depths, values, reach) {
     largest[i] = high;
   }
   return largest;
+}
+
+/** Of the rows within `reach` of each depth the one with the largest value: a joint, of what joints do. */
+export function rowOfLargest(depths, values, reach) {
+  let [from, to] = [0, 0];
+  return Uint32Array.from(values, (_, i) => {
+    while (depths[from] < depths[i] - reach) from++;
+    while (to < values.length && depths[to] <= depths[i] + reach) to++;
+    let row = from;
+    for (let k = from; k < to; k++) if (values[k] >= values[row]) row = k;
+    return row;
+  });
 }

@@ -6,7 +6,7 @@ import { on, state } from "./state.js";
 import { hideTip, showTip } from "./tip.js";
 
 /**
- * The figure `name`; where there is none, `otherwise`. `tell` gives title, rows of text, an address and the level of what was found for a row of the
+ * The figure `name`; where there is none, `otherwise`. `tell` gives title, rows of text and an address for a row of the
  * table that a point shows.
  */
 export function figure(name, otherwise, tell = null) {
@@ -48,8 +48,7 @@ export function figure(name, otherwise, tell = null) {
 
   function point(spot) {
     const said = () => tell(Number(spot.dataset.row));
-    const { title, href, level } = said();
-    if (level) spot.classList.add(`level-${level}`);
+    const { title, href } = said();
     spot.setAttribute("aria-label", title);
     if (href) {
       spot.setAttribute("role", "link");

@@ -17,6 +17,12 @@ export const allFindings = (report) =>
 export const findingsOf = (report, operation) =>
   allFindings(report).filter((finding) => finding.solved.operation === operation);
 
+/** The findings of the chosen operation that have a place, the least grave first. */
+export const placedOf = (report) =>
+  findingsOf(report, state.operation)
+    .filter((finding) => finding.md_m !== null)
+    .reverse();
+
 /** `hook_load_negative` as people write it, with a capital. */
 export const kindText = (kind) => kind.replaceAll("_", " ").replace(/^./, (letter) => letter.toUpperCase());
 

@@ -16,8 +16,7 @@ useDimensions(report.dimensions, report.units);
 /** What a point says: the case by its keys, what came out of it, and what was found. */
 function tell(row) {
   const { heads, rows } = report.sheet;
-  const { finding, findings, page } = report.rows[row];
-  const level = findings[0] ? "error" : findings[1] ? "warning" : null;
+  const { finding, page } = report.rows[row];
   const ends = heads.indexOf("Operation") + 1;
   const said = (i) => `${heads[i]}: ${cellText(rows[row][i], 4)}`;
   const keys = rows[row].slice(0, ends - 2).map((value, i) => `${heads[i]} ${cellText(value)}`);
@@ -25,7 +24,7 @@ function tell(row) {
   const lines = texts.filter((i) => rows[row][i] !== "").map((i) => ({ text: said(i) }));
   if (finding) lines.push({ text: finding, class: "mine" });
   if (page) lines.push({ text: "click for its report" });
-  return { title: keys.join(", "), rows: lines, href: page, level };
+  return { title: keys.join(", "), rows: lines, href: page };
 }
 
 const drawn = figure("figure", "Nothing was solved.", tell);

@@ -55,8 +55,10 @@ export function domain(low, high, withZero, one, least) {
   if (withZero || (high < 0 && high > 0.35 * low)) high = Math.max(high, 0);
   const short = least - (high - low);
   if (short > 0) {
-    if (low >= 0 && low < short / 2) return [0, Math.max(high, least)];
-    if (high <= 0 && -high < short / 2) return [Math.min(low, -least), 0];
+    // To the other side of zero lies rounding.
+    const rounding = 1e-3 * least;
+    if (low >= -rounding && low < short / 2) return [0, Math.max(high, least)];
+    if (high <= rounding && -high < short / 2) return [Math.min(low, -least), 0];
     return [low - short / 2, high + short / 2];
   }
   const span = high - low || Math.abs(high) * 0.2 || 1;

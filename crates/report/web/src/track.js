@@ -1,9 +1,24 @@
 // The curves of each track.
 
-import { largestNear, meanNear } from "./curve.js";
+import { largestNear, rowOfLargest } from "./curve.js";
+import { curveId } from "./solutions.js";
+import { state } from "./state.js";
 
-/** Half of the distance between joints, and a little: what touches or bends most within it counts for all of it, m. */
-const JOINT_REACH_M = 6;
+const negative = (values) => values.map((value) => -value);
+
+/**
+ * A curve that swings from joint to joint as it is from afar: its values at the joints, with their own band, and the least
+ * of what lies between them where that is seen beside it.
+ */
+function fromAfar({ depths, values, low, high }, { joint_reach_m, least_difference }) {
+  const joints = rowOfLargest(depths, values, joint_reach_m);
+  const atJoints = (column) => column && Float32Array.from(joints, (row) => column[row]);
+  const far = { values: atJoints(values), low: atJoints(low), high: atJoints(high) };
+  const between = negative(largestNear(depths, negative(values), joint_reach_m));
+  const most = far.values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+  const seen = between.some((value, i) => Math.abs(value - far.values[i]) > least_difference * most);
+  return seen ? { ...far, between } : far;
+}
 
 /** Depths and values of a track's curves, with who drew them. */
 function curvesOf(report, track) {
@@ -18,20 +33,8 @@ function curvesOf(report, track) {
     const depths = table.md_m;
     const [low, high] = (track.band ?? []).map((name) => table[name]);
     const curve = { solved, depths, values, low, high };
-    if (track.touches) curve.values = largestNear(depths, values, JOINT_REACH_M);
-    // Bending swings from joint to joint: from afar, what it swings about and how far.
-    if (track.swings)
-      curve.far = {
-        values: meanNear(depths, values, JOINT_REACH_M),
-        low:
-          low &&
-          largestNear(
-            depths,
-            low.map((v) => -v),
-            JOINT_REACH_M,
-          ).map((v) => -v),
-        high: high && largestNear(depths, high, JOINT_REACH_M),
-      };
+    if (track.touches) curve.values = largestNear(depths, values, report.rules.joint_reach_m);
+    if (track.swings) curve.far = fromAfar(curve, report.rules);
     return [curve];
   });
 }
@@ -39,3 +42,15 @@ function curvesOf(report, track) {
 /** The tracks of a report that have anything to show, with their curves. */
 export const tracksOf = (report) =>
   report.tracks.map((track) => ({ ...track, curves: curvesOf(report, track) })).filter((track) => track.curves.length);
+
+/** A value of a track in which what is nothing beside its least span, such as rounding, is 0. */
+export const sized = (track, value) => (Math.abs(value) < 1e-4 * track.least_span ? 0 : value);
+
+/** Whether the reader wants to see a curve. */
+export const seen = (curve) => curve.well || !state.hidden.has(curveId(curve.solved));
+
+/** The curves of a track that are seen between two depths, as they are from so far. */
+export function drawnOf(report, track, [from, to]) {
+  const far = to - from > report.rules.far_m;
+  return track.curves.filter(seen).map((curve) => (far && curve.far ? { ...curve, ...curve.far } : curve));
+}

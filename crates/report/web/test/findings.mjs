@@ -28,6 +28,25 @@ const KNOWN = {
   drill: [found("sinusoidal_buckling", "warning", "Sinusoidally buckled.", [300, 500], 80e3, 70e3)],
 };
 
+/** The text of a packed column with these values. */
+const packed = (values) => ({ f32: Buffer.from(Float32Array.from(values).buffer).toString("base64") });
+const lengthOf = (column) => (column.f32 ? Buffer.from(column.f32, "base64").length / 4 : Buffer.from(column.i16[0], "base64").length / 2);
+
+/** Tension of one node, N, where all others bear less than 10 kN; bending at joints and between them, N.m. */
+const OUTLIER = 23e6;
+const [JOINT, BETWEEN] = [5e3, 1e3];
+
+/** Columns of a string with a node far off, and with joints at every second node. */
+function madeUp(profile) {
+  const rows = Array.from({ length: lengthOf(profile.md_m) }, (_, i) => i);
+  const even = packed(rows.map((i) => 1e4 * Math.sin(i / 9)));
+  const bending = packed(rows.map((i) => (i % 2 ? JOINT : BETWEEN)));
+  for (const name of Object.keys(profile)) if (name.startsWith("tension_")) profile[name] = even;
+  for (const name of Object.keys(profile)) if (name.startsWith("bending_moment_")) profile[name] = bending;
+  const node = Math.floor(rows.length / 2);
+  profile.tension_N = packed(rows.map((i) => (i === node ? OUTLIER : 1e4 * Math.sin(i / 9))));
+}
+
 // The hoist's limit is far away: the bar would praise the load.
 const page_ = readFileSync(file, "utf8").replace(
   /(<script type="application\/json" id="report">)(.*?)(<\/script>)/s,
@@ -35,6 +54,7 @@ const page_ = readFileSync(file, "utf8").replace(
     const report = JSON.parse(json);
     for (const solved of report.solved) {
       solved.findings = solved.model === "dynamic" ? KNOWN[solved.operation] : [];
+      madeUp(solved.profile);
       Object.assign(solved.answers[0], { limit: 1e7, limit_label: "hoist's capacity" });
     }
     return begin + JSON.stringify(report).replaceAll("<", "\\u003c") + end;
@@ -143,6 +163,49 @@ await check("numbers of findings follow the units", async () => {
   assert.match(await text(page, "#answer .finding"), /\u221258\u00a0klbf against 0\u00a0klbf/);
   assert.match(await page.locator(".finding", { hasText: "Helically" }).textContent(), /656\u00a0ft to 1,312\u00a0ft/);
   await page.click(".controls [data-value=si]");
+});
+
+/** Lines of the tip over the track with this title, in the middle of its depths. */
+async function tipOver(title) {
+  const head = page.locator(".tracks .title", { hasText: title });
+  await head.evaluate((head) => head.ownerSVGElement.scrollIntoView({ block: "center" }));
+  const box = await head.boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + 250);
+  await settled(page);
+  return page.locator(".tip > *").allTextContents();
+}
+
+await check("one node far off flattens no track, and stands at its edge in numbers", async () => {
+  const told = await page.locator(".tracks .beyond-value").allTextContents();
+  assert.equal(told.length, 1, JSON.stringify(told));
+  assert.match(told[0], /^2[23]\W?\d{3}$/, "23 MN in kN");
+  const arrows = await page.locator(".tracks .beyond").count();
+  const solved = await page.locator(".legend button.key").count();
+  assert.equal(arrows, solved, "an arrow for each curve");
+  const broken = await page.locator(".tracks path[d*=NaN], .tracks [y*=NaN]").count();
+  assert.equal(broken, 0);
+});
+
+await check("bending is drawn at the joints and between them, and legend and pointer name both", async () => {
+  const dotted = page.locator(".tracks .curve.between");
+  const many = await page.locator(".legend button.key").count();
+  assert.equal(await dotted.count(), many);
+  await page.locator(".legend .key", { hasText: "between the joints" }).waitFor();
+  const said = await tipOver("Bending moment");
+  const values = (where) => said.filter((line) => line.includes(`, ${where} the joints:`)).map((line) => line.match(/: ([\d.]+)/)[1]);
+  assert.deepEqual([...new Set(values("at"))], ["5.000"], JSON.stringify(said));
+  assert.deepEqual([...new Set(values("between"))], ["1.000"]);
+  // From near one curve has every node.
+  for (const [end, depth] of [["from", "300"], ["to", "400"]]) {
+    await page.fill(`[aria-label="Depths in view, ${end}"]`, depth);
+    await page.locator(`[aria-label="Depths in view, ${end}"]`).press("Enter");
+  }
+  await settled(page);
+  assert.equal(await dotted.count(), 0);
+  assert.equal(await page.locator(".legend .key", { hasText: "between the joints" }).count(), 0);
+  await page.click("text=All depths");
+  await settled(page);
+  assert.equal(await dotted.count(), many);
 });
 
 await close(page, 20_000, "findings on the page");

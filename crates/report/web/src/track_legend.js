@@ -1,0 +1,98 @@
+// What is drawn in the tracks, in words; curves are hidden and shown there.
+
+import { el, svg } from "./dom.js";
+import { placedOf } from "./findings.js";
+import { LEVELS } from "./levels.js";
+import { curveId, curveName, look, spoken } from "./solutions.js";
+import { choose, state } from "./state.js";
+
+/** What curves, bands and marks mean; `between` says whether curves between the joints are drawn. */
+export function trackLegend(report, between) {
+  const curves = report.solved.map((solved) => {
+    const { colour, dash, shape } = look(report, solved);
+    const id = curveId(solved);
+    const hidden = state.hidden.has(id);
+    const name = curveName(report, solved);
+    return el(
+      "button",
+      {
+        type: "button",
+        class: "key",
+        "aria-pressed": String(!hidden),
+        title: hidden ? `Show ${name}` : `Hide ${name}`,
+        onclick: () => {
+          const next = new Set(state.hidden);
+          if (!next.delete(id)) next.add(id);
+          choose({ hidden: next });
+          // What was drawn anew keeps the keyboard's place.
+          document.querySelector(`.legend [data-curve="${id}"]`)?.focus();
+        },
+        "data-curve": id,
+      },
+      svg(
+        "svg",
+        { width: 30, height: 12 },
+        svg("line", { x1: 1, x2: 29, y1: 6, y2: 6, stroke: colour, class: "curve", "stroke-dasharray": dash?.join(" ") }),
+        shape &&
+          svg("path", {
+            d: shape,
+            transform: "translate(15 6)",
+            fill: solved.model === "soft" ? "var(--paper)" : colour,
+            stroke: solved.model === "soft" ? colour : "var(--paper)",
+            class: "marker",
+          }),
+      ),
+      name,
+    );
+  });
+  const found = [...new Set(placedOf(report).map((finding) => finding.level))].reverse().map((level) =>
+    el(
+      "span",
+      { class: "key" },
+      svg(
+        "svg",
+        { width: 20, height: 12 },
+        svg("rect", { width: 20, height: 12, class: `found level-${level}` }),
+        svg("rect", { x: 15, width: 5, height: 12, class: `found-bar level-${level}` }),
+      ),
+      `${LEVELS[level][0].toLowerCase()} here, ${spoken(state.operation)}`,
+    ),
+  );
+  const band = report.runs.length
+    ? [
+        el(
+          "span",
+          { class: "key" },
+          svg(
+            "svg",
+            { width: 26, height: 10 },
+            svg("rect", { width: 26, height: 10, fill: "var(--muted)", class: "band" }),
+          ),
+          "5–95 % of the time",
+        ),
+      ]
+    : [];
+  const dotted = between
+    ? [
+        el(
+          "span",
+          { class: "key" },
+          svg(
+            "svg",
+            { width: 30, height: 12 },
+            svg("line", { x1: 1, x2: 29, y1: 6, y2: 6, stroke: "var(--muted)", class: "curve between" }),
+          ),
+          "between the joints",
+        ),
+      ]
+    : [];
+  const side = ["high", "low"].map((name) =>
+    el(
+      "span",
+      { class: "key" },
+      svg("svg", { width: 14, height: 10 }, svg("rect", { width: 14, height: 10, class: `${name}-side` })),
+      `on the ${name} side`,
+    ),
+  );
+  return [...curves, ...dotted, ...band, ...side, ...found];
+}
