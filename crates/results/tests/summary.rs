@@ -9,8 +9,8 @@ use wholestring::{
     outcome::{ModelKind, Scalars},
 };
 use wholestring_results::{
-    ENGINE_VERSION, Friction, Numerics, OperationSummary, SCHEMA_VERSION, Statistic, Status,
-    Summary, digest,
+    ENGINE_VERSION, Finding, Friction, Level, Numerics, OperationSummary, SCHEMA_VERSION,
+    Statistic, Status, Summary, digest,
 };
 
 const SCALARS: Scalars = Scalars {
@@ -61,6 +61,16 @@ fn dynamic() -> OperationSummary {
         model: ModelKind::Dynamic,
         status: Status::Failed("the string flew off at 3.2 s".into()),
         friction: Friction::of(&[0.2, 0.3]),
+        findings: vec![Finding {
+            kind: "helical_buckling".into(),
+            level: Level::Warning,
+            md_m: Some(50.0),
+            to_md_m: Some(3350.0),
+            value: Some(190e3),
+            limit: Some(95e3),
+            unit: "N".into(),
+            message: "Buckled to a helix".into(),
+        }],
         lift: Some(TunedLift {
             hook_load_N: 7e5,
             weight_on_bit_N: 59.9e3,
@@ -160,6 +170,7 @@ fn the_keys_are_the_contract() {
         "operations": [
             {
                 "model": "soft", "operation": "drill", "status": "complete", "friction": 0.3,
+                "findings": [],
                 "bit_depth_m": 4305.0, "weight_on_bit_N": 6.0, "bit_torque_N_m": 7.0,
                 "hook_load_N": 1.0, "surface_torque_N_m": 2.0, "friction_torque_N_m": 3.0,
                 "axial_friction_N": 4.0, "side_force_total_N": 5.0, "twist_rad": 8.0,
@@ -168,12 +179,17 @@ fn the_keys_are_the_contract() {
             {
                 "model": "dynamic", "operation": "drill", "status": "failed",
                 "message": "the string flew off at 3.2 s", "friction": [0.2, 0.3],
+                "findings": [{
+                    "kind": "helical_buckling", "level": "warning", "md_m": 50.0, "to_md_m": 3350.0,
+                    "value": 190e3, "limit": 95e3, "unit": "N", "message": "Buckled to a helix"
+                }],
                 "bit_depth_m": 4305.0, "weight_on_bit_N": 6.0, "bit_torque_N_m": 7.0,
                 "hook_load_N": 1.0, "surface_torque_N_m": 2.0, "friction_torque_N_m": 3.0,
                 "axial_friction_N": 4.0, "side_force_total_N": 5.0, "twist_rad": 8.0,
                 "stretch_m": 9.0, "neutral_point_m": 10.0, "cutoff_depth_m": null,
                 "statistics": {"hook_load_N": {
-                    "mean": 1.0, "std": 2.0, "min": 3.0, "max": 4.0, "p05": 5.0, "p95": 6.0
+                    "mean": 1.0, "std": 2.0, "min": 3.0, "max": 4.0, "p05": 5.0, "p95": 6.0,
+                    "std_error": 0.5, "drift": -0.25, "drifts": true
                 }},
                 "bit_table": {
                     "outside_fraction": 0.25,
@@ -197,6 +213,7 @@ fn the_keys_are_the_contract() {
                     "elements": 1350, "time_step_s": 2e-4, "steps": 400_000,
                     "added_axial_mass_fraction": 0.003, "max_penetration_m": 1e-5,
                     "energy_residual": 1e-4,
+                    "settle_s": 12.5, "settled": true, "mean_bit_depth_m": 4305.5, "bit_travel_m": 1.5,
                     "instructions": "avx2", "wall_time_s": 2.5, "real_time_factor": 32.0
                 }
             }

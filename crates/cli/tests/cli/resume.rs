@@ -25,8 +25,9 @@ fn leavings(desk: &Desk, folder: &str) -> (Value, BTreeMap<String, Vec<u8>>) {
             (name, fs::read(entry.path()).unwrap())
         })
         .collect();
-    // The cases of a sweep have none.
+    // The cases of a sweep have neither of these.
     files.remove("report.html");
+    files.remove(".wholestring");
     let summary = files.remove("summary.json").unwrap();
     let mut summary: Value = serde_json::from_slice(&summary).unwrap();
     for operation in summary["operations"].as_array_mut().unwrap() {
