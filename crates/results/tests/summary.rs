@@ -179,10 +179,6 @@ fn the_keys_are_the_contract() {
             {
                 "model": "dynamic", "operation": "drill", "status": "failed",
                 "message": "the string flew off at 3.2 s", "friction": [0.2, 0.3],
-                "findings": [{
-                    "kind": "helical_buckling", "level": "warning", "md_m": 50.0, "to_md_m": 3350.0,
-                    "value": 190e3, "limit": 95e3, "unit": "N", "message": "Buckled to a helix"
-                }],
                 "bit_depth_m": 4305.0, "weight_on_bit_N": 6.0, "bit_torque_N_m": 7.0,
                 "hook_load_N": 1.0, "surface_torque_N_m": 2.0, "friction_torque_N_m": 3.0,
                 "axial_friction_N": 4.0, "side_force_total_N": 5.0, "twist_rad": 8.0,
@@ -213,13 +209,24 @@ fn the_keys_are_the_contract() {
                     "elements": 1350, "time_step_s": 2e-4, "steps": 400_000,
                     "added_axial_mass_fraction": 0.003, "max_penetration_m": 1e-5,
                     "energy_residual": 1e-4,
-                    "settle_s": 12.5, "settled": true, "mean_bit_depth_m": 4305.5, "bit_travel_m": 1.5,
                     "instructions": "avx2", "wall_time_s": 2.5, "real_time_factor": 32.0
                 }
             }
         ]
     });
     let failed = &mut expected["operations"][1];
+    failed["findings"] = json!([{
+        "kind": "helical_buckling", "level": "warning", "md_m": 50.0, "to_md_m": 3350.0,
+        "value": 190e3, "limit": 95e3, "unit": "N", "message": "Buckled to a helix"
+    }]);
+    for (key, value) in [
+        ("settle_s", json!(12.5)),
+        ("settled", json!(true)),
+        ("mean_bit_depth_m", json!(4305.5)),
+        ("bit_travel_m", json!(1.5)),
+    ] {
+        failed["numerics"][key] = value;
+    }
     failed["hydraulics"] = json!({
         "mud_drag_N": 1.0, "mud_torque_N_m": 2.0, "jet_thrust_N": 3.0, "bore_loss_Pa": 4.0,
         "bit_loss_Pa": 5.0, "motor_loss_Pa": 7.0, "annulus_loss_Pa": 6.0, "pump_pressure_Pa": 22.0
