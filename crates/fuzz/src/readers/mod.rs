@@ -12,12 +12,15 @@ use crate::mutation;
 /// What reads inputs; whether it accepts one.
 type Read = Box<dyn FnMut(&[u8]) -> bool>;
 
+/// Makes an input.
+type Generator = dyn Fn(&mut Rng) -> Vec<u8>;
+
 /// How inputs are made.
 enum Make {
     /// Damaged seeds: texts are changed by their words too.
     Damaged { is_text: bool },
     /// In a way of their own.
-    Own(Box<dyn Fn(&mut Rng) -> Vec<u8>>),
+    Own(Box<Generator>),
 }
 
 /// A reader.
