@@ -102,7 +102,8 @@ mod tests {
     /// Each of these reached the kernel, which reads and writes by the grid\'s own lengths.
     #[test]
     fn a_block_with_a_length_or_a_place_that_does_not_fit_is_refused() {
-        let damages: [(&str, fn(&mut Block)); 12] = [
+        type Damage = fn(&mut Block);
+        let damages: [(&str, Damage); 12] = [
             ("the block", |b| b.grid.cells[2] += 1),
             ("the block", |b| b.grid.cells = [15, 15, 9]),
             ("the step of the rock", |b| b.constants.dt_s = f64::NAN),
