@@ -31,7 +31,10 @@ const USAGE: &str = "\
 usage: wholestring-fuzz [SECONDS | --inputs N] [--seed S] [READER...]
        wholestring-fuzz --one READER INPUT [--seed S]    read one input, and write it to target/fuzz";
 
-/// How many inputs of each reader, or for how long in all.
+/// Longer than anybody waits; workers are told it in milliseconds.
+const ENDLESS: Duration = Duration::from_secs(365 * 86_400);
+
+/// How many inputs of all readers together, or for how long in all.
 enum Amount {
     Time(Duration),
     Inputs(u64),
@@ -132,7 +135,7 @@ fn read_all(
             seed,
             from: 0,
             count: all.div_ceil(chosen.len() as u64),
-            time: Duration::MAX / 4,
+            time: ENDLESS,
         },
     };
     let waiting = Mutex::new(chosen.iter().copied().collect::<VecDeque<_>>());
@@ -210,5 +213,20 @@ fn tell(outcomes: &[(&'static str, Outcome)], seed: u64) -> ExitCode {
         ExitCode::SUCCESS
     } else {
         ExitCode::FAILURE
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A worker reads what the watcher writes: a time without end was more than it could hold.
+    #[test]
+    fn a_number_of_inputs_has_a_time_that_workers_read() {
+        let milliseconds = ENDLESS.as_millis().to_string();
+        assert_eq!(
+            number(&milliseconds).map(Duration::from_millis),
+            Ok(ENDLESS)
+        );
     }
 }
