@@ -32,8 +32,11 @@ pub struct Variation {
     pub values: Vec<Override>,
 }
 
-/// More values than this make no sense in one range.
+/// More values than this make no sense of one key, in a range or in all.
 const MOST_VALUES: f64 = 10_000.0;
+
+/// A range of more letters is none.
+const LONGEST: usize = 500;
 
 /// How a range is written.
 const RANGE: &str = "such as 300m..4305m/300m";
@@ -94,6 +97,15 @@ impl Variation {
                 return false;
             }
         };
+        // Before they are held against each other, which takes the square of their number.
+        if (self.values.len() + values.len()) as f64 > MOST_VALUES {
+            let message = format!(
+                "`{}` is given more than {MOST_VALUES} values",
+                short(&self.key)
+            );
+            reader.report(Diagnostic::error(message).at(place, "expected fewer"));
+            return false;
+        }
         for value in values {
             if self.values.iter().any(|other| other.value == value.value) {
                 let message = format!("`{}` is given twice", short(&value.value));
@@ -203,6 +215,13 @@ type Mistake = (String, String);
 
 /// The values of a range; none if the element is no range.
 fn expand(element: &str) -> Result<Option<Vec<String>>, Mistake> {
+    // Every `..` may be the one of a range: a element of thousands takes the square of their number.
+    if element.len() > LONGEST && element.contains("..") {
+        return Err((
+            format!("a range is longer than {LONGEST} characters"),
+            format!("expected FROM..TO/STEP, {RANGE}"),
+        ));
+    }
     if element.is_empty() {
         return Err((
             "a value is missing between two commas".into(),
