@@ -215,13 +215,6 @@ type Mistake = (String, String);
 
 /// The values of a range; none if the element is no range.
 fn expand(element: &str) -> Result<Option<Vec<String>>, Mistake> {
-    // Every `..` may be the one of a range: a element of thousands takes the square of their number.
-    if element.len() > LONGEST && element.contains("..") {
-        return Err((
-            format!("a range is longer than {LONGEST} characters"),
-            format!("expected FROM..TO/STEP, {RANGE}"),
-        ));
-    }
     if element.is_empty() {
         return Err((
             "a value is missing between two commas".into(),
@@ -235,6 +228,13 @@ fn expand(element: &str) -> Result<Option<Vec<String>>, Mistake> {
     let Some(from) = Quantity::read(from) else {
         return Ok(None);
     };
+    // Every slash may part its end from its step: thousands of them take the square of their number.
+    if element.len() > LONGEST {
+        return Err((
+            format!("a range is longer than {LONGEST} characters"),
+            format!("expected FROM..TO/STEP, {RANGE}"),
+        ));
+    }
     let parted: Vec<[Option<Quantity<'_>>; 2]> = rest
         .match_indices('/')
         .map(|(at, _)| [&rest[..at], &rest[at + 1..]].map(Quantity::read))
