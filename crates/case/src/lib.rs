@@ -32,6 +32,7 @@ mod identity;
 mod joints;
 mod mud;
 mod names;
+mod nesting;
 mod node;
 mod operation;
 mod operation_kind;

@@ -5,7 +5,12 @@ use toml::{
     de::{DeTable, DeValue},
 };
 
-use crate::{diagnostic::Diagnostic, names::short, source::Place};
+use crate::{
+    diagnostic::Diagnostic,
+    names::short,
+    nesting::{MAX_DEPTH, too_deep},
+    source::Place,
+};
 
 /// A value and where it stands.
 #[derive(Debug, Clone)]
@@ -72,6 +77,7 @@ impl Entries {
 
 /// Reads a whole TOML text; on mistakes of syntax, what they are and where.
 pub(crate) fn parse_text(text: &str, source: usize) -> Result<Entries, Vec<Diagnostic>> {
+    shallow(text, source, 0).map_err(|mistake| vec![mistake])?;
     let (table, errors) = DeTable::parse_recoverable(text);
     if errors.is_empty() {
         return Ok(entries(table.get_ref(), text, source, 0));
@@ -94,10 +100,27 @@ fn not_quoted(error: &toml::de::Error) -> bool {
 
 /// Reads one TOML value that begins `offset` bytes into its source.
 pub(crate) fn parse_value(text: &str, source: usize, offset: usize) -> Result<Node, Diagnostic> {
+    shallow(text, source, offset)?;
     match DeValue::parse(text) {
         Ok(value) => Ok(node(&value, text, source, offset)),
         Err(error) => Err(syntax_error(&error, text, source, offset)),
     }
+}
+
+/// Refuses what is nested too deep for the parser.
+fn shallow(text: &str, source: usize, offset: usize) -> Result<(), Diagnostic> {
+    let Some(bracket) = too_deep(text) else {
+        return Ok(());
+    };
+    let place = Place {
+        source,
+        start: bracket.start + offset,
+        end: bracket.end + offset,
+    };
+    let message = format!("more than {MAX_DEPTH} brackets are open here");
+    Err(Diagnostic::error(message)
+        .at(place, "expected that some are closed before")
+        .help("a bracket is closed by one of its kind: { by }, [ by ]"))
 }
 
 /// What the parser says, in the words of somebody who has not read the TOML specification.

@@ -35,7 +35,7 @@ pub struct Variation {
 /// More values than this make no sense of one key, in a range or in all.
 const MOST_VALUES: f64 = 10_000.0;
 
-/// A range of more letters is none.
+/// No range is written with more characters.
 const LONGEST: usize = 500;
 
 /// How a range is written.
@@ -381,5 +381,26 @@ mod tests {
                 );
             }
         }
+    }
+
+    /// What no one means is refused before it takes the time of the square of its length.
+    #[test]
+    fn what_is_far_too_long_is_refused() {
+        let refused = |argument: String| {
+            let report = Variation::read_all(&[argument]).expect_err("a mistake");
+            report.render(false)
+        };
+        let slashes = refused(format!("a=1..2{}", "/1".repeat(50_000)));
+        assert!(slashes.contains("a range is longer than 500 characters"));
+        let dots = refused(format!("a=1{}", "..1".repeat(50_000)));
+        assert!(dots.contains("a range is longer than 500 characters"));
+        let values: Vec<String> = (0..=10_000).map(|value| value.to_string()).collect();
+        let many = refused(format!("a={}", values.join(",")));
+        assert!(many.contains("`a` is given more than 10000 values"));
+        let many = refused("a=0..5000/1,5001..11000/1".into());
+        assert!(many.contains("`a` is given more than 10000 values"));
+        // As many as are allowed.
+        let all = Variation::read_all(&["a=1..10000/1".into()]).expect("a range");
+        assert_eq!(all[0].values.len(), 10_000);
     }
 }

@@ -99,6 +99,8 @@ fn keys_of_sixteen_thousand_parts_are_refused() {
             "[".repeat(16_000),
             "]".repeat(16_000)
         ),
+        // The parser forgets how deep it is past a mistake.
+        "x = { f\" = \"d\" [b]\n".repeat(16_000),
         format!("[[sweep]]\nname = \"a\"\ncase = \"slant.toml\"\nvary = [\"{change}\"]\n"),
         format!("[[sweep]]\nname = \"a\"\ncase = \"slant.toml\"\nset = [\"{change}\"]\n"),
     ] {

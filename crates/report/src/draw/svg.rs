@@ -186,20 +186,52 @@ fn look(fill: Option<(Ink, f64)>, pen: Option<Pen>) -> String {
     format!(" class=\"{}\"{attributes}", classes.join(" "))
 }
 
+/// The lines of a path. Each begins where it is; what follows is the way from point to point, in whole hundredths
+/// so that no rounding adds up: half the length of absolute coordinates.
 fn data(lines: &[Vec<(f64, f64)>], closed: bool) -> String {
+    let hundredths = |value: f64| (value * 100.0).round() as i64;
     let mut data = String::new();
     for line in lines {
-        for (i, (x, y)) in line.iter().enumerate() {
-            data.push(if i == 0 { 'M' } else { 'L' });
-            data += &number(*x);
-            data.push(' ');
-            data += &number(*y);
+        let mut points = line.iter().map(|(x, y)| [hundredths(*x), hundredths(*y)]);
+        let Some(mut last) = points.next() else {
+            continue;
+        };
+        data.push('M');
+        push(&mut data, last);
+        for (i, point) in points.enumerate() {
+            if i == 0 {
+                data.push('l');
+            }
+            push(&mut data, [point[0] - last[0], point[1] - last[1]]);
+            last = point;
         }
         if closed {
             data.push('Z');
         }
     }
     data
+}
+
+/// Adds two coordinates, in hundredths, parted from what stands before only where one must.
+fn push(data: &mut String, coordinates: [i64; 2]) {
+    for hundredths in coordinates {
+        let text = number(hundredths as f64 / 100.0);
+        let text = match text.split_once("0.") {
+            Some((sign @ ("" | "-"), rest)) => format!("{sign}.{rest}"),
+            _ => text,
+        };
+        // Two points do not stand in one number, as two signs do not.
+        let last = data.trim_end_matches(|letter: char| letter.is_ascii_digit());
+        let parted = match text.as_bytes()[0] {
+            b'-' => true,
+            b'.' => last.ends_with('.'),
+            _ => false,
+        };
+        if !parted && last.len() < data.len() {
+            data.push(' ');
+        }
+        data.push_str(&text);
+    }
 }
 
 /// A number to a hundredth of a point.
@@ -218,4 +250,47 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The numbers of a path as SVG reads them: a sign or a second point begins another.
+    fn numbers(path: &str) -> Vec<f64> {
+        let mut numbers = vec![String::new()];
+        for letter in path.chars() {
+            let last = &numbers[numbers.len() - 1];
+            let next = letter == '-' || letter == '.' && last.contains('.');
+            if next || !matches!(letter, '0'..='9' | '.') {
+                numbers.push(String::new());
+            }
+            if matches!(letter, '0'..='9' | '.' | '-') {
+                numbers.last_mut().unwrap().push(letter);
+            }
+        }
+        let numbers = numbers.iter().filter(|number| !number.is_empty());
+        numbers.map(|number| number.parse().unwrap()).collect()
+    }
+
+    #[test]
+    fn paths_are_short() {
+        let line = vec![(10.0, 0.5), (10.25, 0.0), (10.256, 100.0), (-0.5, 99.5)];
+        assert_eq!(data(&[line], false), "M10 .5l.25-.5.01 100-10.76-.5");
+        let two = [vec![(1.0, 2.0), (3.0, 2.0)], vec![(0.0, 0.0)]];
+        assert_eq!(data(&two, true), "M1 2l2 0ZM0 0Z");
+    }
+
+    /// Each step is a whole number of hundredths, so that a long line ends where it should.
+    #[test]
+    fn a_path_ends_where_its_last_point_is() {
+        let count = 3000;
+        let third = |i: u32| (-f64::from(i) / 3.0, f64::from(i) / 7.0);
+        let numbers = numbers(&data(&[(0..count).map(third).collect()], false));
+        assert_eq!(numbers.len(), 2 * count as usize);
+        for (axis, last) in [-999.67, 428.43].into_iter().enumerate() {
+            let sum: f64 = numbers.iter().skip(axis).step_by(2).sum();
+            assert!((sum - last).abs() < 1e-6, "{sum}");
+        }
+    }
 }
