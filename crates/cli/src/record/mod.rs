@@ -33,15 +33,15 @@ use crate::{
     report::{self, along_the_hole},
 };
 
-/// What a run has solved to its end, as a checkpoint keeps it. The tables against time are large:
-/// what was written of them is on the disk. The others are not copied for it.
+/// What a run has solved to its end, as a checkpoint keeps it. The tables are large: what was written
+/// of them is on the disk.
 #[derive(Serialize, Deserialize)]
 pub(crate) struct Solved<'a> {
     /// The operations of the summary, as JSON.
     operations: String,
-    nodes: Cow<'a, Table>,
+    nodes: TableSoFar<'a>,
     time: TableSoFar<'a>,
-    wear: Cow<'a, Table>,
+    wear: TableSoFar<'a>,
     contact: TableSoFar<'a>,
     bottom_hole: Cow<'a, Table>,
     spectra: TableSoFar<'a>,
@@ -54,11 +54,11 @@ pub(crate) struct Record {
     pub(crate) summary: Summary,
     /// All that the case's answers depend on.
     pub(crate) identity: Value,
-    nodes: Table,
+    nodes: GrowingTable,
     time: GrowingTable,
     /// Lines of the case's schedule.
     schedule: Vec<ScheduleStep>,
-    wear: Table,
+    wear: GrowingTable,
     contact: GrowingTable,
     bottom_hole: Table,
     spectra: GrowingTable,
@@ -91,22 +91,17 @@ impl Record {
         let frames = solved.frames.map(Cow::into_owned);
         let frames = Frames::begin(case, folder, frames).map_err(|e| e.to_string())?;
         let mut record = Self::empty(case, units, frames);
-        let tables = [
-            (&solved.nodes, &record.nodes),
-            (&solved.wear, &record.wear),
-            (&solved.bottom_hole, &record.bottom_hole),
-        ];
-        if tables.iter().any(|(stored, empty)| !stored.is_like(empty)) {
+        if !solved.bottom_hole.is_like(&record.bottom_hole) {
             return Err("the checkpoint is damaged: a table lacks a column".to_owned());
         }
         let operations = serde_json::from_str(&solved.operations);
         record.summary.operations = operations.map_err(|e| e.to_string())?;
-        record.nodes = solved.nodes.into_owned();
         let growing = |empty: &mut GrowingTable, so_far| {
             empty.resume(folder, so_far).map_err(|e| e.to_string())
         };
+        growing(&mut record.nodes, solved.nodes)?;
         growing(&mut record.time, solved.time)?;
-        record.wear = solved.wear.into_owned();
+        growing(&mut record.wear, solved.wear)?;
         growing(&mut record.contact, solved.contact)?;
         record.bottom_hole = solved.bottom_hole.into_owned();
         growing(&mut record.spectra, solved.spectra)?;
@@ -125,10 +120,10 @@ impl Record {
                 operations: Vec::new(),
             },
             identity,
-            nodes: Table::with_columns(NODES),
+            nodes: GrowingTable::begin("nodes", NODES),
             time: GrowingTable::begin("time", TIME),
             schedule: case.dynamics.schedule.steps.clone(),
-            wear: Table::with_columns(WEAR),
+            wear: GrowingTable::begin("wear", WEAR),
             contact: GrowingTable::begin("contact", CONTACT),
             bottom_hole: Table::with_columns(BOTTOM_HOLE),
             spectra: GrowingTable::begin("spectra", SPECTRA),
@@ -159,9 +154,9 @@ impl Record {
         } = self;
         Solved {
             operations: serde_json::to_string(&summary.operations).expect("numbers and words"),
-            nodes: Cow::Borrowed(nodes),
+            nodes: nodes.so_far(),
             time: time.so_far(),
-            wear: Cow::Borrowed(wear),
+            wear: wear.so_far(),
             contact: contact.so_far(),
             bottom_hole: Cow::Borrowed(bottom_hole),
             spectra: spectra.so_far(),
@@ -214,21 +209,19 @@ impl Record {
         keep: Keep,
         csv: bool,
     ) -> Result<(), Failure> {
-        for (name, table) in [
-            ("nodes", Some(&self.nodes)),
-            ("wear", Some(&self.wear)),
-            // Of most bits there is none.
-            (
-                "bottom_hole",
-                Some(&self.bottom_hole).filter(|bottom| bottom.rows() > 0),
-            ),
-        ] {
-            match table.filter(|_| keep >= Keep::Tables) {
-                Some(table) => folder.write_table(name, table, csv)?,
-                None => remove_table(folder, name)?,
-            }
+        // Of most bits there is none.
+        if keep >= Keep::Tables && self.bottom_hole.rows() > 0 {
+            folder.write_table("bottom_hole", &self.bottom_hole, csv)?;
+        } else {
+            remove_table(folder, "bottom_hole")?;
         }
-        for table in [&mut self.time, &mut self.contact] {
+        let [nodes, time, wear, contact] = [
+            &mut self.nodes,
+            &mut self.time,
+            &mut self.wear,
+            &mut self.contact,
+        ];
+        for table in [nodes, time, wear, contact] {
             match keep {
                 Keep::Summary => table.leave_out(folder)?,
                 Keep::Tables | Keep::All => table.write(folder, csv)?,
@@ -244,7 +237,9 @@ impl Record {
             None => folder.remove("frames.parquet")?,
         }
         if keep == Keep::All {
-            let report = along_the_hole(&self.nodes, &self.wear, &self.summary, Some(self.units));
+            let table = |table: &GrowingTable| report::table(folder.path(), table.name());
+            let (nodes, wear) = (table(&self.nodes)?, table(&self.wear)?);
+            let report = along_the_hole(&nodes, &wear, &self.summary, Some(self.units));
             write_profile(folder, &report)?;
         } else {
             folder.remove(PROFILE)?;
@@ -264,7 +259,7 @@ impl Record {
     /// that was begun to keep them. Only once there is no checkpoint.
     pub(crate) fn finish(&self, folder: &ResultsFolder, keep: Keep) -> Result<(), ResultsError> {
         if keep == Keep::Summary {
-            for table in [&self.time, &self.contact] {
+            for table in [&self.nodes, &self.time, &self.wear, &self.contact] {
                 remove_table(folder, table.name())?;
             }
         }
