@@ -110,11 +110,8 @@ pub(super) enum Item {
         of_legend: bool,
     },
     End,
-    /// A point that shows a row of a table. For pages.
-    Spot {
-        at: (f64, f64),
-        row: usize,
-    },
+    /// Points that show rows of a table, each with its row. For pages.
+    Spots(Vec<((f64, f64), usize)>),
 }
 
 impl Drawing {
@@ -206,9 +203,9 @@ impl Drawing {
         self.items.push(Item::End);
     }
 
-    /// A point that shows a row of a table.
-    pub(crate) fn spot(&mut self, at: (f64, f64), row: usize) {
-        self.items.push(Item::Spot { at, row });
+    /// Points that show rows of a table, each with its row.
+    pub(crate) fn spots(&mut self, spots: Vec<((f64, f64), usize)>) {
+        self.items.push(Item::Spots(spots));
     }
 
     pub(crate) fn image(&mut self, image: Image, place: Box) {

@@ -81,7 +81,7 @@ impl Drawing {
                         page.fill_path(&path, &paint(*ink, 1.0), FillRule::Winding, place, None);
                     }
                 }
-                Item::Begin { .. } | Item::End | Item::Spot { .. } => {}
+                Item::Begin { .. } | Item::End | Item::Spots(_) => {}
                 Item::Image { image, place } => {
                     let pixels = pixmap(image);
                     let across = place.width / f64::from(pixels.width());

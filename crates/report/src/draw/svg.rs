@@ -47,7 +47,7 @@ impl Drawing {
         let mut clips: Vec<Box> = Vec::new();
         let mut body = String::new();
         for item in &self.items {
-            if !of_page && matches!(item, Item::Begin { .. } | Item::End | Item::Spot { .. }) {
+            if !of_page && matches!(item, Item::Begin { .. } | Item::End | Item::Spots(_)) {
                 continue;
             }
             let written = match item {
@@ -117,12 +117,18 @@ impl Drawing {
                     )
                 }
                 Item::End => writeln!(body, "</g>"),
-                Item::Spot { at: (x, y), row } => writeln!(
-                    body,
-                    "<circle class=\"spot\" data-row=\"{row}\" cx=\"{}\" cy=\"{}\" r=\"4.5\"/>",
-                    number(*x),
-                    number(*y)
-                ),
+                Item::Spots(spots) => {
+                    // The page's program makes circles of them: a sweep has thousands, in three sets of units.
+                    let spots = spots.iter();
+                    let spots =
+                        spots.map(|((x, y), row)| format!("{} {} {row}", number(*x), number(*y)));
+                    let spots: Vec<String> = spots.collect();
+                    writeln!(
+                        body,
+                        "<g class=\"spots\" data-spots=\"{}\"/>",
+                        spots.join(" ")
+                    )
+                }
                 Item::Image { image, place } => writeln!(
                     body,
                     "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" \

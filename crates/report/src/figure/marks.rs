@@ -129,12 +129,9 @@ pub(super) fn draw(on: &mut Drawing, mark: &Mark, all: &[Mark], place: &Place) {
         }
         Mark::Map(map) => on.image(image(map, place), place.frame),
         Mark::Spots { points, rows } => {
-            for (point, row) in points.iter().zip(rows) {
-                let at = place.of(*point);
-                if (at.0 + at.1).is_finite() {
-                    on.spot(at, *row);
-                }
-            }
+            let spots = points.iter().zip(rows);
+            let spots = spots.map(|(point, row)| (place.of(*point), *row));
+            on.spots(spots.filter(|((x, y), _)| (x + y).is_finite()).collect());
         }
         // Its panel writes names where there is room, and knows what belongs together.
         Mark::Name { .. } | Mark::Of { .. } => {}

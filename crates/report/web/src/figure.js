@@ -5,6 +5,15 @@ import { svgFile } from "./downloads.js";
 import { on, state } from "./state.js";
 import { hideTip, showTip } from "./tip.js";
 
+/** Points as the picture holds them: x, y and row, one after the other. */
+function spots(text) {
+  const numbers = text.split(" ").map(Number);
+  return Array.from({ length: Math.floor(numbers.length / 3) }, (_, i) => {
+    const [x, y, row] = numbers.slice(3 * i, 3 * i + 3);
+    return { x, y, row };
+  });
+}
+
 /**
  * The figure `name`; where there is none, `otherwise`. `tell` gives title, rows of text and an address for a row of the
  * table that a point shows.
@@ -42,12 +51,15 @@ export function figure(name, otherwise, tell = null) {
         toggle();
       });
     }
-    if (tell) for (const spot of picture.querySelectorAll(".spot")) point(spot);
+    if (tell) for (const group of picture.querySelectorAll(".spots")) group.append(...spots(group.dataset.spots).map(point));
     hide(picture);
   }
 
-  function point(spot) {
-    const said = () => tell(Number(spot.dataset.row));
+  /** What a point shows: its place, and the row that it belongs to. */
+  function point({ x, y, row }) {
+    const spot = document.createElementNS("http://www.w3.org/2000/svg", "circle");
+    for (const [name, value] of Object.entries({ class: "spot", cx: x, cy: y, r: 4.5 })) spot.setAttribute(name, value);
+    const said = () => tell(row);
     const { title, href } = said();
     spot.setAttribute("aria-label", title);
     if (href) {
@@ -65,6 +77,7 @@ export function figure(name, otherwise, tell = null) {
     };
     for (const kind of ["pointerenter", "pointermove", "focus"]) spot.addEventListener(kind, show);
     for (const kind of ["pointerleave", "blur"]) spot.addEventListener(kind, hideTip);
+    return spot;
   }
 
   function draw() {
