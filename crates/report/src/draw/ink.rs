@@ -34,6 +34,9 @@ pub enum Ink {
 }
 
 impl Ink {
+    /// Lines whose colours differ.
+    pub(crate) const LINES: usize = LINES;
+
     /// Its colour on paper.
     pub(crate) fn rgb(self) -> [u8; 3] {
         on_paper(self.name())

@@ -144,11 +144,12 @@ impl<'a> Drawing<'a> {
         (Ink::Line(ink), SHAPES[operation % SHAPES.len()])
     }
 
-    fn stroke(&self, model: &str, operation: usize) -> Stroke {
+    fn stroke(&self, family: usize, model: &str, operation: usize) -> Stroke {
         match (self.both_models, model) {
             (true, "soft") => Stroke::Dashed,
             (true, _) => Stroke::Solid,
-            (false, _) => Stroke::of(operation),
+            (false, _) if self.operations.len() > 1 => Stroke::of(operation),
+            (false, _) => of_family(family),
         }
     }
 
@@ -272,7 +273,7 @@ impl<'a> Drawing<'a> {
                 }
                 curves.push(Mark::Curve {
                     ink,
-                    stroke: self.stroke(model, done),
+                    stroke: self.stroke(place, model, done),
                     points: mean,
                 });
             }
@@ -321,7 +322,13 @@ impl<'a> Drawing<'a> {
                     values.map(|(key, value)| format!("{} {value}", short(&self.sweep.keys[*key])));
                 Key {
                     name: values.collect::<Vec<_>>().join(", "),
-                    sample: Sample::Line(Ink::Line(place), Stroke::Solid),
+                    sample: Sample::Line(
+                        Ink::Line(place),
+                        match self.both_models || self.operations.len() > 1 {
+                            true => Stroke::Solid,
+                            false => of_family(place),
+                        },
+                    ),
                 }
             }));
         }
@@ -400,6 +407,11 @@ impl<'a> Drawing<'a> {
             hole: Vec::new(),
         }
     }
+}
+
+/// Where there are more families than colours, those that share one have other strokes.
+fn of_family(place: usize) -> Stroke {
+    Stroke::of(place / Ink::LINES)
 }
 
 /// The level of the gravest finding of a row that is marked.

@@ -240,6 +240,20 @@ fn the_page_of_a_sweep_is_whole() {
     }
 }
 
+/// Eight frictions have seven colours: the eighth shares that of the first, and is dashed.
+#[test]
+fn more_curves_than_colours_differ_by_stroke() {
+    let frictions = ["0.1", "0.15", "0.2", "0.25", "0.3", "0.35", "0.4", "0.45"];
+    let mut sweep = sweep(["friction", "bit_depth"], [&frictions, &["300m", "600m"]]);
+    sweep.rows.retain(|row| row.model == "soft");
+    let strokes: Vec<Stroke> = curves(&figure(&sweep, "si"))
+        .iter()
+        .map(|(stroke, _)| *stroke)
+        .collect();
+    assert_eq!(strokes[..7], [Stroke::Solid; 7]);
+    assert_eq!(strokes[7..], [Stroke::Dashed]);
+}
+
 /// Operations are told apart by strokes and named at the ends of their curves; a page can hide what a key says, and knows
 /// which row a point shows.
 #[test]
@@ -274,8 +288,18 @@ fn operations_differ_by_stroke_and_have_their_names() {
             3
         );
     }
-    for row in 0..4 {
-        assert_eq!(page.matches(&format!("data-row=\"{row}\"")).count(), 3);
+    // Place and row of each point: two of each operation in a panel.
+    let spots = page.split("data-spots=\"").skip(1);
+    let spots: Vec<&str> = spots.map(|rest| rest.split('"').next().unwrap()).collect();
+    let rows = |spots: &&str| -> Vec<String> {
+        let numbers: Vec<&str> = spots.split(' ').collect();
+        numbers.chunks(3).map(|spot| spot[2].to_owned()).collect()
+    };
+    for pair in [["0", "1"], ["2", "3"]] {
+        assert_eq!(
+            spots.iter().map(rows).filter(|rows| *rows == pair).count(),
+            3
+        );
     }
     // Files for a paper hold none of that.
     let file = figure.drawing().svg();
