@@ -9,7 +9,7 @@ use std::{
     thread,
 };
 
-use crate::{count::Count, root};
+use crate::{count::Count, folders::root};
 
 /// Why a step failed, and the tests counted until then.
 pub(crate) struct Failure {

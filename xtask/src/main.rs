@@ -3,32 +3,31 @@
 
 mod command;
 mod count;
+mod cycles;
+mod finding;
+mod folders;
 mod page;
 mod python;
 mod verification;
 
 use std::{
     env,
-    path::{Path, PathBuf},
+    path::Path,
     process::{Command, ExitCode},
     time::Instant,
 };
 
 use command::{Failure, cargo, run, run_counted, succeeds};
 use count::Count;
+use finding::Finding;
+use folders::{root, target};
 
 const USAGE: &str = "\
 usage: cargo xtask test      run everything that CI runs
+       cargo xtask cycles    name the circles between files
        cargo xtask verify    run all tests, those that take minutes too, and write the book's table of them
        cargo xtask fuzz [SECONDS | --inputs N] [--seed S] [READER...]
                              read damaged inputs with every reader, for an hour where nothing is said";
-
-/// What a step found out.
-enum Finding {
-    Done,
-    Tested(Count),
-    Skipped(String),
-}
 
 type Step = (&'static str, fn() -> Result<Finding, Failure>);
 
@@ -57,6 +56,7 @@ fn main() -> ExitCode {
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["test"] => take(TEST),
         ["verify"] => take(VERIFY),
+        ["cycles"] => told(no_cycles()),
         ["fuzz"] => told(fuzz(&["3600"])),
         ["fuzz", ref asked @ ..] => told(fuzz(asked)),
         ["--help" | "-h"] => {
@@ -135,6 +135,17 @@ fn tests() -> Result<Finding, Failure> {
     run_counted(&mut runner).map(Finding::Tested)
 }
 
+/// No file uses another that, by way of others, uses it.
+fn no_cycles() -> Result<Finding, Failure> {
+    let found = cycles::in_words(&root()).map_err(|error| Failure::new(error.to_string()))?;
+    if found.is_empty() {
+        return Ok(Finding::Done);
+    }
+    Err(Failure::new(format!(
+        "{found}files use each other in circles: move what both need to a file of its own"
+    )))
+}
+
 /// Damaged inputs for every reader, as the fuzzer is asked. Unoptimised checks of arithmetic stay in.
 fn fuzz(asked: &[&str]) -> Result<Finding, Failure> {
     // Built as part of the workspace, so that what it is made of is that of the other programs.
@@ -204,18 +215,4 @@ fn wasm() -> Result<Finding, Failure> {
         "core must compile for the browser: no files, no threads, no clock",
     )?;
     Ok(Finding::Done)
-}
-
-/// The root of the repository: the folder of this package's.
-fn root() -> PathBuf {
-    // Cargo says it at run time too: a target folder that two checkouts share may hold the program of
-    // the other one.
-    let package = env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
-    let package = package.unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
-    package.parent().map(Path::to_path_buf).unwrap_or(package)
-}
-
-/// The folder that cargo builds into.
-fn target() -> PathBuf {
-    root().join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
 }

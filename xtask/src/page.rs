@@ -7,9 +7,9 @@ use std::{
 };
 
 use crate::{
-    Finding,
     command::{Failure, cargo, run, succeeds},
-    root, target,
+    finding::Finding,
+    folders::{root, target},
 };
 
 /// A name that would break out of its element if anything could, and a text that looks like code.

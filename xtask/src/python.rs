@@ -3,9 +3,9 @@
 use std::{path::PathBuf, process::Command};
 
 use crate::{
-    Finding,
     command::{Failure, cargo, run, succeeds},
-    root, target,
+    finding::Finding,
+    folders::{root, target},
 };
 
 /// Oldest Python that the example's library supports.

@@ -10,9 +10,9 @@ use std::{
 use wholestring_verification::{FILE, Line, Tolerance, error};
 
 use crate::{
-    Finding,
     command::{Failure, cargo, run_counted, succeeds},
-    root, target,
+    finding::Finding,
+    folders::{root, target},
 };
 
 /// Where the tests of the last run reported to.

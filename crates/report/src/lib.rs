@@ -3,6 +3,7 @@
 
 mod bit_test;
 mod bottom;
+mod cell;
 mod draw;
 pub mod figure;
 mod finding;
@@ -16,6 +17,7 @@ mod thin;
 
 pub use bit_test::{BitTest, BitTestPoint, bit_test_plots};
 pub use bottom::BottomPicture;
+pub use cell::Cell;
 pub use draw::Drawing;
 pub use finding::{Finding, Level};
 pub use packed::Packed;
@@ -25,8 +27,8 @@ pub use plots::{
     spectrum_dimension,
 };
 pub use report::{
-    Answer, Cell, ContactPicture, DisplayUnit, DrillOff, Fact, Frames, Part, Place, Report,
-    Section, Sheet, Solved, SpectrumPicture, TimeRun, Well,
+    Answer, ContactPicture, DisplayUnit, DrillOff, Fact, Frames, Part, Place, Report, Section,
+    Sheet, Solved, SpectrumPicture, TimeRun, Well,
 };
 pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, address, study_html};
 pub use sweep::{Sweep, SweepRow, sweep_plots};

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{BottomPicture, Finding, Packed};
+use crate::{BottomPicture, Cell, Finding, Packed};
 
 /// A run as its page shows it.
 ///
@@ -55,65 +55,6 @@ pub struct Fact {
     pub label: String,
     /// The value.
     pub value: Cell,
-}
-
-/// A value of a table.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(untagged)]
-pub enum Cell {
-    /// A number with a dimension.
-    Quantity {
-        /// The value, SI.
-        value: f64,
-        /// Name of its dimension, as in [`Report::dimensions`].
-        dimension: String,
-        /// Its standard deviation, where it is a mean.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
-        std: Option<f64>,
-    },
-    /// Numbers of one dimension.
-    Quantities {
-        /// The values, SI.
-        values: Vec<f64>,
-        /// Name of their dimension.
-        dimension: String,
-    },
-    /// A bare number.
-    Number(f64),
-    /// Words that lead to a file beside the page.
-    Link {
-        /// The words.
-        text: String,
-        /// The file, relative to the page.
-        href: String,
-    },
-    /// Words.
-    Text(String),
-    /// Nothing: it does not apply.
-    Nothing,
-}
-
-impl Cell {
-    /// A number with a dimension; nothing where it is not finite.
-    pub fn quantity(value: f64, dimension: &str) -> Self {
-        if !value.is_finite() {
-            return Self::Nothing;
-        }
-        Self::Quantity {
-            value,
-            dimension: dimension.into(),
-            std: None,
-        }
-    }
-
-    /// A bare number; nothing where it is not finite.
-    pub fn number(value: f64) -> Self {
-        if value.is_finite() {
-            Self::Number(value)
-        } else {
-            Self::Nothing
-        }
-    }
 }
 
 /// What one model answered for one operation.

@@ -16,9 +16,8 @@ use crate::{
     ResultsError, ResultsFolder,
     file::{partial_name, write_whole},
     frames,
+    names::CHECKPOINT,
 };
-
-pub(crate) const NAME: &str = "checkpoint.bin";
 
 /// What every checkpoint begins with.
 const MARK: &[u8; 8] = b"wholestr";
@@ -31,7 +30,7 @@ const PROGRAM: &str = env!("CARGO_PKG_VERSION");
 
 impl ResultsFolder {
     fn checkpoint_path(&self) -> PathBuf {
-        self.path().join(NAME)
+        self.path().join(CHECKPOINT)
     }
 
     /// Writes `checkpoint.bin`, whole or not at all: whatever happens meanwhile, the last one is there. The content

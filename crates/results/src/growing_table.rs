@@ -11,7 +11,8 @@ use parquet::file::metadata::{ParquetMetaData, ParquetMetaDataReader};
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    ColumnSpec, ResultsError, ResultsFolder, Table, checkpoint, file::write_whole, parquet_file,
+    ColumnSpec, ResultsError, ResultsFolder, Table, file::write_whole, names::CHECKPOINT,
+    parquet_file,
 };
 
 /// A table of a run. Rows gather in memory until [`GrowingTable::write`] puts them behind those of
@@ -67,7 +68,7 @@ impl GrowingTable {
         let empty = Table::with_columns(self.columns);
         if !so_far.waiting.is_like(&empty) {
             return Err(ResultsError::Checkpoint {
-                path: folder.path().join(checkpoint::NAME),
+                path: folder.path().join(CHECKPOINT),
                 reason: format!("it is damaged (its table `{}`)", self.name),
             });
         }

@@ -18,6 +18,7 @@ mod frames;
 mod growing_table;
 mod hold;
 mod json;
+mod names;
 mod parquet_file;
 mod parquet_guard;
 mod spectrum;

@@ -23,12 +23,48 @@ use wholestring_contain::contain;
 
 use crate::{Column, Data, ResultsError, Table, file::write_whole, parquet_guard};
 
+impl Table {
+    /// Writes the table as Parquet (Snappy), with unit and meaning of each column in the metadata.
+    pub fn write_parquet(&self, path: &Path) -> Result<(), ResultsError> {
+        write(self, path)
+    }
+
+    /// Reads back a table that [`Table::write_parquet`] wrote.
+    pub fn read_parquet(path: &Path) -> Result<Self, ResultsError> {
+        read(path)
+    }
+
+    /// Reads back the columns of these names, as far as the file has them, piece by piece: a table may be larger
+    /// than memory. The pieces follow each other as the rows do.
+    pub fn read_parquet_pieces(
+        path: &Path,
+        names: &[&str],
+        take: impl FnMut(Self),
+    ) -> Result<(), ResultsError> {
+        read_groups(path, names, take)
+    }
+
+    /// Reads back the pieces of a file that hold a row with this word in that column, whole: they
+    /// may hold rows with other words. `None` where there is no such piece. The tables of a run
+    /// against time have a piece for each operation.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or is damaged.
+    pub fn read_parquet_with(
+        path: &Path,
+        column: &str,
+        word: &str,
+    ) -> Result<Option<Self>, ResultsError> {
+        read_groups_with(path, column, word)
+    }
+}
+
 /// Key of a column's unit and meaning in the file's metadata.
 fn key(column: &str, what: &str) -> String {
     format!("{column}.{what}")
 }
 
-pub(crate) fn write(table: &Table, path: &Path) -> Result<(), ResultsError> {
+fn write(table: &Table, path: &Path) -> Result<(), ResultsError> {
     write_whole(path, |writer| write_to(table, writer).map_err(io_error))
 }
 
@@ -173,14 +209,14 @@ fn write_column<W: io::Write + Send>(
     writer.close()
 }
 
-pub(crate) fn read(path: &Path) -> Result<Table, ResultsError> {
+fn read(path: &Path) -> Result<Table, ResultsError> {
     let opened = Opened::new(path)?;
     let all = 0..opened.reader.num_row_groups();
     opened.read_some(|_| true, all)
 }
 
 /// Reads columns of these names, as far as the file has them, one row group after the other.
-pub(crate) fn read_groups(
+fn read_groups(
     path: &Path,
     names: &[&str],
     mut take: impl FnMut(Table),
@@ -205,11 +241,7 @@ pub(crate) fn read_each_group(
 }
 
 /// Reads the row groups in which a column of words holds this one, one after the other.
-pub(crate) fn read_groups_with(
-    path: &Path,
-    column: &str,
-    word: &str,
-) -> Result<Option<Table>, ResultsError> {
+fn read_groups_with(path: &Path, column: &str, word: &str) -> Result<Option<Table>, ResultsError> {
     let opened = Opened::new(path)?;
     let mut found: Option<Table> = None;
     for group in 0..opened.reader.num_row_groups() {

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use crate::{
     ColumnSpec, ResultsError,
     file::{read_at_most, write_whole},
-    formula, parquet_file,
+    formula,
 };
 
 /// More than any table that is read back from CSV holds.
@@ -49,6 +49,22 @@ pub struct Column {
     pub meaning: String,
     /// The values.
     pub data: Data,
+}
+
+impl Column {
+    /// The column of a specification, without values.
+    fn empty(spec: &ColumnSpec) -> Self {
+        Self {
+            name: spec.name.into(),
+            unit: spec.unit.into(),
+            meaning: spec.meaning.into(),
+            data: if spec.text {
+                Data::Text(Vec::new())
+            } else {
+                Data::Number(Vec::new())
+            },
+        }
+    }
 }
 
 /// A table: columns of equal length.
@@ -99,7 +115,7 @@ impl Table {
 
     /// A table without rows, with the columns of a registry ([`crate::NODES`], [`crate::TIME`]).
     pub fn with_columns(specs: &[ColumnSpec]) -> Self {
-        Self::new(specs.iter().map(ColumnSpec::empty).collect())
+        Self::new(specs.iter().map(Column::empty).collect())
     }
 
     /// Adds rows: each list of `words` gives one word a row, or one for all rows, each slice of `numbers`
@@ -163,40 +179,6 @@ impl Table {
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.columns.first().map_or(0, |column| column.data.len())
-    }
-
-    /// Writes the table as Parquet (Snappy), with unit and meaning of each column in the metadata.
-    pub fn write_parquet(&self, path: &Path) -> Result<(), ResultsError> {
-        parquet_file::write(self, path)
-    }
-
-    /// Reads back a table that [`Table::write_parquet`] wrote.
-    pub fn read_parquet(path: &Path) -> Result<Self, ResultsError> {
-        parquet_file::read(path)
-    }
-
-    /// Reads back the columns of these names, as far as the file has them, piece by piece: a table may be larger
-    /// than memory. The pieces follow each other as the rows do.
-    pub fn read_parquet_pieces(
-        path: &Path,
-        names: &[&str],
-        take: impl FnMut(Self),
-    ) -> Result<(), ResultsError> {
-        parquet_file::read_groups(path, names, take)
-    }
-
-    /// Reads back the pieces of a file that hold a row with this word in that column, whole: they
-    /// may hold rows with other words. `None` where there is no such piece. The tables of a run
-    /// against time have a piece for each operation.
-    ///
-    /// # Errors
-    /// A file that cannot be read, or is damaged.
-    pub fn read_parquet_with(
-        path: &Path,
-        column: &str,
-        word: &str,
-    ) -> Result<Option<Self>, ResultsError> {
-        parquet_file::read_groups_with(path, column, word)
     }
 
     /// Adds the rows of a table of the same columns.

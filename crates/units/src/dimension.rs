@@ -1,6 +1,6 @@
 //! The dimensions that a drill string's description needs.
 
-use crate::{QuantityError, Unit, UnitSet, Written, number, print, symbol, table};
+use crate::{Unit, UnitSet, print, symbol, table};
 
 /// What a quantity measures.
 ///
@@ -235,37 +235,6 @@ impl Dimension {
             _ => None,
         };
         symbol::find(self.units(), symbol).or_else(depth)
-    }
-
-    /// Reads a number and a unit, and returns the value in SI.
-    ///
-    /// The number may be a decimal (`-1.5e3`), a fraction (`5/8`) or a mixed one (`5-1/2`,
-    /// `5 1/2`, `5½`). The unit may follow with or without blanks.
-    ///
-    /// ```
-    /// use wholestring_units::Dimension;
-    ///
-    /// assert_eq!(Dimension::Diameter.parse("9 5/8\"")?, 0.244475);
-    /// assert_eq!(Dimension::Length.parse("-1.5e3 m")?, -1500.0);
-    /// let error = Dimension::Length.parse("4305").unwrap_err();
-    /// assert!(error.to_string().starts_with("'4305' has no unit; a length was expected"));
-    /// # Ok::<(), wholestring_units::QuantityError>(())
-    /// ```
-    pub fn parse(self, text: &str) -> Result<f64, QuantityError> {
-        self.read(text).map(|written| written.si)
-    }
-
-    /// The same as [`parse`](Self::parse), but says the number and the unit as well.
-    ///
-    /// ```
-    /// use wholestring_units::Dimension;
-    ///
-    /// let weight = Dimension::Force.read("12 klbf")?;
-    /// assert_eq!((weight.number, weight.unit.symbol), (12.0, "klbf"));
-    /// # Ok::<(), wholestring_units::QuantityError>(())
-    /// ```
-    pub fn read(self, text: &str) -> Result<Written, QuantityError> {
-        number::quantity(self, text)
     }
 
     /// The value for people: in the set's unit, with five significant digits and the unit.

@@ -2,8 +2,41 @@
 
 use crate::{Dimension, QuantityError, QuantityErrorKind, Written, symbol};
 
+impl Dimension {
+    /// Reads a number and a unit, and returns the value in SI.
+    ///
+    /// The number may be a decimal (`-1.5e3`), a fraction (`5/8`) or a mixed one (`5-1/2`,
+    /// `5 1/2`, `5½`). The unit may follow with or without blanks.
+    ///
+    /// ```
+    /// use wholestring_units::Dimension;
+    ///
+    /// assert_eq!(Dimension::Diameter.parse("9 5/8\"")?, 0.244475);
+    /// assert_eq!(Dimension::Length.parse("-1.5e3 m")?, -1500.0);
+    /// let error = Dimension::Length.parse("4305").unwrap_err();
+    /// assert!(error.to_string().starts_with("'4305' has no unit; a length was expected"));
+    /// # Ok::<(), wholestring_units::QuantityError>(())
+    /// ```
+    pub fn parse(self, text: &str) -> Result<f64, QuantityError> {
+        self.read(text).map(|written| written.si)
+    }
+
+    /// The same as [`parse`](Self::parse), but says the number and the unit as well.
+    ///
+    /// ```
+    /// use wholestring_units::Dimension;
+    ///
+    /// let weight = Dimension::Force.read("12 klbf")?;
+    /// assert_eq!((weight.number, weight.unit.symbol), (12.0, "klbf"));
+    /// # Ok::<(), wholestring_units::QuantityError>(())
+    /// ```
+    pub fn read(self, text: &str) -> Result<Written, QuantityError> {
+        quantity(self, text)
+    }
+}
+
 /// Reads a number and a unit of the dimension.
-pub(crate) fn quantity(dimension: Dimension, text: &str) -> Result<Written, QuantityError> {
+fn quantity(dimension: Dimension, text: &str) -> Result<Written, QuantityError> {
     let error = |kind, start: usize, end: usize| QuantityError {
         kind,
         span: start..end,

@@ -1,86 +1,12 @@
 //! The readers: each with sound files of its kind, the words that stand in them, and what it does with an input.
 
 mod cases;
+mod reader;
 mod results;
 mod stored;
 mod surveys;
 
-use fastrand::Rng;
-
-use crate::mutation;
-
-/// What reads inputs; whether it accepts one.
-type Read = Box<dyn FnMut(&[u8]) -> bool>;
-
-/// Makes an input.
-type Generator = dyn Fn(&mut Rng) -> Vec<u8>;
-
-/// How inputs are made.
-enum Make {
-    /// Damaged seeds: texts are changed by their words too.
-    Damaged { is_text: bool },
-    /// In a way of their own.
-    Own(Box<Generator>),
-}
-
-/// A reader.
-pub(crate) struct Reader {
-    pub(crate) name: &'static str,
-    seeds: Vec<Vec<u8>>,
-    words: &'static [&'static str],
-    make: Make,
-    read: Read,
-}
-
-impl Reader {
-    /// A reader of texts.
-    fn text<const N: usize>(
-        name: &'static str,
-        seeds: [&[u8]; N],
-        words: &'static [&'static str],
-        read: impl FnMut(&[u8]) -> bool + 'static,
-    ) -> Self {
-        Self {
-            name,
-            seeds: seeds.map(<[u8]>::to_vec).into(),
-            words,
-            make: Make::Damaged { is_text: true },
-            read: Box::new(read),
-        }
-    }
-
-    /// A reader of other files.
-    fn binary(
-        name: &'static str,
-        seeds: Vec<Vec<u8>>,
-        read: impl FnMut(&[u8]) -> bool + 'static,
-    ) -> Self {
-        Self {
-            name,
-            seeds,
-            words: &[],
-            make: Make::Damaged { is_text: false },
-            read: Box::new(read),
-        }
-    }
-
-    /// An input.
-    pub(crate) fn input(&self, rng: &mut Rng) -> Vec<u8> {
-        match &self.make {
-            // Whatever is not changed is accepted: else nothing would be tried beyond the first mistake.
-            Make::Damaged { .. } if rng.u8(..100) == 0 => {
-                rng.choice(&self.seeds).cloned().unwrap_or_default()
-            }
-            Make::Damaged { is_text } => mutation::damaged(&self.seeds, self.words, *is_text, rng),
-            Make::Own(make) => make(rng),
-        }
-    }
-
-    /// Reads an input; whether it is accepted.
-    pub(crate) fn read(&mut self, input: &[u8]) -> bool {
-        (self.read)(input)
-    }
-}
+pub(crate) use reader::Reader;
 
 /// Makes a reader ready.
 type New = fn() -> Reader;

@@ -14,7 +14,7 @@ use wholestring_units::Dimension;
 use zip::{CompressionMethod, ZipWriter, write::SimpleFileOptions};
 
 use self::old_excel::Value;
-use super::{Make, Reader};
+use super::reader::{Make, Reader};
 use crate::mutation;
 
 const WORDS: &[&str] = &[

@@ -56,7 +56,9 @@ const ENERGY: Quantity = Quantity {
     std: None,
 };
 
-pub(super) fn plots(test: &BitTest, units: &str) -> Vec<Plot> {
+/// Every picture of a bit test, in a set of units (`si`, `metric` or `field`): `drill-off` (rate of penetration and torque
+/// against weight), `specific-energy` (against depth of cut) and `bottom-hole`; none where no point is there.
+pub fn bit_test_plots(test: &BitTest, units: &str) -> Vec<Plot> {
     let drawing = Drawing {
         test,
         shown: Shown::new(&test.dimensions, units),

@@ -2,9 +2,11 @@
 
 mod figures;
 
+pub use figures::bit_test_plots;
+
 use std::collections::BTreeMap;
 
-use crate::{BottomPicture, Cell, DisplayUnit, Fact, Place, Plot, Sheet};
+use crate::{BottomPicture, Cell, DisplayUnit, Fact, Place, Sheet};
 
 /// A bit test as its page shows it. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,12 +56,6 @@ pub struct BitTestPoint {
     pub specific_energy_Pa: f64,
     /// The bottom of the hole at its end.
     pub bottom: Option<BottomPicture>,
-}
-
-/// Every picture of a bit test, in a set of units (`si`, `metric` or `field`): `drill-off` (rate of penetration and torque
-/// against weight), `specific-energy` (against depth of cut) and `bottom-hole`; none where no point is there.
-pub fn bit_test_plots(test: &BitTest, units: &str) -> Vec<Plot> {
-    figures::plots(test, units)
 }
 
 impl BitTest {

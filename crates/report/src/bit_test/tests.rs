@@ -3,6 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::*;
+use crate::Plot;
 use crate::{
     bit_test_html,
     figure::{Mark, Sample},

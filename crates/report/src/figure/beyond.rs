@@ -1,6 +1,6 @@
 //! What lies beyond the ends of an axis that leaves outliers out.
 
-use super::{Mark, panel::Place};
+use super::{Mark, place::Place};
 use crate::draw::{Anchor, Drawing, Ink, text_width};
 
 /// Length of an arrow, points.

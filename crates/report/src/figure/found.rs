@@ -2,7 +2,7 @@
 //!
 //! Lesser findings have broken bars and rings, so that no colour is needed to tell them.
 
-use super::panel::Place;
+use super::place::Place;
 use crate::{
     Level,
     draw::{Drawing, Ink, Pen},

@@ -3,7 +3,8 @@
 use super::{
     Direction, Figure, Mark,
     legend::Legend,
-    panel::{self, LABEL, Place, TICK, shared_values, widest},
+    panel,
+    place::{LABEL, Place, TICK, shared_values, widest},
     ruler::Ruler,
     scale,
 };
@@ -31,7 +32,14 @@ const ACROSS: f64 = 25.0;
 /// Between two frames one below the other.
 const BELOW: f64 = 9.0;
 
-pub(super) fn draw(figure: &Figure) -> Drawing {
+impl Figure {
+    /// The figure as it is drawn.
+    pub fn drawing(&self) -> Drawing {
+        draw(self)
+    }
+}
+
+fn draw(figure: &Figure) -> Drawing {
     let width = figure.layout.width_mm * MILLIMETRE;
     let room = width - 2.0 * MARGIN;
     let legend = Legend::of_figure(&figure.keys, room);

@@ -1,6 +1,6 @@
 //! What is drawn in a panel.
 
-use super::{Map, Mark, Shape, Stroke, found, panel::Place};
+use super::{Map, Mark, Shape, Stroke, found, place::Place};
 use crate::draw::{
     Anchor, Box, ColourScale, Drawing, Hue, Image, Ink, Pen, envelope, text_width, thinned,
 };

@@ -7,11 +7,12 @@ mod legend;
 mod marks;
 mod outliers;
 mod panel;
+mod place;
 mod ruler;
 mod scale;
 
+use crate::Level;
 pub use crate::draw::{Hue, Ink};
-use crate::{Level, draw::Drawing};
 pub(crate) use outliers::{OUTLIERS, Outliers};
 
 /// A figure: panels side by side, or one below the other, that share one axis.
@@ -346,13 +347,6 @@ pub struct Interval {
     pub shoe: bool,
     /// What it is: `casing, 222.96 mm`.
     pub label: String,
-}
-
-impl Figure {
-    /// The figure as it is drawn.
-    pub fn drawing(&self) -> Drawing {
-        layout::draw(self)
-    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Two axes to the same scale.
 
-use super::{Axis, Figure, Range, panel::reached, ruler::Ruler};
+use super::{Axis, Figure, Range, place::reached, ruler::Ruler};
 
 /// The longer axis is at most this many times as long as the other: a vertical well seen from the side is a line.
 const LONGEST: f64 = 4.0;

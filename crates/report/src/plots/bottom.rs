@@ -2,7 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use super::{Plot, Run, shown::Shown, timed};
+use super::{
+    run::{Plot, Run, timed, title},
+    shown::Shown,
+};
 use crate::{
     BottomPicture,
     figure::{Axis, Direction, Figure, Hue, Key, Layout, Map, Mark, Panel, Range, Sample},
@@ -97,13 +100,7 @@ pub(super) fn plots(
     }
     vec![Plot {
         name: format!("bottom-hole{suffix}"),
-        figure: bottoms_figure(
-            super::title(runs),
-            subtitle.to_owned(),
-            &bottoms,
-            SIDES,
-            shown,
-        ),
+        figure: bottoms_figure(title(runs), subtitle.to_owned(), &bottoms, SIDES, shown),
     }]
 }
 

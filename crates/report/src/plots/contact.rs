@@ -1,6 +1,9 @@
 //! Contact over depth and time.
 
-use super::{Plot, Run, shown::Shown};
+use super::{
+    run::{self, Plot, Run},
+    shown::Shown,
+};
 use crate::{
     ContactPicture,
     figure::{Axis, Direction, Figure, Hue, Layout, Map, Mark, Panel, Range},
@@ -128,7 +131,7 @@ pub(super) fn plots(
             }
         };
         contact_figure(
-            super::title(runs),
+            run::title(runs),
             subtitle.to_owned(),
             (&shown.label(title, "force per length"), hue),
             pictures.iter().map(map).collect(),

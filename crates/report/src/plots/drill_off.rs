@@ -1,6 +1,10 @@
 //! What the bit takes away for what it is given: rate of penetration and torque against weight.
 
-use super::{Plot, Run, histories::run_keys, shown::Shown, timed};
+use super::{
+    histories::run_keys,
+    run::{Plot, Run, timed, title},
+    shown::Shown,
+};
 use crate::{
     DrillOff,
     figure::{Axis, Direction, Figure, Ink, Layout, Mark, Panel, Range, Shape},
@@ -43,7 +47,7 @@ pub(super) fn plots(
         }
     };
     let figure = Figure {
-        title: super::title(runs),
+        title: title(runs),
         subtitle: subtitle.to_owned(),
         keys: run_keys(runs),
         layout: Layout {

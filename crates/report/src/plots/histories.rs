@@ -1,10 +1,9 @@
 //! Quantities against time.
 
 use super::{
-    Plot, Run,
     catalogue::{BIT_PLOTS, TIME_PLOTS, TimePlot},
+    run::{Plot, Run, timed, title},
     shown::Shown,
-    timed,
 };
 use crate::{
     TimeRun,
@@ -56,7 +55,7 @@ fn group(
         return Vec::new();
     }
     let figure = |panels: &[(&TimePlot, Panel)], panel_mm| Figure {
-        title: super::title(runs),
+        title: title(runs),
         subtitle: subtitle.to_owned(),
         keys: run_keys(runs),
         layout: Layout {

@@ -1,6 +1,6 @@
 //! Which colour and stroke a curve has, and what it is called.
 
-use super::Run;
+use super::run::Run;
 use crate::{
     Solved,
     figure::{Ink, Key, Sample, Stroke},

@@ -1,6 +1,11 @@
 //! Power spectral densities.
 
-use super::{Plot, Run, histories::run_keys, look::spoken, shown::Shown};
+use super::{
+    histories::run_keys,
+    look::spoken,
+    run::{Plot, Run, title},
+    shown::Shown,
+};
 use crate::{
     Spectrum,
     figure::{
@@ -107,7 +112,7 @@ fn figure(
         _ => String::new(),
     };
     Figure {
-        title: super::title(runs),
+        title: title(runs),
         subtitle: subtitle.to_owned(),
         keys,
         layout: Layout {

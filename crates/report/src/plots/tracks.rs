@@ -1,11 +1,11 @@
 //! Quantities against measured depth, which points down.
 
 use super::{
-    Plot, Run,
     catalogue::{RULES, Source, TRACKS, Track},
     found::Found,
     look::Looks,
     near,
+    run::{Plot, Run, title},
     shown::Shown,
 };
 use crate::{
@@ -35,7 +35,7 @@ pub(super) fn plots(
         panel.marks.splice(0..0, found.marks(shown));
     }
     let figure = |tracks: &[(&Track, Panel)], columns, width_mm, panel_mm| Figure {
-        title: super::title(runs),
+        title: title(runs),
         subtitle: subtitle.to_owned(),
         keys: [keys(tracks, looks), found.keys()].concat(),
         layout: Layout {

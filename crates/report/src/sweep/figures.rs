@@ -19,7 +19,9 @@ enum Varied {
     Words { key: usize },
 }
 
-pub(super) fn plots(sweep: &Sweep, units: &str) -> Vec<Plot> {
+/// Every picture of a sweep, in a set of units (`si`, `metric` or `field`): all quantities in one, then each in one of
+/// its own; those with nothing to show are left out.
+pub fn sweep_plots(sweep: &Sweep, units: &str) -> Vec<Plot> {
     let shown = Shown::new(&sweep.dimensions, units);
     let drawing = Drawing::new(sweep, shown);
     let panels: Vec<(&Quantity, Panel)> = QUANTITIES

@@ -2,9 +2,11 @@
 
 mod figures;
 
+pub use figures::sweep_plots;
+
 use std::collections::BTreeMap;
 
-use crate::{Cell, DisplayUnit, Fact, Place, Plot, Sheet, plots::spoken};
+use crate::{Cell, DisplayUnit, Fact, Place, Sheet, plots::spoken};
 
 /// A sweep as its page shows it. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
@@ -89,12 +91,6 @@ const QUANTITIES: &[Quantity] = &[
         column: "cutoff_depth_m",
     },
 ];
-
-/// Every picture of a sweep, in a set of units (`si`, `metric` or `field`): all quantities in one, then each in one of
-/// its own; those with nothing to show are left out.
-pub fn sweep_plots(sweep: &Sweep, units: &str) -> Vec<Plot> {
-    figures::plots(sweep, units)
-}
 
 impl Sweep {
     /// The different values of a key, in the order in which they were given.

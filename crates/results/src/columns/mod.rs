@@ -15,8 +15,6 @@ pub use self::{
 };
 use wholestring::outcome::ModelKind;
 
-use crate::{Column, Data};
-
 /// The models that tell of a string in time.
 const DYNAMIC: &[ModelKind] = &[ModelKind::Dynamic];
 
@@ -80,19 +78,6 @@ impl ColumnSpec {
     /// Whether a model has values of it.
     pub fn is_known_by(&self, model: ModelKind) -> bool {
         self.known_by.contains(&model)
-    }
-
-    pub(crate) fn empty(&self) -> Column {
-        Column {
-            name: self.name.into(),
-            unit: self.unit.into(),
-            meaning: self.meaning.into(),
-            data: if self.text {
-                Data::Text(Vec::new())
-            } else {
-                Data::Number(Vec::new())
-            },
-        }
     }
 }
 

@@ -21,8 +21,9 @@ use wholestring::dynamics::{Channel, Frame};
 
 use self::rows::{FrameRows, Layout};
 use crate::{
-    ResultsError, checkpoint,
+    ResultsError,
     file::write_whole,
+    names::CHECKPOINT,
     parquet_file::{self, copy_groups, io_error},
 };
 
@@ -84,7 +85,7 @@ impl FrameWriter {
         so_far: FramesSoFar,
     ) -> Result<Self, ResultsError> {
         let unfit = |reason: &str| ResultsError::Checkpoint {
-            path: folder.join(checkpoint::NAME),
+            path: folder.join(CHECKPOINT),
             reason: reason.into(),
         };
         if !so_far.waiting.are_of(channels) {

@@ -1,0 +1,72 @@
+//! What pictures are drawn of: runs, and what they have in common.
+
+use crate::{Report, TimeRun, figure::Figure};
+
+/// A run whose pictures are drawn.
+#[derive(Debug, Clone, Copy)]
+pub struct Run<'a> {
+    /// What a legend calls it, where there is another beside it.
+    pub name: &'a str,
+    /// What is known of it.
+    pub report: &'a Report,
+    /// Power spectral densities, as far as it has any.
+    pub spectra: &'a [Spectrum],
+}
+
+/// A power spectral density of one signal, SI.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spectrum {
+    /// `trip_out`, `drill`, ...
+    pub operation: String,
+    /// `surface_torque`, or of a node `tension`, ...
+    pub signal: String,
+    /// Measured depth of the node; nothing of a signal of the whole string.
+    pub md_m: Option<f64>,
+    /// Unit of the signal: `N`, `N·m`, ...
+    pub unit: String,
+    /// Frequencies, Hz.
+    pub frequency_Hz: Vec<f64>,
+    /// Density at each, square of the unit per Hz.
+    pub density: Vec<f64>,
+}
+
+/// A figure with the name of its file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plot {
+    /// Name of its file, without an ending.
+    pub name: String,
+    /// The figure.
+    pub figure: Figure,
+}
+
+/// The operations that every one of some runs solved, in the order of the first.
+pub fn common_operations<'a>(runs: &[Run<'a>]) -> Vec<&'a str> {
+    let mut common: Vec<&str> = Vec::new();
+    for solved in runs.iter().take(1).flat_map(|run| &run.report.solved) {
+        let name = solved.operation.as_str();
+        let has = |run: &Run<'_>| run.report.solved.iter().any(|of| of.operation == name);
+        if !common.contains(&name) && runs.iter().all(has) {
+            common.push(name);
+        }
+    }
+    common
+}
+
+/// What runs did in time in an operation, each with the place of the run among them.
+pub(super) fn timed<'a>(
+    runs: &[Run<'a>],
+    operation: &str,
+) -> impl Iterator<Item = (usize, &'a TimeRun)> {
+    let runs = runs.iter().enumerate();
+    runs.filter_map(move |(place, run)| {
+        let mut timed = run.report.runs.iter();
+        Some((place, timed.find(|timed| timed.operation == operation)?))
+    })
+}
+
+/// The name of the case, where all runs are of the same.
+pub(super) fn title(runs: &[Run<'_>]) -> String {
+    let title = &runs[0].report.title;
+    let same = runs.iter().all(|run| run.report.title == *title);
+    if same { title.clone() } else { String::new() }
+}
