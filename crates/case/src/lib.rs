@@ -53,7 +53,6 @@ mod stations;
 mod steel;
 mod string;
 pub mod study;
-pub mod survey;
 mod table;
 mod template;
 mod top_drive;

@@ -1,6 +1,7 @@
 //! Numbers within the range that is believed.
 
 use serde_json::{Value as Json, json};
+pub(crate) use wholestring_units::number_text;
 
 use crate::{
     diagnostic::Diagnostic,
@@ -92,16 +93,6 @@ impl Range {
         if let Some((from, to)) = self.usual {
             schema["x-usual"] = json!([from / worth, to / worth]);
         }
-    }
-}
-
-/// A number as a person writes it.
-pub(crate) fn number_text(value: f64) -> String {
-    let rounded: f64 = format!("{value:.6e}").parse().unwrap_or(value);
-    if rounded != 0.0 && !(1e-4..1e9).contains(&rounded.abs()) {
-        format!("{rounded:e}")
-    } else {
-        format!("{rounded}")
     }
 }
 

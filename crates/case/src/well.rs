@@ -1,6 +1,7 @@
 //! `[well]`: the survey, the path through it, and the hole around it.
 
 use wholestring::well::{Hole, Interpolation, Path, PathError, TieIn};
+use wholestring_survey::{Said, under_origin};
 use wholestring_units::{Dimension, Unit};
 
 use crate::{
@@ -14,7 +15,6 @@ use crate::{
     rule::{At, Choice, List, Section, Text},
     source::{Files, Place},
     stations::{self, LengthUnit, StationRule, Stations},
-    survey::{Said, under_origin},
     table::{optional, required, table},
 };
 

@@ -1,9 +1,9 @@
 //! The words of headings.
 
-use super::Column;
+use crate::column::Column;
 
 /// Names of columns, in small letters without blanks, with their rank.
-pub(super) const NAMES: &[(Column, u8, &[&str])] = &[
+pub(crate) const NAMES: &[(Column, u8, &[&str])] = &[
     (
         Column::MeasuredDepth,
         0,
@@ -99,7 +99,7 @@ pub(super) const NAMES: &[(Column, u8, &[&str])] = &[
 ];
 
 /// Words that a heading may have beside its name.
-pub(super) const BESIDE: &[&str] = &[
+pub(crate) const BESIDE: &[&str] = &[
     "the",
     "of",
     "from",
@@ -140,4 +140,4 @@ pub(super) const BESIDE: &[&str] = &[
 ];
 
 /// Words of depths below the sea and not below the rig floor: another column altogether.
-pub(super) const SUBSEA: &[&str] = &["ss", "subsea", "msl", "sea", "tvdss", "sstvd"];
+pub(crate) const SUBSEA: &[&str] = &["ss", "subsea", "msl", "sea", "tvdss", "sstvd"];

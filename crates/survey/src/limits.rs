@@ -3,37 +3,37 @@
 //! A file of some kilobytes can claim, or unpack to, more than any machine has: what it holds is counted and
 //! refused before room is made for it. With these limits no survey takes more than a gigabyte.
 
-use super::error::SurveyErrorKind;
+use crate::error::SurveyErrorKind;
 
 /// Rows of a table. No survey has so many stations.
-pub(super) const ROWS: usize = 200_000;
+pub(crate) const ROWS: usize = 200_000;
 
 /// Columns of a sheet. Cells further to the right are not read.
-pub(super) const COLUMNS: u32 = 500;
+pub(crate) const COLUMNS: u32 = 500;
 
 /// Cells of all sheets, or of a text, empty ones between others included.
-pub(super) const CELLS: usize = 1_000_000;
+pub(crate) const CELLS: usize = 1_000_000;
 
 /// Text in all cells, bytes.
-pub(super) const TEXT_BYTES: usize = 64 << 20;
+pub(crate) const TEXT_BYTES: usize = 64 << 20;
 
 /// What the parts of an `.xlsx` come to when they are unpacked, bytes.
-pub(super) const UNPACKED_BYTES: u64 = 64 << 20;
+pub(crate) const UNPACKED_BYTES: u64 = 64 << 20;
 
 /// Parts of an `.xlsx`.
-pub(super) const PARTS: usize = 10_000;
+pub(crate) const PARTS: usize = 10_000;
 
 /// Tags in the part of an `.xlsx` that holds its styles: Excel has at most 65 490 formats.
-pub(super) const STYLE_TAGS: usize = 1_000_000;
+pub(crate) const STYLE_TAGS: usize = 1_000_000;
 
 /// The stream of records of an `.xls`, bytes: 65 536 rows of 35 numbers.
-pub(super) const STREAM_BYTES: usize = 32 << 20;
+pub(crate) const STREAM_BYTES: usize = 32 << 20;
 
 /// Sheets of a workbook.
-pub(super) const SHEETS: usize = 100;
+pub(crate) const SHEETS: usize = 100;
 
 /// The refusal of a file that holds more of something than is read.
-pub(super) fn too_much(found: impl ToString, what: &str, most: impl ToString) -> SurveyErrorKind {
+pub(crate) fn too_much(found: impl ToString, what: &str, most: impl ToString) -> SurveyErrorKind {
     SurveyErrorKind::TooMuch {
         found: format!("{} {what}", found.to_string()),
         most: most.to_string(),
@@ -42,14 +42,14 @@ pub(super) fn too_much(found: impl ToString, what: &str, most: impl ToString) ->
 
 /// Cells and text that have been read so far.
 #[derive(Debug, Default)]
-pub(super) struct Budget {
+pub(crate) struct Budget {
     cells: usize,
     text_bytes: usize,
 }
 
 impl Budget {
     /// Takes up so many more cells.
-    pub(super) fn cells(&mut self, more: usize) -> Result<(), SurveyErrorKind> {
+    pub(crate) fn cells(&mut self, more: usize) -> Result<(), SurveyErrorKind> {
         self.cells = self.cells.saturating_add(more);
         if self.cells > CELLS {
             return Err(too_much(format!("more than {CELLS}"), "cells", CELLS));
@@ -58,7 +58,7 @@ impl Budget {
     }
 
     /// Takes up so many more bytes of text.
-    pub(super) fn text(&mut self, more: usize) -> Result<(), SurveyErrorKind> {
+    pub(crate) fn text(&mut self, more: usize) -> Result<(), SurveyErrorKind> {
         self.text_bytes = self.text_bytes.saturating_add(more);
         if self.text_bytes > TEXT_BYTES {
             let most = format!("{} MB", TEXT_BYTES >> 20);

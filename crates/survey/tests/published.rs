@@ -3,7 +3,7 @@
 
 use std::path::PathBuf;
 
-use wholestring_case::survey::{ImportedSurvey, read};
+use wholestring_survey::{ImportedSurvey, read};
 
 /// The file's text, or `None` with a word about it.
 fn published(name: &str) -> Option<String> {

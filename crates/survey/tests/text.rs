@@ -1,8 +1,6 @@
 //! Surveys as text, in the ways people keep them.
 
-use wholestring_case::survey::{
-    Column, ImportedSurvey, Said, SurveyErrorKind, read, read_as, read_csv,
-};
+use wholestring_survey::{Column, ImportedSurvey, Said, SurveyErrorKind, read, read_as, read_csv};
 use wholestring_units::Dimension;
 
 #[track_caller]

@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 use old_excel::Value;
 use proptest::collection::vec;
 use proptest::prelude::*;
-use wholestring_case::survey::{ImportedSurvey, SurveyError, read, read_csv, read_excel};
+use wholestring_survey::{ImportedSurvey, SurveyError, read, read_csv, read_excel};
 
 /// What must hold for any bytes.
 fn sound(result: Result<ImportedSurvey, SurveyError>) -> Result<(), TestCaseError> {

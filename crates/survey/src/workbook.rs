@@ -6,25 +6,25 @@ use std::io::Cursor;
 use calamine::{Data, DataRef, Reader, SheetType, Xls, Xlsx};
 use wholestring_contain::contain;
 
-use super::error::SurveyErrorKind;
-use super::limits::{self, Budget, too_much};
-use super::table::{Cell, Position, Row};
-use super::{archive, compound, records};
+use crate::error::SurveyErrorKind;
+use crate::limits::{self, Budget, too_much};
+use crate::table::{Cell, Position, Row};
+use crate::{archive, compound, records};
 
 /// A sheet with its rows, empty ones above the last included.
 #[derive(Debug)]
-pub(super) struct Sheet {
-    pub(super) name: String,
-    pub(super) rows: Vec<Row>,
+pub(crate) struct Sheet {
+    pub(crate) name: String,
+    pub(crate) rows: Vec<Row>,
 }
 
 /// Whether the bytes begin as a workbook does: a zip archive or a compound file.
-pub(super) fn is_workbook(bytes: &[u8]) -> bool {
+pub(crate) fn is_workbook(bytes: &[u8]) -> bool {
     bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(compound::MARK)
 }
 
 /// The workbook's sheets.
-pub(super) fn sheets(bytes: &[u8]) -> Result<Vec<Sheet>, SurveyErrorKind> {
+pub(crate) fn sheets(bytes: &[u8]) -> Result<Vec<Sheet>, SurveyErrorKind> {
     if bytes.is_empty() {
         return Err(SurveyErrorKind::Empty);
     }

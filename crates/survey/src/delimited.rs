@@ -1,13 +1,13 @@
 //! Cutting a text at a sign: comma, semicolon, tab.
 
-use super::table::{Cell, Position, Row, Source, Table};
+use crate::table::{Cell, Position, Row, Source, Table};
 
 /// A quoted cell ends within this many bytes, or its quote is an inch sign.
 const LONGEST_QUOTE: usize = 4096;
 
 /// Cuts a text into cells. A cell may stand in double quotes, and then hold the sign, the quote
 /// doubled, and ends of lines.
-pub(super) fn cut<'a>(
+pub(crate) fn cut<'a>(
     source: Source<'a>,
     text: &'a str,
     sign: u8,

@@ -1,47 +1,47 @@
 //! A file as rows of cells, each of which knows where it stands.
 
-use super::error::{Place, SurveyError, SurveyErrorKind};
+use crate::error::{Place, SurveyError, SurveyErrorKind};
 
 /// Where a cell stands in its file: from and to which byte of a text, or in which row and column
 /// of a sheet, from 0. Its [`Source`] knows which of the two it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Position(pub(super) usize, pub(super) usize);
+pub(crate) struct Position(pub(crate) usize, pub(crate) usize);
 
 /// One cell.
 #[derive(Debug, Clone)]
-pub(super) struct Cell {
+pub(crate) struct Cell {
     /// Its text, trimmed.
-    pub(super) text: String,
+    pub(crate) text: String,
     /// Its number, where the file holds one and not its text.
-    pub(super) number: Option<f64>,
-    pub(super) at: Position,
+    pub(crate) number: Option<f64>,
+    pub(crate) at: Position,
 }
 
 impl Cell {
-    pub(super) fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.text.is_empty()
     }
 }
 
 /// One row.
 #[derive(Debug, Clone)]
-pub(super) struct Row {
-    pub(super) cells: Vec<Cell>,
+pub(crate) struct Row {
+    pub(crate) cells: Vec<Cell>,
     /// Where a cell that the row lacks would stand.
-    pub(super) end: Position,
+    pub(crate) end: Position,
 }
 
 impl Row {
-    pub(super) fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.cells.iter().all(Cell::is_empty)
     }
 
-    pub(super) fn text(&self, index: usize) -> &str {
+    pub(crate) fn text(&self, index: usize) -> &str {
         self.cells.get(index).map_or("", |cell| &cell.text)
     }
 
     /// The texts of its cells that hold any.
-    pub(super) fn texts(&self) -> impl Iterator<Item = &str> {
+    pub(crate) fn texts(&self) -> impl Iterator<Item = &str> {
         self.cells
             .iter()
             .map(|cell| cell.text.as_str())
@@ -49,13 +49,13 @@ impl Row {
     }
 
     /// It begins with a sign of comments.
-    pub(super) fn is_comment(&self) -> bool {
+    pub(crate) fn is_comment(&self) -> bool {
         let first = self.texts().next().unwrap_or("");
         first.starts_with(['#', '%', '~']) || first.starts_with("//")
     }
 
     /// A line drawn with signs, such as `-----`.
-    pub(super) fn is_rule(&self) -> bool {
+    pub(crate) fn is_rule(&self) -> bool {
         let mut drawn = self
             .texts()
             .flat_map(str::chars)
@@ -67,20 +67,20 @@ impl Row {
 
 /// A table and the file it comes from.
 #[derive(Debug, Clone)]
-pub(super) struct Table<'a> {
-    pub(super) source: Source<'a>,
-    pub(super) rows: Vec<Row>,
+pub(crate) struct Table<'a> {
+    pub(crate) source: Source<'a>,
+    pub(crate) rows: Vec<Row>,
     /// What parts the cells of a text, in words.
-    pub(super) parted_by: Option<&'static str>,
+    pub(crate) parted_by: Option<&'static str>,
     /// Every row must have as many values: cells are counted, not parted by a sign.
-    pub(super) counted: Option<usize>,
+    pub(crate) counted: Option<usize>,
     /// What was passed over while the rows were cut.
-    pub(super) notes: Vec<String>,
+    pub(crate) notes: Vec<String>,
 }
 
 impl Table<'_> {
     /// A note on a thing found, and on what parts the cells.
-    pub(super) fn note(&self, found: &str) -> String {
+    pub(crate) fn note(&self, found: &str) -> String {
         match self.parted_by {
             Some(sign) => format!("{found}, columns parted by {sign}"),
             None => found.to_owned(),
@@ -90,14 +90,14 @@ impl Table<'_> {
 
 /// A text or a sheet of a workbook.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Source<'a> {
+pub(crate) enum Source<'a> {
     Text { file: &'a str, text: &'a str },
     Sheet { file: &'a str, sheet: &'a str },
 }
 
 impl Source<'_> {
     /// The error of this kind at a position.
-    pub(super) fn error(&self, kind: SurveyErrorKind, at: Option<Position>) -> SurveyError {
+    pub(crate) fn error(&self, kind: SurveyErrorKind, at: Option<Position>) -> SurveyError {
         let place = at.map(|at| self.place(at));
         match *self {
             Source::Text { file, text } => SurveyError::new(file, kind, place, Some(text)),
@@ -106,7 +106,7 @@ impl Source<'_> {
     }
 
     /// The place of a position.
-    pub(super) fn place(&self, at: Position) -> Place {
+    pub(crate) fn place(&self, at: Position) -> Place {
         let Position(first, second) = at;
         match *self {
             Source::Text { text, .. } => {
@@ -127,7 +127,7 @@ impl Source<'_> {
     }
 
     /// The row of a position, in words.
-    pub(super) fn row_name(&self, at: Position) -> String {
+    pub(crate) fn row_name(&self, at: Position) -> String {
         match self.place(at) {
             Place::Text { line, .. } => format!("line {line}"),
             Place::Cell { row, sheet, .. } => format!("row {row} of sheet '{sheet}'"),
@@ -136,7 +136,7 @@ impl Source<'_> {
 }
 
 /// Where the lines of a text begin: after `\n`, `\r\n` or a lone `\r`.
-pub(super) fn line_starts(text: &str) -> impl Iterator<Item = usize> {
+pub(crate) fn line_starts(text: &str) -> impl Iterator<Item = usize> {
     let bytes = text.as_bytes();
     let ends = bytes.iter().enumerate().filter_map(|(i, byte)| match byte {
         b'\n' => Some(i + 1),

@@ -2,7 +2,7 @@
 
 /// What commas and points mean in the numbers of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Style {
+pub(crate) enum Style {
     /// `1500.5`, or `1,500.5` with thousands.
     Point,
     /// `1500,5`, or `1.500,5` with thousands.
@@ -11,7 +11,7 @@ pub(super) enum Style {
 
 /// Why a text is no number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Fault {
+pub(crate) enum Fault {
     NotANumber,
     NotFinite,
 }
@@ -20,7 +20,7 @@ pub(super) enum Fault {
 ///
 /// A sign that parts groups of three digits may be either. One number that cannot be read both
 /// ways settles the whole table.
-pub(super) fn style<'a>(numbers: impl Iterator<Item = &'a str>) -> Result<Style, &'a str> {
+pub(crate) fn style<'a>(numbers: impl Iterator<Item = &'a str>) -> Result<Style, &'a str> {
     let (mut point, mut comma) = (false, false);
     let (mut point_or_thousands, mut comma_or_thousands) = (None, None);
     for number in numbers.filter(|number| number.contains([',', '.'])) {
@@ -51,7 +51,7 @@ pub(super) fn style<'a>(numbers: impl Iterator<Item = &'a str>) -> Result<Style,
 }
 
 /// Reads a number in a style.
-pub(super) fn read(text: &str, style: Style) -> Result<f64, Fault> {
+pub(crate) fn read(text: &str, style: Style) -> Result<f64, Fault> {
     let text = text.trim().replace('−', "-");
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(&text);
     if ["nan", "inf", "infinity"]
@@ -88,7 +88,7 @@ pub(super) fn read(text: &str, style: Style) -> Result<f64, Fault> {
 }
 
 /// It is a number in one style or the other.
-pub(super) fn is_number(text: &str) -> bool {
+pub(crate) fn is_number(text: &str) -> bool {
     read(text, Style::Point).is_ok() || read(text, Style::Comma).is_ok()
 }
 

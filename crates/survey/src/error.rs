@@ -3,7 +3,7 @@
 use std::fmt;
 use std::ops::Range;
 
-use super::Column;
+use crate::column::Column;
 use wholestring_units::Dimension;
 
 /// Where in a file.
@@ -297,7 +297,7 @@ struct Detail {
 }
 
 impl SurveyError {
-    pub(super) fn new(
+    pub(crate) fn new(
         file: &str,
         kind: SurveyErrorKind,
         place: Option<Place>,

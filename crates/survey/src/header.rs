@@ -1,10 +1,10 @@
 //! The header: the row, or the rows, that name the columns.
 
-use super::Column;
-use super::error::{SurveyError, SurveyErrorKind};
-use super::heading::{self, Heading};
-use super::number;
-use super::table::{Position, Table};
+use crate::column::Column;
+use crate::error::{SurveyError, SurveyErrorKind};
+use crate::heading::{self, Heading};
+use crate::number;
+use crate::table::{Position, Table};
 
 /// A header stands within this many rows.
 const HEADER_ROWS: usize = 200;
@@ -19,24 +19,24 @@ const STACKED: usize = 4;
 const NEAR: f64 = 0.6;
 
 /// A column's heading: the cell's index, its text and what it says.
-pub(super) type Taken = (usize, String, Heading);
+pub(crate) type Taken = (usize, String, Heading);
 
 /// A header row with the needed columns.
 #[derive(Debug, Clone)]
-pub(super) struct Header {
+pub(crate) struct Header {
     /// Its last row.
-    pub(super) row: usize,
-    pub(super) headings: Vec<Taken>,
+    pub(crate) row: usize,
+    pub(crate) headings: Vec<Taken>,
     /// Headings of columns that another was taken for.
-    pub(super) passed_over: Vec<String>,
-    pub(super) texts: Vec<String>,
+    pub(crate) passed_over: Vec<String>,
+    pub(crate) texts: Vec<String>,
 }
 
 /// A row that names some of the columns.
 #[derive(Debug, Clone)]
-pub(super) struct Partial {
+pub(crate) struct Partial {
     /// How many columns it names.
-    pub(super) count: usize,
+    pub(crate) count: usize,
     row: usize,
     texts: Vec<String>,
     kind: SurveyErrorKind,
@@ -44,11 +44,11 @@ pub(super) struct Partial {
 
 impl Partial {
     /// It is more than a title with a word that also heads columns.
-    pub(super) fn is_header(&self) -> bool {
+    pub(crate) fn is_header(&self) -> bool {
         self.count >= 2 || (self.count == 1 && self.texts.len() >= Column::NEEDED.len())
     }
 
-    pub(super) fn error(self, table: &Table) -> SurveyError {
+    pub(crate) fn error(self, table: &Table) -> SurveyError {
         let at = table.rows[self.row]
             .cells
             .iter()
@@ -66,7 +66,7 @@ impl Partial {
 }
 
 /// Finds the header; `Err` has the row that comes nearest to one, if any names a column.
-pub(super) fn find(table: &Table) -> Result<Header, Option<Partial>> {
+pub(crate) fn find(table: &Table) -> Result<Header, Option<Partial>> {
     let mut best: Option<Partial> = None;
     for row in 0..table.rows.len().min(HEADER_ROWS) {
         if table.rows[row].texts().all(number::is_number) {

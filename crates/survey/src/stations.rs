@@ -2,13 +2,13 @@
 
 use wholestring::well::{Station, TieIn};
 
-use crate::range::number_text;
+use wholestring_units::number_text;
 
-use super::error::{SurveyError, SurveyErrorKind};
-use super::layout::{Found, Layout};
-use super::number::{self, Fault, Style};
-use super::table::{Position, Row, Table};
-use super::{Column, ImportedSurvey};
+use crate::error::{SurveyError, SurveyErrorKind};
+use crate::layout::{Found, Layout};
+use crate::number::{self, Fault, Style};
+use crate::table::{Position, Row, Table};
+use crate::{column::Column, imported::ImportedSurvey};
 
 /// No hole is deeper along its axis, m.
 const DEEPEST_M: f64 = 1e5;
@@ -17,7 +17,7 @@ const DEEPEST_M: f64 = 1e5;
 const NOTED_ROWS: usize = 5;
 
 /// Reads the rows below the header.
-pub(super) fn read(table: &Table, layout: Layout) -> Result<ImportedSurvey, SurveyError> {
+pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedSurvey, SurveyError> {
     let mut notes = layout.notes.clone();
     let rows = station_rows(table, &layout, &mut notes);
     let reader = Reader {

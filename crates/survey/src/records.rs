@@ -8,9 +8,9 @@
 
 use std::collections::HashSet;
 
-use super::compound::{u16_at, u32_at};
-use super::error::SurveyErrorKind;
-use super::limits::{self, Budget, too_much};
+use crate::compound::{u16_at, u32_at};
+use crate::error::SurveyErrorKind;
+use crate::limits::{self, Budget, too_much};
 
 /// Kinds of records.
 const FORMULA: u16 = 0x0006;
@@ -36,7 +36,7 @@ const COLUMNS: u16 = 256;
 
 /// Refuses a workbook whose cells are more than are read or beyond the limits of the format, and takes out of its
 /// records what would make room for more than there is.
-pub(super) fn check(stream: &mut [u8]) -> Result<(), SurveyErrorKind> {
+pub(crate) fn check(stream: &mut [u8]) -> Result<(), SurveyErrorKind> {
     let all: Vec<Record> = records(stream, 0).collect();
     let head = all.iter().position(|record| record.kind == END);
     let head = &all[..head.unwrap_or(all.len())];

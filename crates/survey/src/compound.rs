@@ -8,8 +8,8 @@
 
 use std::collections::HashSet;
 
-use super::error::SurveyErrorKind;
-use super::limits::{self, too_much};
+use crate::error::SurveyErrorKind;
+use crate::limits::{self, too_much};
 
 /// Streams below this size stand in the mini stream, in sectors of [`MINI_SECTOR`] bytes.
 const MINI_STREAM: usize = 4096;
@@ -24,10 +24,10 @@ const END: u32 = 0xffff_fffe;
 const FREE: u32 = 0xffff_ffff;
 
 /// What every compound file begins with.
-pub(super) const MARK: &[u8; 8] = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1";
+pub(crate) const MARK: &[u8; 8] = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1";
 
 /// The stream in a compound file that holds the workbook.
-pub(super) fn workbook_stream(bytes: &[u8]) -> Result<Vec<u8>, SurveyErrorKind> {
+pub(crate) fn workbook_stream(bytes: &[u8]) -> Result<Vec<u8>, SurveyErrorKind> {
     let file = File::open(bytes).ok_or_else(|| damaged("it is no compound file"))?;
     let directory = file.chain(u32_at(bytes, 48), &file.table)?;
     let entries: Vec<&[u8]> = directory.chunks_exact(128).collect();
@@ -148,7 +148,7 @@ fn chain<'a>(
 }
 
 /// A compound file that holds nothing but this stream of a workbook.
-pub(super) fn file_of(stream: &[u8]) -> Vec<u8> {
+pub(crate) fn file_of(stream: &[u8]) -> Vec<u8> {
     const SECTOR: usize = 4096;
     const PER_SECTOR: usize = SECTOR / 4;
     let length = stream.len().max(MINI_STREAM);
@@ -216,12 +216,12 @@ fn numbers(bytes: &[u8]) -> impl Iterator<Item = u32> {
         .map(|four| u32::from_le_bytes([four[0], four[1], four[2], four[3]]))
 }
 
-pub(super) fn u16_at(bytes: &[u8], at: usize) -> Option<u16> {
+pub(crate) fn u16_at(bytes: &[u8], at: usize) -> Option<u16> {
     let two = bytes.get(at..at.checked_add(2)?)?;
     Some(u16::from_le_bytes([two[0], two[1]]))
 }
 
-pub(super) fn u32_at(bytes: &[u8], at: usize) -> Option<u32> {
+pub(crate) fn u32_at(bytes: &[u8], at: usize) -> Option<u32> {
     let four = bytes.get(at..at.checked_add(4)?)?;
     Some(u32::from_le_bytes([four[0], four[1], four[2], four[3]]))
 }

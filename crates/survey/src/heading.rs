@@ -2,21 +2,21 @@
 
 use wholestring_units::{Dimension, Unit};
 
-use super::Column;
-use super::names::{BESIDE, NAMES, SUBSEA};
+use crate::column::Column;
+use crate::names::{BESIDE, NAMES, SUBSEA};
 
 /// A heading that names a column.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Heading {
-    pub(super) column: Column,
+pub(crate) struct Heading {
+    pub(crate) column: Column,
     /// Of two headings for one column the lower rank is taken.
-    pub(super) rank: u8,
-    pub(super) unit: HeadingUnit,
+    pub(crate) rank: u8,
+    pub(crate) unit: HeadingUnit,
 }
 
 /// The unit in a heading.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum HeadingUnit {
+pub(crate) enum HeadingUnit {
     None,
     Unit(&'static Unit),
     /// Something in brackets that is no unit of the column's dimension.
@@ -33,7 +33,7 @@ const LONGEST: usize = 80;
 const UNIT_WORDS: usize = 3;
 
 /// What a heading says, if it names a column of a survey.
-pub(super) fn recognise(text: &str) -> Option<Heading> {
+pub(crate) fn recognise(text: &str) -> Option<Heading> {
     if text.len() > LONGEST {
         return None;
     }
@@ -82,14 +82,14 @@ pub(super) fn recognise(text: &str) -> Option<Heading> {
 }
 
 /// The unit that a cell in a row of units names: `ft`, `(ft)`, `[ft]`.
-pub(super) fn bare_unit(text: &str) -> &str {
+pub(crate) fn bare_unit(text: &str) -> &str {
     text.trim()
         .trim_matches(['(', ')', '[', ']', '{', '}'])
         .trim()
 }
 
 /// Whether a text is a unit of any dimension.
-pub(super) fn dimension_of(text: &str) -> Option<Dimension> {
+pub(crate) fn dimension_of(text: &str) -> Option<Dimension> {
     Dimension::ALL
         .iter()
         .copied()
@@ -97,7 +97,7 @@ pub(super) fn dimension_of(text: &str) -> Option<Dimension> {
 }
 
 /// The column whose name comes nearest to a heading, with how near, from 0 to 1.
-pub(super) fn nearness(column: Column, text: &str) -> f64 {
+pub(crate) fn nearness(column: Column, text: &str) -> f64 {
     let (name, _) = part_brackets(text);
     let written: String = words(&name).iter().map(|word| lower(word)).collect();
     if written.is_empty() || written.len() > LONGEST {

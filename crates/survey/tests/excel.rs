@@ -4,9 +4,7 @@ mod old_excel;
 
 use old_excel::Value;
 use rust_xlsxwriter::{ExcelDateTime, Format, Workbook, Worksheet};
-use wholestring_case::survey::{
-    ImportedSurvey, Place, Said, SurveyErrorKind, read, read_as, read_excel,
-};
+use wholestring_survey::{ImportedSurvey, Place, Said, SurveyErrorKind, read, read_as, read_excel};
 
 /// Fills a sheet.
 type Fill<'a> = &'a dyn Fn(&mut Worksheet);

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use super::number;
-use super::table::{Cell, Position, Row, Source, Table, line_starts};
+use crate::number;
+use crate::table::{Cell, Position, Row, Source, Table, line_starts};
 
 /// Lines above the numbers that may hold headings.
 const HEADING_LINES: usize = 8;
@@ -15,7 +15,7 @@ const FEWEST: usize = 3;
 ///
 /// The first line of numbers tells how many columns there are and where they stand; the headings
 /// above go to the column under which they stand.
-pub(super) fn cut<'a>(source: Source<'a>, text: &'a str) -> Table<'a> {
+pub(crate) fn cut<'a>(source: Source<'a>, text: &'a str) -> Table<'a> {
     let starts: Vec<usize> = line_starts(text).collect();
     let lines: Vec<Range<usize>> = starts
         .iter()

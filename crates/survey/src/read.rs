@@ -1,87 +1,16 @@
-//! Surveys from CSV, text reports and Excel.
-//!
-//! Columns are found by their headings, in any order and under the spellings that are common:
-//! `MD (m)`, `Measured Depth ( ft )`, `md_m`, `INCL`, `Azimuth Grid [deg]`. Units stand in the
-//! headings or in a row below them. Titles and comments above the header, a comma, semicolon, tab
-//! or blanks between the columns, decimal commas and thousands separators are taken as they come.
-//! What was recognised is told in [`ImportedSurvey::notes`].
-//!
-//! Nothing is guessed where a mistake would go unseen: lengths without any unit are an error until
-//! their unit is [said](Said), with which three columns need no header either. Angles without a unit are
-//! degrees, which is noted.
-//!
-//! ```
-//! let text = "MD (ft),Inc,Azi\n0,0,0\n1000,0,0\n1100,3,45\n";
-//! let survey = wholestring_case::survey::read(text.as_bytes(), "a.csv")?;
-//! assert_eq!(survey.stations[1].md_m, 304.8);
-//!
-//! let error = wholestring_case::survey::read(b"MD (ft),Inc,Azi\n0,0,0\nx,0,0\n", "a.csv");
-//! assert_eq!(
-//!     error.unwrap_err().to_string(),
-//!     "a.csv, line 3, column 1: 'x' is not a number; the measured depth was expected"
-//! );
-//! # Ok::<(), wholestring_case::survey::SurveyError>(())
-//! ```
+//! From bytes to a survey: the first table with the needed columns is read.
 
-mod archive;
-mod blanks;
-mod column;
-mod compound;
-mod decode;
-mod delimited;
-mod error;
-mod header;
-mod heading;
-mod layout;
-mod limits;
-mod names;
-mod number;
-mod records;
-mod stations;
-mod table;
-mod workbook;
-
-pub use column::Column;
-pub use error::{Place, SurveyError, SurveyErrorKind};
-
-use table::{Source, Table};
-use wholestring::well::{Station, TieIn};
-use wholestring_units::Unit;
-
-/// A survey and how it was understood.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ImportedSurvey {
-    /// Two stations or more, by growing measured depth. Azimuths are as written, between -360 and
-    /// 720 degrees: they are not wrapped.
-    pub stations: Vec<Station>,
-    /// Where the first station lies, if the file says so: its true vertical depth, north and east.
-    pub tie_in: Option<TieIn>,
-    /// What was recognised, assumed and passed over, in sentences for people.
-    pub notes: Vec<String>,
-}
-
-impl ImportedSurvey {
-    /// Where the first station lies: as the file says, or else on the vertical under the origin, as deep as its
-    /// measured depth.
-    pub fn start(&self) -> TieIn {
-        self.tie_in.unwrap_or_else(|| under_origin(&self.stations))
-    }
-}
-
-/// The first station on the vertical under the origin, as deep as its measured depth.
-pub(crate) fn under_origin(stations: &[Station]) -> TieIn {
-    TieIn {
-        tvd_m: stations.first().map_or(0.0, |first| first.md_m),
-        ..TieIn::default()
-    }
-}
-
-/// What is said of a survey beside its file.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Said {
-    /// Unit of the lengths whose unit the file does not tell.
-    pub length_unit: Option<&'static Unit>,
-}
+use crate::{
+    blanks, decode, delimited,
+    error::{SurveyError, SurveyErrorKind},
+    header,
+    imported::ImportedSurvey,
+    layout, limits,
+    said::Said,
+    stations,
+    table::{Source, Table},
+    workbook,
+};
 
 /// The signs that part cells, in the order in which they are tried.
 const SIGNS: [(u8, &str); 3] = [(b'\t', "tabs"), (b';', "semicolons"), (b',', "commas")];
@@ -97,13 +26,13 @@ pub fn read(bytes: &[u8], name: &str) -> Result<ImportedSurvey, SurveyError> {
 /// Reads a survey as [`read`] does, of which something is said that its file may not tell.
 ///
 /// ```
-/// use wholestring_case::survey::{Said, read, read_as};
+/// use wholestring_survey::{Said, read, read_as};
 ///
 /// let bare = b"0 0 0\n1000 0 0\n";
 /// assert!(read(bare, "a.txt").is_err());
 /// let said = Said { length_unit: wholestring_units::Dimension::Length.find_unit("ft") };
 /// assert_eq!(read_as(bare, "a.txt", &said)?.stations[1].md_m, 304.8);
-/// # Ok::<(), wholestring_case::survey::SurveyError>(())
+/// # Ok::<(), wholestring_survey::SurveyError>(())
 /// ```
 ///
 /// # Errors

@@ -2,7 +2,7 @@
 
 /// The text of a file in UTF-8 or UTF-16 with a mark, UTF-8 without, or Windows-1252 (of which
 /// Latin-1 is the part that matters here). `None` if the bytes are no text.
-pub(super) fn text(bytes: &[u8]) -> Option<String> {
+pub(crate) fn text(bytes: &[u8]) -> Option<String> {
     let text = match bytes {
         [0xef, 0xbb, 0xbf, rest @ ..] => std::str::from_utf8(rest).ok()?.to_owned(),
         [0xff, 0xfe, rest @ ..] => utf16(rest, u16::from_le_bytes)?,

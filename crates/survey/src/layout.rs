@@ -2,41 +2,41 @@
 
 use wholestring_units::Unit;
 
-use super::error::{SurveyError, SurveyErrorKind};
-use super::header::Header;
-use super::heading::{self, HeadingUnit};
-use super::number;
-use super::table::{Position, Table};
-use super::{Column, Said};
+use crate::error::{SurveyError, SurveyErrorKind};
+use crate::header::Header;
+use crate::heading::{self, HeadingUnit};
+use crate::number;
+use crate::table::{Position, Table};
+use crate::{column::Column, said::Said};
 
 /// One column of the survey in the table.
 #[derive(Debug, Clone)]
-pub(super) struct Found {
-    pub(super) column: Column,
+pub(crate) struct Found {
+    pub(crate) column: Column,
     /// Which cell of each row.
-    pub(super) index: usize,
-    pub(super) unit: &'static Unit,
+    pub(crate) index: usize,
+    pub(crate) unit: &'static Unit,
 }
 
 /// Where everything is.
 #[derive(Debug, Clone)]
-pub(super) struct Layout {
-    pub(super) columns: Vec<Found>,
+pub(crate) struct Layout {
+    pub(crate) columns: Vec<Found>,
     /// The first row below the header and the units.
-    pub(super) data: usize,
+    pub(crate) data: usize,
     /// The header's texts, by which a header repeated further down is known.
-    pub(super) header: Vec<String>,
-    pub(super) notes: Vec<String>,
+    pub(crate) header: Vec<String>,
+    pub(crate) notes: Vec<String>,
 }
 
 impl Layout {
-    pub(super) fn column(&self, column: Column) -> Option<&Found> {
+    pub(crate) fn column(&self, column: Column) -> Option<&Found> {
         self.columns.iter().find(|found| found.column == column)
     }
 }
 
 /// The layout below a header: its units, and where the numbers begin.
-pub(super) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout, SurveyError> {
+pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout, SurveyError> {
     let row = table.source.row_name(table.rows[header.row].end);
     let mut notes = vec![table.note(&format!("header in {row}"))];
     for text in &header.passed_over {
@@ -135,7 +135,7 @@ pub(super) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout
 /// Three columns of numbers without a header, from the first row that is such; none if the
 /// numbers stand in more columns, or under a header that names none of them. It is an error where
 /// the unit of the depths was not said.
-pub(super) fn without_header(table: &Table, said: &Said) -> Option<Result<Layout, SurveyError>> {
+pub(crate) fn without_header(table: &Table, said: &Said) -> Option<Result<Layout, SurveyError>> {
     let first = table.rows.iter().position(|row| {
         !row.is_empty() && row.texts().count() > 1 && row.texts().all(number::is_number)
     })?;
