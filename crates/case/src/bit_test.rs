@@ -10,12 +10,13 @@ use wholestring::{
     operation::Operation,
     rock::DrillingSpec,
 };
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, number_text};
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
+    number::Number,
     quantity::Quantity,
-    range::{Number, Range, number_text},
+    range::Range,
     reader::Reader,
     rule::{At, List},
     source::Place,

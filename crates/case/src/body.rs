@@ -3,16 +3,17 @@
 use wholestring::string::{
     BodyBend, Cavity, ComponentLength, ComponentSpec, Eccentricity, MOST_ECCENTRIC,
 };
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, number_text};
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     quantity::Quantity,
-    range::{Range, number_text},
+    range::Range,
     reader::Reader,
     rule::{At, Choice},
-    string::{ComponentTable, mm},
 };
+
+use crate::string::{ComponentTable, mm};
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 

@@ -2,14 +2,14 @@
 
 use wholestring::{mud::Mud, string::DrillString, well::Hole};
 
+use wholestring_units::number_text;
+
+use wholestring_config::{
+    diagnostic::Diagnostic, names::short, reader::Reader, rule::At, source::Place,
+};
+
 use crate::{
-    diagnostic::Diagnostic,
     hole::HoleTable,
-    names::short,
-    range::number_text,
-    reader::Reader,
-    rule::At,
-    source::Place,
     string::{ComponentTable, mm},
 };
 

@@ -1,19 +1,21 @@
 //! `[[well.hole]]`: the hole around the path.
 
 use wholestring::well::{Friction, Hole, HoleError, HoleKind, HoleSection};
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, number_text};
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     node::{Node, Value},
+    number::Number,
     quantity::Quantity,
-    range::{Number, Range, number_text},
+    range::Range,
     reader::Reader,
-    roughness::RoughnessTable,
     rule::{At, Choice, Rule, Table, Text},
     source::Place,
     table::{default, optional, required, required_unless, table},
 };
+
+use crate::roughness::RoughnessTable;
 
 table! {
     /// Friction between string and wall: sliding and at rest, along the hole and around it.

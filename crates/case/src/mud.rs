@@ -3,10 +3,11 @@
 use wholestring::mud::{Mud, Rheology};
 use wholestring_units::Dimension;
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
+    number::Number,
     quantity::Quantity,
-    range::{Number, Range},
+    range::Range,
     reader::Reader,
     rule::{At, Choice},
     source::Place,

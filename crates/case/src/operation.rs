@@ -10,17 +10,20 @@ use wholestring::{
 };
 use wholestring_units::Dimension;
 
-use crate::{
-    bit::{BitTable, Given, Law},
+use wholestring_config::{
     diagnostic::Diagnostic,
-    operation_kind::KindRule,
     quantity::Quantity,
     range::Range,
     reader::Reader,
     rule::{At, Choice, List, Section, once_each},
-    schedule::{self, Around, StepTable},
     source::Place,
     table::{Field, default, optional, required, table},
+};
+
+use crate::{
+    bit::{BitTable, Given, Law},
+    operation_kind::KindRule,
+    schedule::{self, Around, StepTable},
 };
 
 /// Every operation that there is.

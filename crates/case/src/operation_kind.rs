@@ -3,14 +3,15 @@
 use serde_json::{Value as Json, json};
 use wholestring::operation::OperationKind;
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     names::{all_near, any_of, same, short},
     node::{Node, Value},
-    operation::KIND,
     reader::Reader,
     rule::Rule,
 };
+
+use crate::operation::KIND;
 
 /// Drillers' words; capitals, blanks, hyphens and underscores do not count.
 const WORDS: &[(&str, OperationKind)] = {

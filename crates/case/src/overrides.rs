@@ -2,12 +2,13 @@
 
 use std::{ops::Range, sync::Arc};
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     names::{nearest, short},
     node::{Entries, Key, Node, Value, parse_value},
     reader::Reader,
-    source::Place,
+    schema::{homes_of, top_level},
+    source::{COMMAND_LINE, Place},
 };
 
 /// One `--set KEY=VALUE`.
@@ -111,9 +112,6 @@ pub(crate) const SHORT: &[(&str, &str)] = &[
 /// Parts of a key between its dots. The deepest key of a case has six; each is a table within the one before.
 const MOST_PARTS: usize = 32;
 
-/// What a diagnostic about an argument quotes.
-pub(crate) const COMMAND_LINE: &str = "command line";
-
 /// Puts an override into the tree of the case.
 pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) {
     let quote = change.quote();
@@ -152,10 +150,11 @@ pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) 
         );
         return reader.report(diagnostic);
     }
-    let top_level = crate::schema::top_level();
+    let tables = reader.tables();
+    let top_level = tables.map_or_else(Vec::new, top_level);
     if path.len() == 1 && !top_level.iter().any(|name| name == path[0]) {
         let short_keys: Vec<&str> = SHORT.iter().map(|(short, _)| *short).collect();
-        let homes = crate::schema::homes_of(&crate::schema::TABLES, path[0]);
+        let homes = tables.map_or_else(Vec::new, |tables| homes_of(tables, path[0]));
         let mut diagnostic = Diagnostic::error(format!("there is no key `{}`", short(path[0])))
             .at(key_place, "unknown key");
         if let Some(home) = homes.first() {

@@ -3,12 +3,12 @@
 use serde::Serialize;
 use serde_json::{Value as Json, json};
 use wholestring::dynamics::{Channel, DynamicsSettings, NodeSignal, Probe, Signal};
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, number_text};
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     quantity::Quantity,
-    range::{Range, number_text},
+    range::Range,
     reader::Reader,
     rule::{At, Choice, List, once_each},
     source::Place,

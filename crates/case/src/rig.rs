@@ -6,12 +6,13 @@ use wholestring::{
     operation::Operation,
     rig::Rig,
 };
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, number_text};
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
+    number::Number,
     quantity::Quantity,
-    range::{Number, Range, number_text},
+    range::Range,
     reader::Reader,
     rule::Choice,
     table::{Field, default, optional, table},
@@ -324,7 +325,7 @@ fn word_of(control: Control) -> &'static str {
 fn needed(
     field: &Field<f64>,
     name: &str,
-    chosen: crate::source::Place,
+    chosen: wholestring_config::source::Place,
     reader: &mut Reader,
 ) -> Option<f64> {
     if let Field::Absent = field {

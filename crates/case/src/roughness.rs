@@ -6,20 +6,21 @@ use wholestring::{
     string::DrillString,
     well::{Hole, Roughness},
 };
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, number_text};
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
-    hole::HoleTable,
     names::short,
+    number::Whole,
     quantity::Quantity,
-    range::{Range, Whole, number_text},
+    range::Range,
     reader::Reader,
     rule::At,
     source::Place,
-    string::mm,
     table::{Field, default, table},
 };
+
+use crate::{hole::HoleTable, string::mm};
 
 /// Slope beyond which a wall is no roughness, rad: steps follow it to the first order.
 const STEEPEST: f64 = 0.3;

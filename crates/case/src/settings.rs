@@ -17,7 +17,7 @@ use wholestring::{
 use wholestring_units::UnitSet;
 
 use crate::{
-    case::CaseTable,
+    case_table::CaseTable,
     rig::{HoistTable, TUNED_LIFT},
     settle::AUTO,
 };

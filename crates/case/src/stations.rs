@@ -3,14 +3,14 @@
 use serde_json::json;
 use wholestring::well::{Station, TieIn};
 use wholestring_survey::{Said, SurveyError, read_as};
-use wholestring_units::{Dimension, Unit};
+use wholestring_units::{Dimension, Unit, number_text};
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     names::short,
     node::{Node, Value},
     quantity::Quantity,
-    range::{Range, number_text},
+    range::Range,
     reader::Reader,
     rule::{At, Rule},
     source::{Files, Place},

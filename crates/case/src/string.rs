@@ -1,20 +1,23 @@
 //! `[[string]]`.
 
 use wholestring::string::{Cavity, ComponentLength, ComponentSpec, Material, catalogue};
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, number_text};
 
-use crate::{
-    body,
+use wholestring_config::{
     diagnostic::Diagnostic,
     names::{nearest, short},
     node::{Node, Value},
     quantity::Quantity,
-    range::{Range, number_text},
+    range::Range,
     reader::Reader,
     rule::{At, Rule, Text},
     source::Place,
-    steel::{check_moduli, density, modulus},
     table::{optional, required, table},
+};
+
+use crate::{
+    body,
+    steel::{check_moduli, density, modulus},
 };
 
 /// What stands for the length of the component that fills the rest of the string.

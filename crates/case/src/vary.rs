@@ -1,12 +1,13 @@
 //! Values that a sweep gives to a key, one after the other.
 
-use crate::{
+use wholestring_config::{
     diagnostic::{Diagnostic, Report},
     names::short,
-    overrides::{COMMAND_LINE, Override, Quote},
     reader::Reader,
-    source::Place,
+    source::{COMMAND_LINE, Place},
 };
+
+use crate::overrides::{Override, Quote};
 
 /// One `--vary KEY=VALUES`: a key, and the values that it takes.
 ///

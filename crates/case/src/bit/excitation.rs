@@ -4,10 +4,11 @@ use wholestring::dynamics::{Band, BitTable as Points, Excitation};
 use wholestring_units::Dimension;
 
 use super::{number, place};
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
+    number::{Count, Number},
     quantity::Quantity,
-    range::{Count, Number, Range},
+    range::Range,
     reader::Reader,
     table::{default, optional, table},
 };

@@ -5,7 +5,7 @@ use std::{f64::consts::PI, ops::Range as Span};
 use wholestring::dynamics::TablePoint;
 
 use super::points::MOST;
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     names::{nearest, short},
     reader::Reader,

@@ -3,7 +3,9 @@
 use wholestring::rock::bit_face::FaceError;
 
 use super::{BitTable, place};
-use crate::{diagnostic::Diagnostic, range::number_text, source::Place};
+use wholestring_units::number_text;
+
+use wholestring_config::{diagnostic::Diagnostic, source::Place};
 
 /// The key that holds a number which the face names so; the diameters are those of other tables.
 const KEYS: [(&str, &str); 24] = [

@@ -15,15 +15,16 @@ use wholestring::dynamics::{
     TableLaw,
 };
 use wholestring::rock::{BitShape, DrillingSpec, bit_face::FaceError};
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, number_text};
 
 use self::{excitation::ExcitationTable, face::FaceTable, motor::MotorTable, points::PointsTable};
 pub(crate) use self::{face::settings as face_settings, given::Given};
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     names::any_of,
+    number::{Count, Number},
     quantity::Quantity,
-    range::{Count, Number, Range, number_text},
+    range::Range,
     reader::Reader,
     rule::{Choice, Section},
     source::{Files, Place},

@@ -4,14 +4,14 @@ use std::f64::consts::PI;
 
 use serde_json::json;
 use wholestring::dynamics::{BitTable as Points, TableFault, TablePoint};
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, number_text};
 
 use super::file;
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     node::{Node, Value},
     quantity::Quantity,
-    range::{Range, number_text},
+    range::Range,
     reader::Reader,
     rule::{At, List, Rule, Text},
     source::{Files, Place},

@@ -3,7 +3,11 @@
 use wholestring::rock::{BitShape, DrillingSpec, Rock};
 
 use super::{Places, RockTable, place};
-use crate::{bit::BitTable, diagnostic::Diagnostic, range::number_text, reader::Reader};
+use wholestring_units::number_text;
+
+use wholestring_config::{diagnostic::Diagnostic, reader::Reader};
+
+use crate::bit::BitTable;
 
 /// Where the case does not say: bricks across the bit, and over how far the cutters stand out of its body.
 const BRICKS_ACROSS: f64 = 18.0;

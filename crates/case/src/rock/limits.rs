@@ -3,7 +3,9 @@
 use wholestring::rock::{BitShape, DrillingSpec};
 
 use super::{RockTable, place};
-use crate::{diagnostic::Diagnostic, range::number_text, reader::Reader, source::Place};
+use wholestring_units::number_text;
+
+use wholestring_config::{diagnostic::Diagnostic, reader::Reader, source::Place};
 
 /// Part of the strength that scaled density times the square of the rim's speed may be: the mean forces then move by
 /// less than 5 %.

@@ -3,7 +3,9 @@
 use wholestring::rock::{Rock, RockError};
 
 use super::{DEGREE, RockTable, place};
-use crate::{diagnostic::Diagnostic, range::number_text, reader::Reader, source::Place};
+use wholestring_units::number_text;
+
+use wholestring_config::{diagnostic::Diagnostic, reader::Reader, source::Place};
 
 impl RockTable {
     /// The rock; `place` is that of the table.

@@ -8,16 +8,18 @@ use serde_json::{Value as Json, json};
 use wholestring::rock::DrillingSpec;
 use wholestring_units::Dimension;
 
-use crate::{
-    bit::{BitTable, face_settings},
+use wholestring_config::{
     diagnostic::Diagnostic,
+    number::Number,
     quantity::Quantity,
-    range::{Number, Range},
+    range::Range,
     reader::Reader,
     rule::At,
     source::Place,
     table::{Field, default, optional, table},
 };
+
+use crate::bit::{BitTable, face_settings};
 
 /// Factor on the density where the case does not say.
 const DENSITY_FACTOR: f64 = 400.0;

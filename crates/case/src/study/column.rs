@@ -1,13 +1,12 @@
 //! What a figure or a number of a table is made of: a column of a case's results.
 
 use serde_json::{Value as Json, json};
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, number_text};
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     names::{nearest, short},
     node::{Node, Value},
-    range::number_text,
     reader::Reader,
     rule::{At, Choice, Rule},
 };

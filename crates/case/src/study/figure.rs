@@ -14,7 +14,7 @@ use super::{
     sweep::Sweep,
     text, unheeded,
 };
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     names::{nearest, short},
     quantity,

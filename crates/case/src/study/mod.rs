@@ -19,16 +19,18 @@ pub use self::{
     sweep::{Exception, Sweep},
 };
 use self::{figure::FigureTable, numbers::NumbersTable, sweep::SweepTable};
-use crate::{
-    case::{ModelRule, UNIT_SETS, tree},
+use wholestring_config::{
     diagnostic::{Diagnostic, Report},
+    file::{read_file, tree},
+    kind::Kind,
     names::{nearest, short},
-    reader::{Kind, Reader},
+    reader::Reader,
     rule::{At, List, Prose, Section, Table, Text},
     source::Place,
     table::{Field, default, optional, required, table},
-    template::read_file,
 };
+
+use crate::{model_rule::ModelRule, unit_set::UNIT_SETS};
 
 table! {
     /// A set of cases, and the figures and tables to make of what they leave.
@@ -241,10 +243,10 @@ impl Names {
 /// The name of a file without its ending: what every system takes.
 pub(crate) struct FileName;
 
-impl crate::rule::Rule for FileName {
+impl wholestring_config::rule::Rule for FileName {
     type Value = String;
 
-    fn read(&self, node: &crate::node::Node, reader: &mut Reader) -> Option<String> {
+    fn read(&self, node: &wholestring_config::node::Node, reader: &mut Reader) -> Option<String> {
         let name = Text.read(node, reader)?;
         let sound = |letter: char| letter.is_ascii_alphanumeric() || "-_ +=,()".contains(letter);
         if name.chars().all(sound) && name.len() <= 80 && name.trim() == name {

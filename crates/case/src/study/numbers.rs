@@ -15,7 +15,7 @@ use super::{
     sweep::Sweep,
     text, unheeded,
 };
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     names::short,
     reader::Reader,

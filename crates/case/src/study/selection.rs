@@ -6,7 +6,7 @@ use serde_json::{Value as Json, json};
 use wholestring_units::Dimension;
 
 use super::sweep::Sweep;
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     names::{nearest, short},
     node::{Entries, Node, Value},

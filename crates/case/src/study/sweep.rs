@@ -8,15 +8,18 @@ use super::{
     FileName,
     selection::{Selection, SelectionRule, leaves},
 };
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     names::short,
     node::{Node, Value},
-    overrides::{Override, Quote},
     reader::Reader,
     rule::{At, List, Rule, Section, Text},
     source::Place,
     table::{Field, optional, required, table},
+};
+
+use crate::{
+    overrides::{Override, Quote},
     vary::Variation,
 };
 

@@ -1,7 +1,9 @@
 //! Keys that do not suit the kind of bit, and cutters that suit none.
 
 use super::{FaceTable, Kind, Tip};
-use crate::{diagnostic::Diagnostic, range::number_text, reader::Reader};
+use wholestring_units::number_text;
+
+use wholestring_config::{diagnostic::Diagnostic, reader::Reader};
 
 /// Finer cutters than this part of the bit's diameter are no bit's.
 const FINEST: f64 = 0.02;

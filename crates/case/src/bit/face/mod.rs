@@ -9,9 +9,10 @@ use wholestring_units::Dimension;
 
 pub(crate) use self::record::settings;
 use super::{Kind, place};
-use crate::{
+use wholestring_config::{
+    number::{Count, Number},
     quantity::Quantity,
-    range::{Count, Number, Range},
+    range::Range,
     reader::Reader,
     rule::Choice,
     source::Place,

@@ -3,7 +3,7 @@
 use wholestring::rock::bit_face::{InsertBit, InsertShape, PdcBit};
 
 use super::{DEGREE, FaceTable, Tip};
-use crate::table::Field;
+use wholestring_config::table::Field;
 
 /// Cones of inserts where the case does not say: between side and axis, and the tip's radius over the insert's diameter.
 const HALF_ANGLE_RAD: f64 = 35.0 * DEGREE;

@@ -9,33 +9,43 @@ use crate::{diagnostic::Diagnostic, names::short, source::Place};
 
 /// A value and where it stands.
 #[derive(Debug, Clone)]
-pub(crate) struct Node {
-    pub(crate) place: Place,
-    pub(crate) value: Value,
+pub struct Node {
+    /// Where it stands.
+    pub place: Place,
+    /// What it is.
+    pub value: Value,
 }
 
 /// A value as TOML has them.
 #[derive(Debug, Clone)]
-pub(crate) enum Value {
+pub enum Value {
+    /// Text in quotes.
     Text {
+        /// The text, without its quotes.
         text: String,
         /// Where its first character stands in the source, if it stands there as it is.
         verbatim_from: Option<usize>,
     },
+    /// A number.
     Number {
+        /// Its value.
         value: f64,
         /// Set where it was written without point or exponent.
         whole: Option<i64>,
     },
+    /// True or false.
     Boolean,
+    /// A date or a time.
     Date,
+    /// A list.
     List(Vec<Node>),
+    /// A table.
     Table(Entries),
 }
 
 impl Value {
     /// What it is, in a user's words.
-    pub(crate) fn noun(&self) -> &'static str {
+    pub fn noun(&self) -> &'static str {
         match self {
             Self::Text { .. } => "text",
             Self::Number { .. } => "a number",
@@ -49,29 +59,33 @@ impl Value {
 
 /// The keys of a table in the order of the file.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Entries(pub(crate) Vec<(Key, Node)>);
+pub struct Entries(pub Vec<(Key, Node)>);
 
 /// A key and where it stands.
 #[derive(Debug, Clone)]
-pub(crate) struct Key {
-    pub(crate) name: String,
-    pub(crate) place: Place,
+pub struct Key {
+    /// What it is called.
+    pub name: String,
+    /// Where it stands.
+    pub place: Place,
 }
 
 impl Entries {
-    pub(crate) fn get(&self, name: &str) -> Option<&Node> {
+    /// The value of a key.
+    pub fn get(&self, name: &str) -> Option<&Node> {
         let found = self.0.iter().find(|(key, _)| key.name == name);
         found.map(|(_, node)| node)
     }
 
-    pub(crate) fn get_mut(&mut self, name: &str) -> Option<&mut Node> {
+    /// The value of a key, to change it.
+    pub fn get_mut(&mut self, name: &str) -> Option<&mut Node> {
         let found = self.0.iter_mut().find(|(key, _)| key.name == name);
         found.map(|(_, node)| node)
     }
 }
 
 /// Reads a whole TOML text; on mistakes of syntax, what they are and where.
-pub(crate) fn parse_text(text: &str, source: usize) -> Result<Entries, Vec<Diagnostic>> {
+pub fn parse_text(text: &str, source: usize) -> Result<Entries, Vec<Diagnostic>> {
     let (table, errors) = DeTable::parse_recoverable(text);
     if errors.is_empty() {
         return Ok(entries(table.get_ref(), text, source, 0));
@@ -93,7 +107,7 @@ fn not_quoted(error: &toml::de::Error) -> bool {
 }
 
 /// Reads one TOML value that begins `offset` bytes into its source.
-pub(crate) fn parse_value(text: &str, source: usize, offset: usize) -> Result<Node, Diagnostic> {
+pub fn parse_value(text: &str, source: usize, offset: usize) -> Result<Node, Diagnostic> {
     match DeValue::parse(text) {
         Ok(value) => Ok(node(&value, text, source, offset)),
         Err(error) => Err(syntax_error(&error, text, source, offset)),
@@ -162,7 +176,7 @@ fn text_with_backslash(text: &str, at: usize) -> Option<&str> {
 }
 
 /// How a path with backslashes is written.
-pub(crate) fn in_single_quotes(path: &str) -> String {
+pub fn in_single_quotes(path: &str) -> String {
     format!(
         "a path in single quotes is taken as it stands: '{}'; forward slashes do as well",
         short(path)

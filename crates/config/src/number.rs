@@ -1,103 +1,18 @@
-//! Numbers within the range that is believed.
+//! Numbers of a single unit: decimal ones and whole ones.
 
 use serde_json::{Value as Json, json};
-pub(crate) use wholestring_units::number_text;
 
 use crate::{
     diagnostic::Diagnostic,
     node::{Node, Value},
+    range::Range,
     reader::Reader,
     rule::Rule,
     usual,
 };
 
-/// The numbers that are believed, in SI, and those among them that are usual.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Range {
-    min: f64,
-    min_excluded: bool,
-    max: f64,
-    usual: Option<(f64, f64)>,
-}
-
-impl Range {
-    pub(crate) const fn from_to(min: f64, max: f64) -> Self {
-        Self {
-            min,
-            min_excluded: false,
-            max,
-            usual: None,
-        }
-    }
-
-    /// More than zero, up to `max`.
-    pub(crate) const fn positive_to(max: f64) -> Self {
-        Self {
-            min: 0.0,
-            min_excluded: true,
-            max,
-            usual: None,
-        }
-    }
-
-    /// The same, but a number outside of these is doubted: mostly its unit is another one's. Zero is not, where it
-    /// is believed at all: it switches something off.
-    pub(crate) const fn usual(self, from: f64, to: f64) -> Self {
-        Self {
-            usual: Some((from, to)),
-            ..self
-        }
-    }
-
-    /// The numbers that are usual, where the key says so.
-    pub(crate) fn usual_numbers(&self) -> Option<(f64, f64)> {
-        self.usual
-    }
-
-    pub(crate) fn holds(&self, value: f64) -> bool {
-        let above = if self.min_excluded {
-            value > self.min
-        } else {
-            value >= self.min
-        };
-        above && value <= self.max
-    }
-
-    /// `expected 0.02 to 2 m`, with numbers divided by what one unit is worth.
-    fn text(&self, unit: &str, worth: f64) -> String {
-        let show = |value: f64| number_text(value / worth);
-        let unit = if unit.is_empty() {
-            String::new()
-        } else {
-            format!(" {unit}")
-        };
-        if self.min_excluded {
-            format!(
-                "more than {} and at most {}{unit}",
-                show(self.min),
-                show(self.max)
-            )
-        } else {
-            format!("{} to {}{unit}", show(self.min), show(self.max))
-        }
-    }
-
-    pub(crate) fn describe(&self, schema: &mut Json, worth: f64) {
-        let min = if self.min_excluded {
-            "exclusiveMinimum"
-        } else {
-            "minimum"
-        };
-        schema[min] = json!(self.min / worth);
-        schema["maximum"] = json!(self.max / worth);
-        if let Some((from, to)) = self.usual {
-            schema["x-usual"] = json!([from / worth, to / worth]);
-        }
-    }
-}
-
 /// A finite number within a range, or the mistake.
-pub(crate) fn check_range(
+pub fn check_range(
     value: f64,
     range: &Range,
     unit: &str,
@@ -116,7 +31,7 @@ pub(crate) fn check_range(
 }
 
 /// The mistake of a number that is not believed.
-pub(crate) fn out_of_range(
+pub fn out_of_range(
     value: f64,
     range: &Range,
     unit: &str,
@@ -150,9 +65,11 @@ pub(crate) fn out_of_range(
 
 /// A plain number, in a unit that texts do not name.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Number {
-    pub(crate) unit: &'static str,
-    pub(crate) range: Range,
+pub struct Number {
+    /// The unit that it is in; empty where it has none.
+    pub unit: &'static str,
+    /// What is believed.
+    pub range: Range,
 }
 
 impl Rule for Number {
@@ -186,7 +103,7 @@ impl Rule for Number {
 
 /// A whole number, zero or more.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Whole;
+pub struct Whole;
 
 impl Rule for Whole {
     type Value = u64;
@@ -215,9 +132,11 @@ impl Rule for Whole {
 
 /// A whole number between two others.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Count {
-    pub(crate) from: u64,
-    pub(crate) to: u64,
+pub struct Count {
+    /// The least.
+    pub from: u64,
+    /// The largest.
+    pub to: u64,
 }
 
 impl Rule for Count {

@@ -40,7 +40,8 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    pub(crate) fn error(message: impl Into<String>) -> Self {
+    /// A mistake.
+    pub fn error(message: impl Into<String>) -> Self {
         Self {
             severity: Severity::Error,
             message: message.into(),
@@ -49,14 +50,16 @@ impl Diagnostic {
         }
     }
 
-    pub(crate) fn warning(message: impl Into<String>) -> Self {
+    /// What can be used, but is hardly meant.
+    pub fn warning(message: impl Into<String>) -> Self {
         Self {
             severity: Severity::Warning,
             ..Self::error(message)
         }
     }
 
-    pub(crate) fn at(mut self, place: Place, text: impl Into<String>) -> Self {
+    /// Underlines a place; `text` stands beside the line.
+    pub fn at(mut self, place: Place, text: impl Into<String>) -> Self {
         self.labels.push(Label {
             place,
             text: text.into(),
@@ -64,7 +67,8 @@ impl Diagnostic {
         self
     }
 
-    pub(crate) fn help(mut self, line: impl Into<String>) -> Self {
+    /// Adds a line of help.
+    pub fn help(mut self, line: impl Into<String>) -> Self {
         self.help.push(line.into());
         self
     }
@@ -84,7 +88,7 @@ const SHOWN: usize = 20;
 
 impl Report {
     /// A report about a file that could not be read at all.
-    pub(crate) fn about_file(name: &str, diagnostic: Diagnostic) -> Self {
+    pub fn about_file(name: &str, diagnostic: Diagnostic) -> Self {
         Self {
             sources: vec![Source {
                 name: name.to_owned(),

@@ -1,34 +1,25 @@
 //! Collects what is wrong while a case is read, so that all of it is reported at once.
 
+use serde_json::Value as Json;
 use wholestring_units::UnitSet;
 
 use crate::{
+    bare::Bare,
     diagnostic::{Diagnostic, Report, Severity},
+    kind::Kind,
     names::{nearest, short},
     node::{Entries, Node, Value},
-    overrides::COMMAND_LINE,
     schema::homes_of,
-    source::{Place, Source},
-    usual::Bare,
+    source::{COMMAND_LINE, Place, Source},
 };
-
-/// A kind of file.
-#[derive(Debug)]
-pub(crate) struct Kind {
-    /// What messages call it.
-    pub(crate) noun: &'static str,
-    /// What it needs at the least, for the message about an empty one.
-    pub(crate) needs: &'static str,
-    /// The schema of its tables.
-    pub(crate) tables: fn() -> &'static serde_json::Value,
-}
 
 /// The texts read so far and the mistakes found in them.
 #[derive(Debug, Default)]
-pub(crate) struct Reader {
-    pub(crate) sources: Vec<Source>,
+pub struct Reader {
+    /// The texts, in the order in which they were read.
+    pub sources: Vec<Source>,
     /// The key whose value is being read, for messages.
-    pub(crate) key: &'static str,
+    pub key: &'static str,
     /// Numbers without a unit that may have been meant in another one than SI.
     pub(crate) bare: Vec<Bare>,
     /// The units that people are shown.
@@ -44,15 +35,21 @@ pub(crate) struct Reader {
 const MOST: usize = 100;
 
 impl Reader {
-    pub(crate) fn of(kind: &'static Kind) -> Self {
+    /// A reader of such a file.
+    pub fn of(kind: &'static Kind) -> Self {
         Self {
             kind: Some(kind),
             ..Self::default()
         }
     }
 
+    /// The schema of the tables of what is read; nothing for arguments.
+    pub fn tables(&self) -> Option<&'static Json> {
+        self.kind.map(|kind| (kind.tables)())
+    }
+
     /// Adds a text that places can point into; its index.
-    pub(crate) fn add_source(&mut self, name: &str, text: &str) -> usize {
+    pub fn add_source(&mut self, name: &str, text: &str) -> usize {
         self.sources.push(Source {
             name: name.to_owned(),
             text: text.to_owned(),
@@ -61,18 +58,18 @@ impl Reader {
     }
 
     /// The units that the case is shown in.
-    pub(crate) fn units(&self) -> UnitSet {
+    pub fn units(&self) -> UnitSet {
         self.units.unwrap_or(UnitSet::Si)
     }
 
     /// Says which units the case is shown in.
-    pub(crate) fn show_in(&mut self, units: UnitSet) {
+    pub fn show_in(&mut self, units: UnitSet) {
         self.units = Some(units);
     }
 
     /// Asks for a unit where this number is read as a quantity, or each of this list: a shell may have taken
     /// the quotes away, and the unit's absence says nothing.
-    pub(crate) fn ask_unit(&mut self, node: &Node) {
+    pub fn ask_unit(&mut self, node: &Node) {
         let items = match &node.value {
             Value::List(items) => items.as_slice(),
             _ => std::slice::from_ref(node),
@@ -83,17 +80,19 @@ impl Reader {
         self.asking.extend(numbers.map(|number| number.place));
     }
 
-    pub(crate) fn asks_unit(&self, place: Place) -> bool {
+    /// Whether a number at this place is refused without a unit.
+    pub fn asks_unit(&self, place: Place) -> bool {
         self.asking.contains(&place)
     }
 
     /// Whether a place is in an argument of the command.
-    pub(crate) fn is_argument(&self, place: Place) -> bool {
+    pub fn is_argument(&self, place: Place) -> bool {
         let source = self.sources.get(place.source);
         source.is_some_and(|source| source.name == COMMAND_LINE)
     }
 
-    pub(crate) fn report(&mut self, diagnostic: Diagnostic) {
+    /// Keeps a diagnostic, if there are not too many already.
+    pub fn report(&mut self, diagnostic: Diagnostic) {
         if self.diagnostics.len() >= MOST {
             if diagnostic.severity == Severity::Warning || self.has_errors() {
                 return;
@@ -104,14 +103,15 @@ impl Reader {
         self.diagnostics.push(diagnostic);
     }
 
-    pub(crate) fn has_errors(&self) -> bool {
+    /// Whether a mistake was found.
+    pub fn has_errors(&self) -> bool {
         self.diagnostics
             .iter()
             .any(|diagnostic| diagnostic.severity == Severity::Error)
     }
 
     /// Everything that was found, in the order of the places.
-    pub(crate) fn into_report(self) -> Report {
+    pub fn into_report(self) -> Report {
         let diagnostics = self.diagnostics;
         // One argument may set several values, and be wrong for each.
         let mut unique: Vec<Diagnostic> = Vec::new();
@@ -132,25 +132,25 @@ impl Reader {
     }
 
     /// What the user wrote at a place, short enough to quote.
-    pub(crate) fn written(&self, place: Place) -> String {
+    pub fn written(&self, place: Place) -> String {
         short(self.text_at(place))
     }
 
     /// What the user wrote at a place.
-    pub(crate) fn text_at(&self, place: Place) -> &str {
+    pub fn text_at(&self, place: Place) -> &str {
         let text = self.sources.get(place.source).map(|source| &source.text);
         text.and_then(|text| text.get(place.start..place.end))
             .unwrap_or_default()
     }
 
     /// A value of the wrong kind.
-    pub(crate) fn expected(&mut self, node: &Node, expected: &str) {
+    pub fn expected(&mut self, node: &Node, expected: &str) {
         let message = format!("`{}` cannot be {}", self.key, node.value.noun());
         self.report(Diagnostic::error(message).at(node.place, format!("expected {expected}")));
     }
 
     /// The table at a node.
-    pub(crate) fn table<'a>(&mut self, node: &'a Node, heading: &str) -> Option<&'a Entries> {
+    pub fn table<'a>(&mut self, node: &'a Node, heading: &str) -> Option<&'a Entries> {
         if let Value::Table(entries) = &node.value {
             return Some(entries);
         }
@@ -170,7 +170,7 @@ impl Reader {
 
     /// Reports the keys of a table that are none of `names`; the names that they were probably meant
     /// to be.
-    pub(crate) fn check_names(
+    pub fn check_names(
         &mut self,
         table: &Entries,
         names: &[&'static str],
@@ -184,7 +184,7 @@ impl Reader {
             let mut diagnostic =
                 Diagnostic::error(format!("unknown key `{}` in {heading}", short(&key.name)))
                     .at(key.place, "unknown key");
-            let tables = self.kind.map(|kind| (kind.tables)());
+            let tables = self.tables();
             let homes = tables.map_or_else(Vec::new, |tables| homes_of(tables, &key.name));
             if let Some(nearest) = nearest(&key.name, names.iter().copied()) {
                 diagnostic = diagnostic.help(format!("did you mean `{nearest}`?"));

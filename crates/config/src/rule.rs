@@ -11,7 +11,7 @@ use crate::{
 };
 
 /// How a value is read and described.
-pub(crate) trait Rule {
+pub trait Rule {
     /// What is read.
     type Value;
     /// Reads a value; what is wrong with it goes to the reader.
@@ -42,7 +42,7 @@ pub(crate) trait Rule {
 
 /// A text that says something.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Text;
+pub struct Text;
 
 impl Rule for Text {
     type Value = String;
@@ -78,7 +78,7 @@ impl Rule for Text {
 
 /// A text of some lines.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Prose;
+pub struct Prose;
 
 impl Rule for Prose {
     type Value = String;
@@ -108,11 +108,11 @@ impl Rule for Prose {
 }
 
 /// One of a few words.
-pub(crate) struct Choice<T: 'static> {
+pub struct Choice<T: 'static> {
     /// What is chosen, for messages.
-    pub(crate) noun: &'static str,
+    pub noun: &'static str,
     /// The words and what they mean.
-    pub(crate) words: &'static [(&'static str, T)],
+    pub words: &'static [(&'static str, T)],
 }
 
 impl<T: Copy + PartialEq> Rule for Choice<T> {
@@ -154,13 +154,15 @@ impl<T: Copy + PartialEq> Rule for Choice<T> {
 
 /// A value and the place it stands at.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct At<T> {
-    pub(crate) value: T,
-    pub(crate) place: Place,
+pub struct At<T> {
+    /// The value.
+    pub value: T,
+    /// The place.
+    pub place: Place,
 }
 
 /// Refuses a list that names one thing twice.
-pub(crate) fn once_each<T: Copy + PartialEq>(
+pub fn once_each<T: Copy + PartialEq>(
     list: &[At<T>],
     name: fn(T) -> &'static str,
     reader: &mut Reader,
@@ -179,14 +181,15 @@ pub(crate) fn once_each<T: Copy + PartialEq>(
 }
 
 /// A list, each item by the same rule.
-pub(crate) struct List<R> {
-    pub(crate) item: R,
+pub struct List<R> {
+    /// The rule of an item.
+    pub item: R,
     /// Whether one item may stand without brackets.
-    pub(crate) or_one: bool,
+    pub or_one: bool,
     /// What it is a list of, for messages.
-    pub(crate) noun: &'static str,
+    pub noun: &'static str,
     /// More are refused.
-    pub(crate) most: usize,
+    pub most: usize,
 }
 
 impl<R: Rule> Rule for List<R> {
@@ -254,18 +257,21 @@ impl<R: Rule> Rule for List<R> {
 }
 
 /// A table with keys of its own.
-pub(crate) trait Table: Sized {
+pub trait Table: Sized {
     /// How messages call it: `[mud]`.
     const HEADING: &'static str;
+    /// Reads the table; what is wrong with it goes to the reader.
     fn read(entries: &Entries, place: Place, reader: &mut Reader) -> Self;
+    /// JSON schema of the table.
     fn schema() -> Json;
 }
 
 /// The rule of a [`Table`]; where it does not stand in the file, all its keys are absent.
-pub(crate) struct Section<T>(std::marker::PhantomData<T>);
+pub struct Section<T>(std::marker::PhantomData<T>);
 
 impl<T> Section<T> {
-    pub(crate) const RULE: Self = Self(std::marker::PhantomData);
+    /// The rule.
+    pub const RULE: Self = Self(std::marker::PhantomData);
 }
 
 impl<T: Table> Rule for Section<T> {

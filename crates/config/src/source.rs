@@ -14,6 +14,9 @@ pub struct Source {
     pub text: String,
 }
 
+/// The name of a source that is an argument of the command.
+pub const COMMAND_LINE: &str = "command line";
+
 /// A stretch of one source, in bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Place {
@@ -58,7 +61,7 @@ impl Files for Disk {
 }
 
 /// More than any survey or case holds; a file this large was named by mistake.
-pub(crate) const LARGEST_FILE_BYTES: u64 = 64 << 20;
+const LARGEST_FILE_BYTES: u64 = 64 << 20;
 
 /// Reads a case, a study, a survey or another file of a user, of at most 64 MB.
 ///
@@ -69,7 +72,7 @@ pub fn read_file(path: &Path) -> io::Result<Vec<u8>> {
 }
 
 /// Reads a regular file of a bearable size. A device or pipe could block or never end.
-pub(crate) fn read_bounded(path: &Path) -> io::Result<Vec<u8>> {
+fn read_bounded(path: &Path) -> io::Result<Vec<u8>> {
     let about = std::fs::metadata(path)?;
     if about.is_dir() {
         return Err(io::Error::new(

@@ -1,7 +1,7 @@
 //! Nearest names, for suggestions.
 
 /// The names that a slip of the pen could have meant by `name`, the nearest one.
-pub(crate) fn nearest<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub fn nearest<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let wanted = simplify(name);
     if wanted.is_empty() || wanted.len() > 80 {
         return None;
@@ -15,7 +15,7 @@ pub(crate) fn nearest<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) 
 }
 
 /// The names that are about as near as the nearest one, the nearest first.
-pub(crate) fn all_near<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
+pub fn all_near<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
     /// What is that much less alike is not meant.
     const MARGIN: f64 = 0.12;
     let wanted = simplify(name);
@@ -33,7 +33,7 @@ pub(crate) fn all_near<'a>(name: &str, names: impl IntoIterator<Item = &'a str>)
 }
 
 /// Whether two names differ in case and separators at most.
-pub(crate) fn same(a: &str, b: &str) -> bool {
+pub fn same(a: &str, b: &str) -> bool {
     simplify(a) == simplify(b)
 }
 
@@ -70,7 +70,7 @@ fn likeness(a: &str, b: &str) -> f64 {
 }
 
 /// `"a", "b" or "c"`: the words that a value may be.
-pub(crate) fn any_of(words: &[&str]) -> String {
+pub fn any_of(words: &[&str]) -> String {
     let quoted: Vec<String> = words.iter().map(|word| format!("\"{word}\"")).collect();
     match quoted.as_slice() {
         [] => String::new(),
@@ -80,7 +80,7 @@ pub(crate) fn any_of(words: &[&str]) -> String {
 }
 
 /// A user's text, short enough to quote in a message.
-pub(crate) fn short(text: &str) -> String {
+pub fn short(text: &str) -> String {
     const LONGEST: usize = 60;
     let clean: String = text
         .chars()

@@ -1,13 +1,14 @@
 //! Quantities: numbers with a unit.
 
 use serde_json::{Value as Json, json};
-use wholestring_units::{Dimension, QuantityErrorKind};
+use wholestring_units::{Dimension, QuantityErrorKind, number_text};
 
 use crate::{
     diagnostic::Diagnostic,
     names::short,
     node::{Node, Value},
-    range::{Range, number_text, out_of_range},
+    number::out_of_range,
+    range::Range,
     reader::Reader,
     rule::Rule,
     source::Place,
@@ -19,7 +20,7 @@ const NUMBER_PATTERN: &str = r"^\s*[-+\u2212]?[0-9.\u00BC-\u00BE\u2153-\u215E]";
 
 /// A quantity: text with a unit, or a bare number.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Quantity {
+pub struct Quantity {
     dimension: Dimension,
     range: Range,
     /// The unit of a bare number and of ranges in messages, and what it is worth in SI.
@@ -29,7 +30,7 @@ pub(crate) struct Quantity {
 
 impl Quantity {
     /// A quantity whose bare number is SI.
-    pub(crate) fn si(dimension: Dimension, range: Range, example: &'static str) -> Self {
+    pub fn si(dimension: Dimension, range: Range, example: &'static str) -> Self {
         Self {
             dimension,
             range,
@@ -39,7 +40,7 @@ impl Quantity {
     }
 
     /// The same, but a bare number is in `unit`, which is worth so much in SI.
-    pub(crate) fn bare(self, unit: &'static str, worth: f64) -> Self {
+    pub fn bare(self, unit: &'static str, worth: f64) -> Self {
         Self {
             bare: (unit, worth),
             ..self

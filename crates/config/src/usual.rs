@@ -1,14 +1,14 @@
 //! Numbers that can be computed with, but are hardly meant: a unit was forgotten, or another one was meant.
 
-use wholestring_units::{Dimension, Unit, UnitSet};
+use wholestring_units::{Dimension, Unit, UnitSet, number_text};
 
 use crate::{
+    bare::Bare,
     diagnostic::Diagnostic,
     node::{Node, Value},
-    overrides::COMMAND_LINE,
-    range::{Range, number_text},
+    range::Range,
     reader::Reader,
-    source::Place,
+    source::COMMAND_LINE,
 };
 
 /// How many units a help line names.
@@ -17,17 +17,6 @@ const MOST_UNITS: usize = 3;
 /// How many numbers without a unit are underlined, of all keys and of one key.
 const MOST_BARE: usize = 6;
 const MOST_BARE_OF_A_KEY: usize = 2;
-
-/// A number without a unit, in a case that is shown in units other than SI.
-#[derive(Debug)]
-pub(crate) struct Bare {
-    key: &'static str,
-    place: Place,
-    /// What it was taken as.
-    text: String,
-    /// What may have been meant.
-    meant: String,
-}
 
 /// What stands in the file for a quantity.
 pub(crate) struct Entry<'a> {
@@ -218,7 +207,7 @@ pub(crate) fn check_number(
 }
 
 /// Warns, once, of numbers without a unit in a case that is shown in field units.
-pub(crate) fn warn_of_bare(reader: &mut Reader) {
+pub fn warn_of_bare(reader: &mut Reader) {
     let bare = std::mem::take(&mut reader.bare);
     let Some(first) = bare.first() else {
         return;

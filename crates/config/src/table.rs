@@ -12,7 +12,7 @@ use crate::{
 
 /// What became of a key.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Field<T> {
+pub enum Field<T> {
     /// It does not stand in the file, and that is no mistake or has been reported.
     Absent,
     /// What stands in the file is wrong, which has been reported.
@@ -25,12 +25,12 @@ pub(crate) enum Field<T> {
 
 impl<T> Field<T> {
     /// The value, given or default.
-    pub(crate) fn get(&self) -> Option<&T> {
+    pub fn get(&self) -> Option<&T> {
         self.at().map(|at| &at.value)
     }
 
     /// The value and its place, given or default.
-    pub(crate) fn at(&self) -> Option<&At<T>> {
+    pub fn at(&self) -> Option<&At<T>> {
         match self {
             Self::Given(at) | Self::Default(at) => Some(at),
             Self::Absent | Self::Bad => None,
@@ -38,15 +38,20 @@ impl<T> Field<T> {
     }
 
     /// The value and its place, if it stands in the file.
-    pub(crate) fn given(&self) -> Option<&At<T>> {
+    pub fn given(&self) -> Option<&At<T>> {
         match self {
             Self::Given(at) => Some(at),
             _ => None,
         }
     }
 
+    /// Where the value stands, if it stands in the file.
+    pub fn place(&self) -> Option<Place> {
+        self.given().map(|at| at.place)
+    }
+
     /// `None` where the value is wrong, `Some(None)` where there is none.
-    pub(crate) fn optional(&self) -> Option<Option<&At<T>>> {
+    pub fn optional(&self) -> Option<Option<&At<T>>> {
         match self {
             Self::Bad => None,
             _ => Some(self.at()),
@@ -55,21 +60,27 @@ impl<T> Field<T> {
 }
 
 /// What happens where a key does not stand in the file.
-pub(crate) enum Need<T> {
+pub enum Need<T> {
+    /// It must stand there.
     Required,
     /// Required, but not beside this other key.
     RequiredUnless(&'static str),
+    /// It may be left out.
     Optional,
+    /// This is taken in its place.
     Default(T),
 }
 
 /// A key: its rule and whether it must be there.
-pub(crate) struct Key<R: Rule> {
-    pub(crate) rule: R,
-    pub(crate) need: Need<R::Value>,
+pub struct Key<R: Rule> {
+    /// What a value must look like.
+    pub rule: R,
+    /// What happens where it does not stand in the file.
+    pub need: Need<R::Value>,
 }
 
-pub(crate) fn required<R: Rule>(rule: R) -> Key<R> {
+/// A key that must be there.
+pub fn required<R: Rule>(rule: R) -> Key<R> {
     Key {
         rule,
         need: Need::Required,
@@ -77,21 +88,23 @@ pub(crate) fn required<R: Rule>(rule: R) -> Key<R> {
 }
 
 /// A key that must be there where `other` is not.
-pub(crate) fn required_unless<R: Rule>(other: &'static str, rule: R) -> Key<R> {
+pub fn required_unless<R: Rule>(other: &'static str, rule: R) -> Key<R> {
     Key {
         rule,
         need: Need::RequiredUnless(other),
     }
 }
 
-pub(crate) fn optional<R: Rule>(rule: R) -> Key<R> {
+/// A key that may be left out.
+pub fn optional<R: Rule>(rule: R) -> Key<R> {
     Key {
         rule,
         need: Need::Optional,
     }
 }
 
-pub(crate) fn default<R: Rule>(rule: R, value: R::Value) -> Key<R> {
+/// A key that has a default.
+pub fn default<R: Rule>(rule: R, value: R::Value) -> Key<R> {
     Key {
         rule,
         need: Need::Default(value),
@@ -99,21 +112,20 @@ pub(crate) fn default<R: Rule>(rule: R, value: R::Value) -> Key<R> {
 }
 
 /// The table that is being read.
-pub(crate) struct Here<'a> {
-    pub(crate) entries: &'a Entries,
-    pub(crate) place: Place,
-    pub(crate) heading: &'static str,
+pub struct Here<'a> {
+    /// Its keys and values.
+    pub entries: &'a Entries,
+    /// Where it stands.
+    pub place: Place,
+    /// How messages call it.
+    pub heading: &'static str,
     /// The keys that misspelt ones were probably meant to be: they are not missed as well.
-    pub(crate) meant: &'a [&'static str],
+    pub meant: &'a [&'static str],
 }
 
 impl<R: Rule> Key<R> {
-    pub(crate) fn read(
-        self,
-        name: &'static str,
-        here: &Here<'_>,
-        reader: &mut Reader,
-    ) -> Field<R::Value> {
+    /// Reads the key, or takes what there is in its place.
+    pub fn read(self, name: &'static str, here: &Here<'_>, reader: &mut Reader) -> Field<R::Value> {
         let place = here.place;
         reader.key = name;
         if let Some(node) = here.entries.get(name) {
@@ -165,7 +177,7 @@ impl<R: Rule> Key<R> {
     }
 
     /// Adds the key to the schema of its table.
-    pub(crate) fn describe(self, name: &str, doc: &str, table: &mut TableSchema) {
+    pub fn describe(self, name: &str, doc: &str, table: &mut TableSchema) {
         let mut schema = self.rule.schema();
         let mut doc = doc.trim().to_owned();
         match &self.need {
@@ -184,13 +196,14 @@ impl<R: Rule> Key<R> {
 
 /// The schema of a table as it is being made.
 #[derive(Default)]
-pub(crate) struct TableSchema {
+pub struct TableSchema {
     properties: Map<String, Json>,
     required: Vec<String>,
 }
 
 impl TableSchema {
-    pub(crate) fn finish(self, heading: &str, doc: &str) -> Json {
+    /// The schema of the whole table.
+    pub fn finish(self, heading: &str, doc: &str) -> Json {
         let mut schema = json!({
             "type": "object",
             "title": heading,
@@ -206,12 +219,14 @@ impl TableSchema {
 }
 
 /// The name of a field as the case file has it: `static` is a word of Rust's own.
-pub(crate) fn name(field: &'static str) -> &'static str {
+pub fn name(field: &'static str) -> &'static str {
     field.trim_start_matches("r#")
 }
 
 /// Declares a table of the case file. The doc comments become the descriptions of the schema.
-macro_rules! table {
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __table {
     (
         $(#[doc = $about:literal])+
         $name:ident in $heading:literal {
@@ -240,7 +255,7 @@ macro_rules! table {
                 }
             }
 
-            fn schema() -> serde_json::Value {
+            fn schema() -> $crate::Json {
                 let mut table = $crate::table::TableSchema::default();
                 $( $key.describe($crate::table::name(stringify!($field)), concat!($($doc),+), &mut table); )+
                 table.finish($heading, concat!($($about),+))
@@ -248,4 +263,4 @@ macro_rules! table {
         }
     };
 }
-pub(crate) use table;
+pub use __table as table;
