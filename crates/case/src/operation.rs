@@ -15,7 +15,7 @@ use wholestring_config::{
     quantity::Quantity,
     range::Range,
     reader::Reader,
-    rule::{At, Choice, List, Section, once_each},
+    rule::{At, List, Section, once_each},
     source::Place,
     table::{Field, default, optional, required, table},
 };
@@ -26,29 +26,11 @@ use crate::{
     schedule::{self, Around, StepTable},
 };
 
-/// Every operation that there is.
-const KINDS: &[(&str, OperationKind)] = &{
-    const ALL: [OperationKind; OperationKind::ALL.len()] = OperationKind::ALL;
-    let mut words = [("", ALL[0]); ALL.len()];
-    let mut i = 0;
-    while i < ALL.len() {
-        words[i] = (ALL[i].name(), ALL[i]);
-        i += 1;
-    }
-    words
-};
-
 /// What `trip_speed` is where the case does not say, m/s: a stand of 28 m in a minute and a half.
 const TRIP_SPEED_M_PER_S: f64 = 0.3;
 
 /// What a slide's `rop` is where the case does not say, m/s; the soft string asks for its sign only.
 const SLIDE_ROP_M_PER_S: f64 = 10.0 / 3600.0;
-
-/// An operation by name.
-pub(crate) const KIND: Choice<OperationKind> = Choice {
-    noun: "an operation",
-    words: KINDS,
-};
 
 table! {
     /// What the driller is doing.
@@ -61,7 +43,7 @@ table! {
             item: KindRule,
             or_one: true,
             noun: "operations",
-            most: KINDS.len(),
+            most: OperationKind::ALL.len(),
         });
         /// Measured depth of the bit, m unless a unit is given. Default: the last survey station.
         /// Deeper than that, the hole goes on in its last direction.

@@ -39,19 +39,22 @@ pub struct Override {
 
 /// How diagnostics quote an override, and which parts of the quotation are its key and value.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Quote {
+pub struct Quote {
     /// What the user knows the text by.
-    pub(crate) name: Arc<str>,
-    pub(crate) text: Arc<str>,
-    pub(crate) key: Range<usize>,
-    pub(crate) value: Range<usize>,
+    pub name: Arc<str>,
+    /// The text.
+    pub text: Arc<str>,
+    /// Where the key stands in it, in bytes.
+    pub key: Range<usize>,
+    /// Where the value stands in it, in bytes.
+    pub value: Range<usize>,
     /// Whether the value stands there as it is.
-    pub(crate) verbatim: bool,
+    pub verbatim: bool,
 }
 
 impl Override {
     /// An override that something else than its own `--set` asks for.
-    pub(crate) fn quoted(key: &str, value: &str, quote: Quote) -> Self {
+    pub fn quoted(key: &str, value: &str, quote: Quote) -> Self {
         Self {
             key: key.to_owned(),
             value: value.to_owned(),

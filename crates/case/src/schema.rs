@@ -6,7 +6,7 @@ use serde_json::{Value as Json, json};
 
 use wholestring_config::rule::Table;
 
-use crate::{case_table::CaseTable, study::StudyTable};
+use crate::case_table::CaseTable;
 
 /// JSON schema (draft 2020-12) of the case file: every key with its meaning, units, range and default.
 ///
@@ -18,15 +18,5 @@ pub fn schema() -> Json {
     schema["title"] = json!("wholestring case");
     schema
 }
-
-/// The same for the study file.
-pub fn study_schema() -> Json {
-    let mut schema = STUDY_TABLES.clone();
-    schema["$schema"] = json!("https://json-schema.org/draft/2020-12/schema");
-    schema["title"] = json!("wholestring study");
-    schema
-}
-
-pub(crate) static STUDY_TABLES: LazyLock<Json> = LazyLock::new(StudyTable::schema);
 
 pub(crate) static TABLES: LazyLock<Json> = LazyLock::new(CaseTable::schema);

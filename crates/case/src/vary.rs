@@ -75,8 +75,13 @@ impl Variation {
 }
 
 impl Variation {
+    /// The values without quotes.
+    pub fn bare_values(&self) -> impl Iterator<Item = &str> {
+        self.values.iter().map(Override::bare)
+    }
+
     /// Takes a value, or those of a range: what it says, and how it is written. Whether it is sound.
-    pub(crate) fn take(
+    pub fn take(
         &mut self,
         [says, written]: [&str; 2],
         quote: Quote,

@@ -59,6 +59,14 @@ impl<T> Field<T> {
     }
 }
 
+impl Field<String> {
+    /// The text, an empty one where there is none; nothing where it is wrong.
+    pub fn text(&self) -> Option<String> {
+        let given = self.optional()?;
+        Some(given.map_or_else(String::new, |at| at.value.clone()))
+    }
+}
+
 /// What happens where a key does not stand in the file.
 pub enum Need<T> {
     /// It must stand there.
