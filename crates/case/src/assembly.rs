@@ -8,7 +8,7 @@ use wholestring_config::{
     diagnostic::Diagnostic, names::short, reader::Reader, rule::At, source::Place,
 };
 
-use crate::string::ComponentTable;
+use crate::component::ComponentTable;
 
 /// The string as the case gives it.
 pub(crate) fn spec(

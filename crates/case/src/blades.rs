@@ -6,7 +6,7 @@ use wholestring_units::number_text;
 
 use wholestring_config::{diagnostic::Diagnostic, reader::Reader};
 
-use crate::string::{ComponentTable, mm};
+use crate::component::{ComponentTable, mm};
 
 /// Blades without a length of their own on a component without one, m.
 const LONGEST_BLADE_M: f64 = 20.0;

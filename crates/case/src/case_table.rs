@@ -12,6 +12,7 @@ use wholestring_config::{
 use crate::{
     bit::BitTable,
     bit_test::BitTestTable,
+    component::ComponentTable,
     dynamics::{DynamicsTable, MeshTable},
     model_rule::{MODELS, ModelRule},
     mud::MudTable,
@@ -20,7 +21,6 @@ use crate::{
     rig::{HoistTable, RigTable},
     rock::RockTable,
     steel::SteelTable,
-    string::ComponentTable,
     top_drive::TopDriveTable,
     unit_set::UNIT_SETS,
     well::WellTable,

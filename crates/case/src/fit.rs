@@ -9,8 +9,8 @@ use wholestring_config::{
 };
 
 use crate::{
+    component::{ComponentTable, mm},
     hole::HoleTable,
-    string::{ComponentTable, mm},
 };
 
 /// Diameters that differ by less than this are equal, m: a thousandth of a millimetre.

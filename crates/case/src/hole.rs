@@ -164,7 +164,7 @@ pub(crate) fn build(
     roughness: Option<&RoughnessTable>,
     reader: &mut Reader,
 ) -> Option<Hole> {
-    crate::roughness::warn_of_sections(roughness, tables, reader);
+    warn_of_sections(roughness, tables, reader);
     let roughness = roughness.map(|table| table.build(reader));
     let mut sections = Vec::new();
     let mut above: Option<(f64, Place)> = None;
@@ -281,4 +281,23 @@ fn hole_error(error: &HoleError, tables: &[At<HoleTable>]) -> Diagnostic {
         .map(|table| table.place)
         .unwrap_or_default();
     Diagnostic::error(error.to_string()).at(place, "this section")
+}
+
+/// A section's share of a roughness that there is none of.
+fn warn_of_sections(
+    roughness: Option<&RoughnessTable>,
+    sections: &[At<HoleTable>],
+    reader: &mut Reader,
+) {
+    if roughness.is_some_and(RoughnessTable::is_rough) {
+        return;
+    }
+    for section in sections {
+        if let Some(given) = section.value.roughness.given() {
+            reader.report(Diagnostic::warning("`roughness` has no effect here").at(
+                given.place,
+                "used with `rms` or `tortuosity` of [well.roughness]",
+            ));
+        }
+    }
 }

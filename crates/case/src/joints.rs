@@ -4,7 +4,7 @@ use wholestring::string::{ComponentSpec, ToolJoints};
 
 use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::At};
 
-use crate::string::{ComponentTable, mm};
+use crate::component::{ComponentTable, mm};
 
 impl ComponentTable {
     /// Joints given in the case, in part or wholly, in place of the catalogue's.

@@ -25,6 +25,7 @@ mod build;
 mod case;
 mod case_table;
 mod casing;
+mod component;
 mod dynamics;
 mod effort;
 mod fit;

@@ -72,6 +72,16 @@ pub struct Number {
     pub range: Range,
 }
 
+impl Number {
+    /// A number without unit, from zero.
+    pub const fn up_to(max: f64) -> Self {
+        Self {
+            unit: "",
+            range: Range::from_to(0.0, max),
+        }
+    }
+}
+
 impl Rule for Number {
     type Value = f64;
 

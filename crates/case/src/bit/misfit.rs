@@ -2,7 +2,7 @@
 
 use wholestring::rock::bit_face::FaceError;
 
-use super::{BitTable, place};
+use super::table::BitTable;
 use wholestring_units::number_text;
 
 use wholestring_config::{diagnostic::Diagnostic, source::Place};
@@ -40,7 +40,7 @@ fn millimetres(m: f64) -> String {
 }
 
 /// The mistake, at those of its numbers that stand in the case; `od` is the diameter's place.
-pub(super) fn misfit(error: &FaceError, bit: &BitTable, od: Place) -> Diagnostic {
+pub(crate) fn misfit(error: &FaceError, bit: &BitTable, od: Place) -> Diagnostic {
     let whole = bit.face.at().map_or(od, |at| at.place);
     let given = |key: &str| {
         let keys = bit.face.get()?.places();
@@ -56,7 +56,7 @@ pub(super) fn misfit(error: &FaceError, bit: &BitTable, od: Place) -> Diagnostic
         } => {
             let (key, place) = match *quantity {
                 "diameter" => ("od", Some(od)),
-                "core diameter" => ("core_diameter", place(&bit.core_diameter)),
+                "core diameter" => ("core_diameter", bit.core_diameter.place()),
                 "tip radius of the inserts" => ("tip_radius", given("tip_radius")),
                 other => {
                     let known = KEYS.iter().find(|(name, _)| *name == other);

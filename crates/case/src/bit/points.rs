@@ -6,7 +6,7 @@ use serde_json::json;
 use wholestring::dynamics::{BitTable as Points, TableFault, TablePoint};
 use wholestring_units::{Dimension, number_text};
 
-use super::file;
+use super::file::{self, MOST};
 use wholestring_config::{
     diagnostic::Diagnostic,
     node::{Node, Value},
@@ -17,9 +17,6 @@ use wholestring_config::{
     source::{Files, Place},
     table::{optional, table},
 };
-
-/// More lines than this are no table of a bit.
-pub(super) const MOST: usize = 10_000;
 
 table! {
     /// A law that was measured: rate of penetration and torque against weight on bit and rotary speed of the bit,

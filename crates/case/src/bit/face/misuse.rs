@@ -1,9 +1,11 @@
 //! Keys that do not suit the kind of bit, and cutters that suit none.
 
-use super::{FaceTable, Kind, Tip};
 use wholestring_units::number_text;
 
 use wholestring_config::{diagnostic::Diagnostic, reader::Reader};
+
+use super::table::{FaceTable, Tip};
+use crate::bit::kind::Kind;
 
 /// Finer cutters than this part of the bit's diameter are no bit's.
 const FINEST: f64 = 0.02;
