@@ -25,7 +25,8 @@ use crate::{
     effort, fit, hole,
     operation::OperationTable,
     overrides::{self, Override},
-    rock, roughness, schema, settings,
+    rock, roughness, schema,
+    settings::{Given, settings},
 };
 
 /// Reads a case from its text; `name` is what diagnostics call it.
@@ -260,17 +261,18 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         ),
     };
     let units = *case.units.get()?;
-    let mut settings =
-        settings::settings(&name, units, &models, &model, &operations, &dynamics, &case);
-    settings["records"] = records.settings();
-    if let Some(drilling) = &drilling {
-        let [rock, face] = rock::settings(drilling);
-        settings["rock"] = rock;
-        settings["bit"]["face"] = face;
-    }
-    if let Some(test) = &bit_test {
-        settings["bit_test"] = test.settings();
-    }
+    let given = Given {
+        name: &name,
+        units,
+        models: &models,
+        model: &model,
+        operations: &operations,
+        dynamics: &dynamics,
+        records: &records,
+        drilling: drilling.as_ref(),
+        bit_test: bit_test.as_ref(),
+    };
+    let settings = settings(&given, &case);
     let checkpoint_interval_s = *case.dynamics.get()?.checkpoint_interval.get()?;
     Some(Case {
         name,

@@ -12,7 +12,4 @@ mod motor;
 mod points;
 mod table;
 
-pub(crate) use self::{
-    build::Around, face::settings as face_settings, given::Given, law::Law, misfit::misfit,
-    table::BitTable,
-};
+pub(crate) use self::{build::Around, given::Given, law::Law, misfit::misfit, table::BitTable};

@@ -4,7 +4,6 @@ mod bricks;
 mod drilling;
 mod limits;
 mod material;
-mod record;
 mod table;
 
-pub(crate) use self::{drilling::drilling, record::settings, table::RockTable};
+pub(crate) use self::{drilling::drilling, table::RockTable};

@@ -108,8 +108,11 @@ fn list_sheet(title: &str, list: &[Json]) -> Sheet {
     };
     // What no item has is no column.
     names.retain(|name| flat.iter().any(|cells| value(cells, name) != Cell::Nothing));
-    // What a thing is called comes first.
-    names.sort_by_key(|name| !["Component", "Kind", "At"].contains(&name.as_str()));
+    // What a thing is called comes first; items that lack a key do not move its column.
+    names.sort_by_key(|name| {
+        let first = ["Component", "Kind", "At"].contains(&name.as_str());
+        (!first, name.to_lowercase())
+    });
     let rows = flat
         .iter()
         .map(|cells| names.iter().map(|name| value(cells, name)).collect())

@@ -1,8 +1,7 @@
 //! `[bit.face]`.
 
 mod misuse;
-mod record;
 mod shape;
 mod table;
 
-pub(crate) use self::{record::settings, table::FaceTable};
+pub(crate) use self::table::FaceTable;
