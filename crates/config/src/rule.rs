@@ -256,12 +256,32 @@ impl<R: Rule> Rule for List<R> {
     }
 }
 
+/// A key that stands in the file.
+#[derive(Debug, Clone, Copy)]
+pub struct Written {
+    /// What it is called.
+    pub name: &'static str,
+    /// Where its value stands.
+    pub place: Place,
+    /// The words of the table's choice with which it has an effect; all, where none is listed.
+    pub used_with: &'static [&'static str],
+}
+
+impl Written {
+    /// Whether it has an effect where this word is chosen.
+    pub fn is_used_with(&self, word: &str) -> bool {
+        self.used_with.is_empty() || self.used_with.contains(&word)
+    }
+}
+
 /// A table with keys of its own.
 pub trait Table: Sized {
     /// How messages call it: `[mud]`.
     const HEADING: &'static str;
     /// Reads the table; what is wrong with it goes to the reader.
     fn read(entries: &Entries, place: Place, reader: &mut Reader) -> Self;
+    /// The keys that stand in the file.
+    fn written(&self) -> Vec<Written>;
     /// JSON schema of the table.
     fn schema() -> Json;
 }

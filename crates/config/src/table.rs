@@ -85,6 +85,8 @@ pub struct Key<R: Rule> {
     pub rule: R,
     /// What happens where it does not stand in the file.
     pub need: Need<R::Value>,
+    /// The words of the table's choice with which it has an effect; all, where none is listed.
+    pub used_with: &'static [&'static str],
 }
 
 /// A key that must be there.
@@ -92,6 +94,7 @@ pub fn required<R: Rule>(rule: R) -> Key<R> {
     Key {
         rule,
         need: Need::Required,
+        used_with: &[],
     }
 }
 
@@ -100,6 +103,7 @@ pub fn required_unless<R: Rule>(other: &'static str, rule: R) -> Key<R> {
     Key {
         rule,
         need: Need::RequiredUnless(other),
+        used_with: &[],
     }
 }
 
@@ -108,6 +112,7 @@ pub fn optional<R: Rule>(rule: R) -> Key<R> {
     Key {
         rule,
         need: Need::Optional,
+        used_with: &[],
     }
 }
 
@@ -116,6 +121,7 @@ pub fn default<R: Rule>(rule: R, value: R::Value) -> Key<R> {
     Key {
         rule,
         need: Need::Default(value),
+        used_with: &[],
     }
 }
 
@@ -132,6 +138,15 @@ pub struct Here<'a> {
 }
 
 impl<R: Rule> Key<R> {
+    /// The same, but it has an effect with these words of the table's choice only: of a law, of a
+    /// control.
+    pub fn used_with(self, words: &'static [&'static str]) -> Self {
+        Self {
+            used_with: words,
+            ..self
+        }
+    }
+
     /// Reads the key, or takes what there is in its place.
     pub fn read(self, name: &'static str, here: &Here<'_>, reader: &mut Reader) -> Field<R::Value> {
         let place = here.place;
@@ -261,6 +276,18 @@ macro_rules! __table {
                 Self {
                     $( $field: $key.read($crate::table::name(stringify!($field)), &here, reader), )+
                 }
+            }
+
+            fn written(&self) -> Vec<$crate::rule::Written> {
+                let mut written = Vec::new();
+                $( if let Some(place) = self.$field.place() {
+                    written.push($crate::rule::Written {
+                        name: $crate::table::name(stringify!($field)),
+                        place,
+                        used_with: $key.used_with,
+                    });
+                } )+
+                written
             }
 
             fn schema() -> $crate::Json {

@@ -10,10 +10,14 @@ use wholestring::{
 use wholestring_units::number_text;
 
 use wholestring_config::{
-    diagnostic::Diagnostic, names::any_of, reader::Reader, source::Files, table::Field,
+    diagnostic::Diagnostic, names::any_of, reader::Reader, rule::Table, source::Files, table::Field,
 };
 
-use super::{kind::Kind, law::Law, table::BitTable};
+use super::{
+    kind::Kind,
+    law::{Law, ROCK, SHAPED},
+    table::BitTable,
+};
 
 /// What other tables tell of the bit, if they are sound.
 pub(crate) struct Around<'a> {
@@ -223,51 +227,17 @@ impl BitTable {
     }
 
     fn warn_of_idle_keys(&self, is_tested: bool, reader: &mut Reader) {
-        const SHAPED: &[Law] = &[Law::Regenerative, Law::DetournayDefourny, Law::Rock];
-        const DETOURNAY: &[Law] = &[Law::DetournayDefourny];
-        const REGENERATIVE: &[Law] = &[Law::Regenerative];
         let Some(law) = self.law.at() else { return };
-        let belongs = [
-            (self.kind.place(), "kind", SHAPED),
-            (self.face.place(), "face", &[Law::Rock]),
-            (self.torque.place(), "torque", &[Law::Rate]),
-            (self.rock_stiffness.place(), "rock_stiffness", Law::FRONT),
-            (self.excitation.place(), "excitation", Law::FRONT),
-            (self.blades.place(), "blades", REGENERATIVE),
-            (
-                self.intrinsic_specific_energy.place(),
-                "intrinsic_specific_energy",
-                Law::CUTTERS,
-            ),
-            (
-                self.cutter_inclination.place(),
-                "cutter_inclination",
-                Law::CUTTERS,
-            ),
-            (self.wear_flat.place(), "wear_flat", Law::CUTTERS),
-            (
-                self.contact_strength.place(),
-                "contact_strength",
-                Law::CUTTERS,
-            ),
-            (self.bit_geometry.place(), "bit_geometry", Law::CUTTERS),
-            (self.friction.place(), "friction", Law::CUTTERS),
-            (
-                self.full_contact_depth.place(),
-                "full_contact_depth",
-                DETOURNAY,
-            ),
-            (self.cleaning_limit.place(), "cleaning_limit", DETOURNAY),
-            (self.table.place(), "table", &[Law::Table]),
-        ];
-        for (place, name, owners) in belongs {
-            let tested = is_tested && owners.contains(&Law::Rock);
-            let Some(place) = place.filter(|_| !tested && !owners.contains(&law.value)) else {
+        let word = law.value.word();
+        for key in self.written() {
+            if key.is_used_with(word) || (is_tested && key.is_used_with(ROCK)) {
                 continue;
-            };
-            let words: Vec<&str> = owners.iter().map(|owner| owner.word()).collect();
-            let mut diagnostic = Diagnostic::warning(format!("`{name}` has no effect here"))
-                .at(place, format!("used with law = {}", any_of(&words)));
+            }
+            let name = key.name;
+            let mut diagnostic = Diagnostic::warning(format!("`{name}` has no effect here")).at(
+                key.place,
+                format!("used with law = {}", any_of(key.used_with)),
+            );
             diagnostic = match self.law.given() {
                 Some(law) => diagnostic.at(law.place, "the law of the bit"),
                 None => diagnostic.help("the law of the bit is \"rate\" where none is given"),
@@ -280,7 +250,7 @@ impl BitTable {
         let Some(core) = self.core_diameter.given() else {
             return;
         };
-        let cuts = is_tested || SHAPED.contains(&law.value);
+        let cuts = is_tested || SHAPED.contains(&word);
         if !cuts || self.kind.get() != Some(&Kind::Core) {
             reader.report(
                 Diagnostic::warning("`core_diameter` has no effect here").at(

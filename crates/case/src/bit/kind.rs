@@ -9,12 +9,17 @@ pub(crate) enum Kind {
     Inserts,
 }
 
+pub(crate) const PDC: &str = "pdc";
+const ROLLER_CONE: &str = "roller cone";
+pub(crate) const CORE: &str = "core";
+pub(crate) const INSERTS: &str = "inserts";
+
 impl Kind {
     pub(crate) const WORDS: &[(&str, Self)] = &[
-        ("pdc", Self::Pdc),
-        ("roller cone", Self::RollerCone),
-        ("core", Self::Core),
-        ("inserts", Self::Inserts),
+        (PDC, Self::Pdc),
+        (ROLLER_CONE, Self::RollerCone),
+        (CORE, Self::Core),
+        (INSERTS, Self::Inserts),
     ];
 
     /// Inclination of the cutting force where the case does not say: the drag bit of Richard, Germay and Detournay's
@@ -32,5 +37,10 @@ impl Kind {
             Self::RollerCone | Self::Inserts => 0.3,
             Self::Pdc | Self::Core => 0.6,
         }
+    }
+
+    pub(crate) fn word(self) -> &'static str {
+        let found = Self::WORDS.iter().find(|(_, kind)| *kind == self);
+        found.map_or("", |(word, _)| word)
     }
 }

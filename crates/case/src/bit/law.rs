@@ -10,20 +10,29 @@ pub(crate) enum Law {
     Rock,
 }
 
+pub(crate) const RATE: &str = "rate";
+pub(crate) const REGENERATIVE: &str = "regenerative";
+pub(crate) const DETOURNAY: &str = "detournay-defourny";
+pub(crate) const TABLE: &str = "table";
+pub(crate) const ROCK: &str = "rock";
+
+/// Laws of a rock front.
+pub(crate) const FRONT: &[&str] = &[RATE, DETOURNAY, TABLE];
+
+/// Laws of cutters and wear flats.
+pub(crate) const CUTTERS: &[&str] = &[REGENERATIVE, DETOURNAY];
+
+/// Laws that ask how a bit breaks rock.
+pub(crate) const SHAPED: &[&str] = &[REGENERATIVE, DETOURNAY, ROCK];
+
 impl Law {
     pub(crate) const WORDS: &[(&str, Self)] = &[
-        ("rate", Self::Rate),
-        ("regenerative", Self::Regenerative),
-        ("detournay-defourny", Self::DetournayDefourny),
-        ("table", Self::Table),
-        ("rock", Self::Rock),
+        (RATE, Self::Rate),
+        (REGENERATIVE, Self::Regenerative),
+        (DETOURNAY, Self::DetournayDefourny),
+        (TABLE, Self::Table),
+        (ROCK, Self::Rock),
     ];
-
-    /// Laws of a rock front.
-    pub(crate) const FRONT: &[Self] = &[Self::Rate, Self::DetournayDefourny, Self::Table];
-
-    /// Laws of cutters and wear flats.
-    pub(crate) const CUTTERS: &[Self] = &[Self::Regenerative, Self::DetournayDefourny];
 
     pub(crate) fn word(self) -> &'static str {
         let found = Self::WORDS.iter().find(|(_, law)| *law == self);

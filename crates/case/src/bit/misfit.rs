@@ -5,7 +5,7 @@ use wholestring::rock::bit_face::FaceError;
 use super::table::BitTable;
 use wholestring_units::number_text;
 
-use wholestring_config::{diagnostic::Diagnostic, source::Place};
+use wholestring_config::{diagnostic::Diagnostic, rule::Table, source::Place};
 
 /// The key that holds a number which the face names so; the diameters are those of other tables.
 const KEYS: [(&str, &str); 24] = [
@@ -43,8 +43,8 @@ fn millimetres(m: f64) -> String {
 pub(crate) fn misfit(error: &FaceError, bit: &BitTable, od: Place) -> Diagnostic {
     let whole = bit.face.at().map_or(od, |at| at.place);
     let given = |key: &str| {
-        let keys = bit.face.get()?.places();
-        keys.iter().find(|(name, _)| *name == key)?.1
+        let keys = bit.face.get()?.written();
+        keys.iter().find(|at| at.name == key).map(|at| at.place)
     };
     // The first of these keys that stands in the case.
     let first = |keys: &[&str]| keys.iter().find_map(|key| given(key)).unwrap_or(whole);
