@@ -2,10 +2,13 @@
 
 use wholestring::string::{AssemblyError, ComponentLength, DrillString, Material, StringSpec};
 
-use crate::{
-    diagnostic::Diagnostic, names::short, range::number_text, reader::Reader, rule::At,
-    source::Place, string::ComponentTable,
+use wholestring_units::number_text;
+
+use wholestring_config::{
+    diagnostic::Diagnostic, names::short, reader::Reader, rule::At, source::Place,
 };
+
+use crate::component::ComponentTable;
 
 /// The string as the case gives it.
 pub(crate) fn spec(

@@ -3,19 +3,19 @@
 use std::f64::consts::{PI, TAU};
 
 use serde::Serialize;
-use serde_json::{Value as Json, json};
 use wholestring::{
     GRAVITY_M_PER_S2,
     dynamics::{BitSettings, RockLaw},
     operation::Operation,
     rock::DrillingSpec,
 };
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, number_text};
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
+    number::Number,
     quantity::Quantity,
-    range::{Number, Range, number_text},
+    range::Range,
     reader::Reader,
     rule::{At, List},
     source::Place,
@@ -119,18 +119,6 @@ impl BitTest {
         let speeds = self.rotary_speeds_rad_per_s.iter();
         let times = speeds.map(|speed| turned_rad / speed);
         self.weights_N.len() as f64 * times.sum::<f64>()
-    }
-
-    pub(crate) fn settings(&self) -> Json {
-        json!({
-            "wob_N": self.weights_N,
-            "rotary_speed_rad_per_s": self.rotary_speeds_rad_per_s,
-            "settle_revolutions": self.settle_revolutions,
-            "revolutions": self.revolutions,
-            "mass_kg": self.mass_kg,
-            "averaging_s": self.averaging_s,
-            "step_s": self.step_s,
-        })
     }
 }
 

@@ -2,12 +2,11 @@
 
 use wholestring::string::{Blades, ComponentLength, ComponentSpec};
 
-use crate::{
-    diagnostic::Diagnostic,
-    range::number_text,
-    reader::Reader,
-    string::{ComponentTable, mm},
-};
+use wholestring_units::number_text;
+
+use wholestring_config::{diagnostic::Diagnostic, reader::Reader};
+
+use crate::component::{ComponentTable, mm};
 
 /// Blades without a length of their own on a component without one, m.
 const LONGEST_BLADE_M: f64 = 20.0;

@@ -3,43 +3,11 @@
 use wholestring::string::{
     BodyBend, Cavity, ComponentLength, ComponentSpec, Eccentricity, MOST_ECCENTRIC,
 };
-use wholestring_units::Dimension;
+use wholestring_units::number_text;
 
-use crate::{
-    diagnostic::Diagnostic,
-    quantity::Quantity,
-    range::{Range, number_text},
-    reader::Reader,
-    rule::{At, Choice},
-    string::{ComponentTable, mm},
-};
+use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::At};
 
-const DEGREE: f64 = std::f64::consts::PI / 180.0;
-
-pub(crate) fn bend_angle() -> Quantity {
-    Quantity::si(
-        Dimension::Angle,
-        Range::from_to(0.0, 10.0 * DEGREE).usual(0.05 * DEGREE, 4.0 * DEGREE),
-        "1.5 deg",
-    )
-    .bare("deg", DEGREE)
-}
-
-pub(crate) fn direction(example: &'static str) -> Quantity {
-    Quantity::si(
-        Dimension::Angle,
-        Range::from_to(-360.0 * DEGREE, 360.0 * DEGREE),
-        example,
-    )
-    .bare("deg", DEGREE)
-}
-
-pub(crate) fn cavity() -> Choice<Cavity> {
-    Choice {
-        noun: "what fills the missing steel's place",
-        words: &[("mud", Cavity::Mud), ("sealed", Cavity::Sealed)],
-    }
-}
+use crate::component::{ComponentTable, mm};
 
 impl ComponentTable {
     /// Gives `component` its bend and its eccentricity.

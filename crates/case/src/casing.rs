@@ -6,9 +6,11 @@ use wholestring::well::{
 };
 use wholestring_units::{Dimension, UnitSet};
 
-use crate::{
-    diagnostic::Diagnostic, hole::HoleTable, names::short, reader::Reader, rule::At, source::Place,
+use wholestring_config::{
+    diagnostic::Diagnostic, names::short, reader::Reader, rule::At, source::Place,
 };
+
+use crate::hole::HoleTable;
 
 impl HoleTable {
     /// Where the diameter comes from, if the case says it.

@@ -9,18 +9,22 @@ use wholestring::{
     operation::Operation,
     well::{Hole, HoleSection},
 };
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, number_text};
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
+    number::{Number, Whole},
     quantity::Quantity,
-    range::{Number, Range, Whole, number_text},
+    range::Range,
     reader::Reader,
-    rig::HoistTable,
     rule::{Choice, Section},
-    settle::{Settle, SettleRule},
     source::Place,
     table::{default, optional, table},
+};
+
+use crate::{
+    rig::HoistTable,
+    settle::{Settle, SettleRule},
 };
 
 /// Time on the clock between checkpoints where the case does not say, s: what one can bear to lose.

@@ -7,7 +7,11 @@ use wholestring::{
     outcome::ModelKind,
 };
 
-use crate::{case::CaseTable, diagnostic::Diagnostic, range::number_text, reader::Reader};
+use wholestring_units::number_text;
+
+use wholestring_config::{diagnostic::Diagnostic, reader::Reader};
+
+use crate::case_table::CaseTable;
 
 /// More elements than this make no sense in the longest of wells.
 const MOST_ELEMENTS: usize = 110_000;

@@ -2,15 +2,15 @@
 
 use wholestring::{mud::Mud, string::DrillString, well::Hole};
 
+use wholestring_units::number_text;
+
+use wholestring_config::{
+    diagnostic::Diagnostic, names::short, reader::Reader, rule::At, source::Place,
+};
+
 use crate::{
-    diagnostic::Diagnostic,
+    component::{ComponentTable, mm},
     hole::HoleTable,
-    names::short,
-    range::number_text,
-    reader::Reader,
-    rule::At,
-    source::Place,
-    string::{ComponentTable, mm},
 };
 
 /// Diameters that differ by less than this are equal, m: a thousandth of a millimetre.

@@ -1,19 +1,21 @@
 //! `[[well.hole]]`: the hole around the path.
 
 use wholestring::well::{Friction, Hole, HoleError, HoleKind, HoleSection};
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, number_text};
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     node::{Node, Value},
+    number::Number,
     quantity::Quantity,
-    range::{Number, Range, number_text},
+    range::Range,
     reader::Reader,
-    roughness::RoughnessTable,
     rule::{At, Choice, Rule, Table, Text},
     source::Place,
     table::{default, optional, required, required_unless, table},
 };
+
+use crate::roughness::RoughnessTable;
 
 table! {
     /// Friction between string and wall: sliding and at rest, along the hole and around it.
@@ -162,7 +164,7 @@ pub(crate) fn build(
     roughness: Option<&RoughnessTable>,
     reader: &mut Reader,
 ) -> Option<Hole> {
-    crate::roughness::warn_of_sections(roughness, tables, reader);
+    warn_of_sections(roughness, tables, reader);
     let roughness = roughness.map(|table| table.build(reader));
     let mut sections = Vec::new();
     let mut above: Option<(f64, Place)> = None;
@@ -279,4 +281,23 @@ fn hole_error(error: &HoleError, tables: &[At<HoleTable>]) -> Diagnostic {
         .map(|table| table.place)
         .unwrap_or_default();
     Diagnostic::error(error.to_string()).at(place, "this section")
+}
+
+/// A section's share of a roughness that there is none of.
+fn warn_of_sections(
+    roughness: Option<&RoughnessTable>,
+    sections: &[At<HoleTable>],
+    reader: &mut Reader,
+) {
+    if roughness.is_some_and(RoughnessTable::is_rough) {
+        return;
+    }
+    for section in sections {
+        if let Some(given) = section.value.roughness.given() {
+            reader.report(Diagnostic::warning("`roughness` has no effect here").at(
+                given.place,
+                "used with `rms` or `tortuosity` of [well.roughness]",
+            ));
+        }
+    }
 }

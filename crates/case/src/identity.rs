@@ -6,7 +6,7 @@ use wholestring::{
     dynamics::DynamicsSettings, model::Model, operation::Operation, outcome::ModelKind,
 };
 
-use crate::{Case, bit_test::BitTest, records::Records};
+use crate::{bit_test::BitTest, case::Case, records::Records};
 
 /// What the solvers are given and what is kept of their answers, as they have it themselves: what is added there is part
 /// of it.

@@ -2,12 +2,9 @@
 
 use wholestring::string::{ComponentSpec, ToolJoints};
 
-use crate::{
-    diagnostic::Diagnostic,
-    reader::Reader,
-    rule::At,
-    string::{ComponentTable, mm},
-};
+use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::At};
+
+use crate::component::{ComponentTable, mm};
 
 impl ComponentTable {
     /// Joints given in the case, in part or wholly, in place of the catalogue's.

@@ -3,13 +3,13 @@
 use wholestring::mud::{Mud, Rheology};
 use wholestring_units::Dimension;
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
+    number::Number,
     quantity::Quantity,
-    range::{Number, Range},
+    range::Range,
     reader::Reader,
-    rule::{At, Choice},
-    source::Place,
+    rule::{At, Choice, Table},
     table::{Field, default, optional, required, table},
 };
 
@@ -21,11 +21,15 @@ pub(crate) enum Flow {
     PowerLaw,
 }
 
+const NEWTONIAN: &str = "newtonian";
+const BINGHAM: &str = "bingham";
+const POWER_LAW: &str = "power-law";
+
 impl Flow {
     const WORDS: &'static [(&'static str, Self)] = &[
-        ("newtonian", Self::Newtonian),
-        ("bingham", Self::Bingham),
-        ("power-law", Self::PowerLaw),
+        (NEWTONIAN, Self::Newtonian),
+        (BINGHAM, Self::Bingham),
+        (POWER_LAW, Self::PowerLaw),
     ];
 
     fn word(self) -> &'static str {
@@ -70,31 +74,31 @@ table! {
             Dimension::Viscosity,
             Range::from_to(1e-6, 1e3).usual(5e-4, 1.0),
             "20 cP",
-        ));
+        )).used_with(&[NEWTONIAN]);
         /// Plastic viscosity of a Bingham mud: what the shear stress gains per shear rate.
         plastic_viscosity: f64 = optional(Quantity::si(
             Dimension::Viscosity,
             Range::from_to(1e-6, 1e3).usual(5e-4, 1.0),
             "25 cP",
-        ));
+        )).used_with(&[BINGHAM]);
         /// Yield point of a Bingham mud: the stress below which it does not flow. Raising it raises torque, drag and
         /// losses at any speed.
         yield_point: f64 = optional(Quantity::si(
             Dimension::ShearStress,
             Range::from_to(0.0, 1000.0).usual(0.1, 60.0),
             "15 lbf/100ft2",
-        ));
+        )).used_with(&[BINGHAM]);
         /// Consistency index of a power-law mud: its shear stress at a shear rate of 1 1/s.
         consistency_index: f64 = optional(Quantity::si(
             Dimension::Consistency,
             Range::from_to(1e-6, 1e3).usual(1e-3, 50.0),
             "0.6 Pa.s^n",
-        ));
+        )).used_with(&[POWER_LAW]);
         /// Flow behaviour index of a power-law mud: 1 is Newtonian; the lower, the more it thins as it is sheared.
         flow_behaviour_index: f64 = optional(Number {
             unit: "",
             range: Range::from_to(0.1, 1.0),
-        });
+        }).used_with(&[POWER_LAW]);
     }
 }
 
@@ -112,26 +116,15 @@ impl MudTable {
     /// The rheology with its numbers; `None` after a mistake.
     fn rheology(&self, reader: &mut Reader) -> Option<Option<Rheology>> {
         let chosen = self.rheology.optional()?;
-        let belongs = [
-            (&self.viscosity, "viscosity", Flow::Newtonian),
-            (&self.plastic_viscosity, "plastic_viscosity", Flow::Bingham),
-            (&self.yield_point, "yield_point", Flow::Bingham),
-            (&self.consistency_index, "consistency_index", Flow::PowerLaw),
-            (
-                &self.flow_behaviour_index,
-                "flow_behaviour_index",
-                Flow::PowerLaw,
-            ),
-        ];
-        for (field, name, owner) in belongs {
-            match (field.given(), chosen) {
-                (Some(given), Some(flow)) if flow.value != owner => reader
-                    .report(no_effect(name, given.place, owner).at(flow.place, "the rheology")),
-                (Some(given), None) => reader.report(
-                    no_effect(name, given.place, owner)
-                        .help(format!("give rheology = \"{}\"", owner.word())),
-                ),
-                _ => {}
+        for key in self.written() {
+            // Density and drag belong to every mud.
+            let [owner] = key.used_with else { continue };
+            let diagnostic = Diagnostic::warning(format!("`{}` has no effect here", key.name))
+                .at(key.place, format!("used with rheology = \"{owner}\""));
+            match chosen {
+                Some(flow) if key.is_used_with(flow.value.word()) => {}
+                Some(flow) => reader.report(diagnostic.at(flow.place, "the rheology")),
+                None => reader.report(diagnostic.help(format!("give rheology = \"{owner}\""))),
             }
         }
         let Some(flow) = chosen else {
@@ -166,11 +159,6 @@ impl MudTable {
             }
         }))
     }
-}
-
-fn no_effect(name: &str, place: Place, owner: Flow) -> Diagnostic {
-    Diagnostic::warning(format!("`{name}` has no effect here"))
-        .at(place, format!("used with rheology = \"{}\"", owner.word()))
 }
 
 /// A number that the rheology cannot do without; `None` after a mistake.

@@ -10,29 +10,20 @@ use wholestring::{
 };
 use wholestring_units::Dimension;
 
-use crate::{
-    bit::{BitTable, Given, Law},
+use wholestring_config::{
     diagnostic::Diagnostic,
-    operation_kind::KindRule,
     quantity::Quantity,
     range::Range,
     reader::Reader,
-    rule::{At, Choice, List, Section, once_each},
-    schedule::{self, Around, StepTable},
+    rule::{At, List, Section, once_each},
     source::Place,
     table::{Field, default, optional, required, table},
 };
 
-/// Every operation that there is.
-const KINDS: &[(&str, OperationKind)] = &{
-    const ALL: [OperationKind; OperationKind::ALL.len()] = OperationKind::ALL;
-    let mut words = [("", ALL[0]); ALL.len()];
-    let mut i = 0;
-    while i < ALL.len() {
-        words[i] = (ALL[i].name(), ALL[i]);
-        i += 1;
-    }
-    words
+use crate::{
+    bit::{BitTable, Given, Law},
+    operation_kind::KindRule,
+    schedule::{self, Around, StepTable},
 };
 
 /// What `trip_speed` is where the case does not say, m/s: a stand of 28 m in a minute and a half.
@@ -40,12 +31,6 @@ const TRIP_SPEED_M_PER_S: f64 = 0.3;
 
 /// What a slide's `rop` is where the case does not say, m/s; the soft string asks for its sign only.
 const SLIDE_ROP_M_PER_S: f64 = 10.0 / 3600.0;
-
-/// An operation by name.
-pub(crate) const KIND: Choice<OperationKind> = Choice {
-    noun: "an operation",
-    words: KINDS,
-};
 
 table! {
     /// What the driller is doing.
@@ -58,7 +43,7 @@ table! {
             item: KindRule,
             or_one: true,
             noun: "operations",
-            most: KINDS.len(),
+            most: OperationKind::ALL.len(),
         });
         /// Measured depth of the bit, m unless a unit is given. Default: the last survey station.
         /// Deeper than that, the hole goes on in its last direction.

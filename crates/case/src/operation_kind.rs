@@ -3,13 +3,30 @@
 use serde_json::{Value as Json, json};
 use wholestring::operation::OperationKind;
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     names::{all_near, any_of, same, short},
     node::{Node, Value},
-    operation::KIND,
     reader::Reader,
-    rule::Rule,
+    rule::{Choice, Rule},
+};
+
+/// Every operation that there is.
+const KINDS: &[(&str, OperationKind)] = &{
+    const ALL: [OperationKind; OperationKind::ALL.len()] = OperationKind::ALL;
+    let mut words = [("", ALL[0]); ALL.len()];
+    let mut i = 0;
+    while i < ALL.len() {
+        words[i] = (ALL[i].name(), ALL[i]);
+        i += 1;
+    }
+    words
+};
+
+/// An operation by name.
+const KIND: Choice<OperationKind> = Choice {
+    noun: "an operation",
+    words: KINDS,
 };
 
 /// Drillers' words; capitals, blanks, hyphens and underscores do not count.
@@ -77,7 +94,8 @@ const ABBREVIATIONS: &[(&str, OperationKind)] = {
 };
 
 /// An operation by its name, or by a driller's word for it.
-pub(crate) struct KindRule;
+#[derive(Debug, Clone, Copy)]
+pub struct KindRule;
 
 impl KindRule {
     fn names() -> impl Iterator<Item = (&'static str, OperationKind)> {

@@ -2,12 +2,13 @@
 
 use std::{ops::Range, sync::Arc};
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     names::{nearest, short},
     node::{Entries, Key, Node, Value, parse_value},
     reader::Reader,
-    source::Place,
+    schema::{homes_of, top_level},
+    source::{COMMAND_LINE, Place},
 };
 
 /// One `--set KEY=VALUE`.
@@ -38,19 +39,22 @@ pub struct Override {
 
 /// How diagnostics quote an override, and which parts of the quotation are its key and value.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Quote {
+pub struct Quote {
     /// What the user knows the text by.
-    pub(crate) name: Arc<str>,
-    pub(crate) text: Arc<str>,
-    pub(crate) key: Range<usize>,
-    pub(crate) value: Range<usize>,
+    pub name: Arc<str>,
+    /// The text.
+    pub text: Arc<str>,
+    /// Where the key stands in it, in bytes.
+    pub key: Range<usize>,
+    /// Where the value stands in it, in bytes.
+    pub value: Range<usize>,
     /// Whether the value stands there as it is.
-    pub(crate) verbatim: bool,
+    pub verbatim: bool,
 }
 
 impl Override {
     /// An override that something else than its own `--set` asks for.
-    pub(crate) fn quoted(key: &str, value: &str, quote: Quote) -> Self {
+    pub fn quoted(key: &str, value: &str, quote: Quote) -> Self {
         Self {
             key: key.to_owned(),
             value: value.to_owned(),
@@ -111,9 +115,6 @@ pub(crate) const SHORT: &[(&str, &str)] = &[
 /// Parts of a key between its dots. The deepest key of a case has six; each is a table within the one before.
 const MOST_PARTS: usize = 32;
 
-/// What a diagnostic about an argument quotes.
-pub(crate) const COMMAND_LINE: &str = "command line";
-
 /// Puts an override into the tree of the case.
 pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) {
     let quote = change.quote();
@@ -152,10 +153,11 @@ pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) 
         );
         return reader.report(diagnostic);
     }
-    let top_level = crate::schema::top_level();
+    let tables = reader.tables();
+    let top_level = tables.map_or_else(Vec::new, top_level);
     if path.len() == 1 && !top_level.iter().any(|name| name == path[0]) {
         let short_keys: Vec<&str> = SHORT.iter().map(|(short, _)| *short).collect();
-        let homes = crate::schema::homes_of(&crate::schema::TABLES, path[0]);
+        let homes = tables.map_or_else(Vec::new, |tables| homes_of(tables, path[0]));
         let mut diagnostic = Diagnostic::error(format!("there is no key `{}`", short(path[0])))
             .at(key_place, "unknown key");
         if let Some(home) = homes.first() {

@@ -1,14 +1,13 @@
 //! `[records]`: what a dynamic run keeps beside its tables.
 
 use serde::Serialize;
-use serde_json::{Value as Json, json};
 use wholestring::dynamics::{Channel, DynamicsSettings, NodeSignal, Probe, Signal};
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, number_text};
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     quantity::Quantity,
-    range::{Range, number_text},
+    range::Range,
     reader::Reader,
     rule::{At, Choice, List, once_each},
     source::Place,
@@ -282,21 +281,5 @@ impl RecordsTable {
             })
         };
         Some(depths.iter().flat_map(at_depth).collect())
-    }
-}
-
-impl Records {
-    /// For the record of a run.
-    pub(crate) fn settings(&self) -> Json {
-        json!({
-            "frame_interval_s": self.frame_interval_s,
-            "channels": self.channels.iter().map(|channel| channel.name()).collect::<Vec<_>>(),
-            "spectra": self.spectra.iter().map(|signal| signal.name()).collect::<Vec<_>>(),
-            "node_spectra": self.probes.iter().map(|probe| json!({
-                "md_m": probe.md_m,
-                "signal": probe.signal.name(),
-            })).collect::<Vec<_>>(),
-            "spectrum_segment_s": self.spectrum_segment_s,
-        })
     }
 }

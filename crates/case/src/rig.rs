@@ -6,14 +6,15 @@ use wholestring::{
     operation::Operation,
     rig::Rig,
 };
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, number_text};
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
+    number::Number,
     quantity::Quantity,
-    range::{Number, Range, number_text},
+    range::Range,
     reader::Reader,
-    rule::Choice,
+    rule::{Choice, Table},
     table::{Field, default, optional, table},
 };
 
@@ -79,11 +80,15 @@ pub(crate) enum Control {
 /// The word of the control that is found before the run.
 pub(crate) const TUNED_LIFT: &str = "tuned-lift";
 
+const AUTODRILLER: &str = "autodriller";
+const BLOCK_VELOCITY: &str = "block-velocity";
+const HOOK_LOAD: &str = "hook-load";
+
 impl Control {
     const WORDS: &[(&str, Self)] = &[
-        ("autodriller", Self::Autodriller),
-        ("block-velocity", Self::BlockVelocity),
-        ("hook-load", Self::HookLoad),
+        (AUTODRILLER, Self::Autodriller),
+        (BLOCK_VELOCITY, Self::BlockVelocity),
+        (HOOK_LOAD, Self::HookLoad),
         (TUNED_LIFT, Self::TunedLift),
     ];
 }
@@ -105,47 +110,47 @@ table! {
         gain: f64 = default(
             Quantity::si(Dimension::HoistGain, Range::positive_to(1e-3), "1e-4 m/s/kN"),
             Autodriller::default().gain_m_per_s_per_N,
-        );
+        ).used_with(&[AUTODRILLER]);
         /// Autodriller: time in which a lasting lack of weight adds as much speed again as `gain` gives at once.
         /// Raising it takes out what the gain leaves more slowly; too short, it hunts. Default: none.
         integral_time: f64 = optional(Quantity::si(
             Dimension::Time,
             Range::positive_to(1e5),
             "60 s",
-        ));
+        )).used_with(&[AUTODRILLER]);
         /// Autodriller: time constant of the filter on the measured weight on bit.
         filter: f64 = default(
             Quantity::si(Dimension::Time, Range::positive_to(1e3), "1 s"),
             Autodriller::default().filter_s,
-        );
+        ).used_with(&[AUTODRILLER]);
         /// Autodriller: least speed of the block, positive downwards; a negative one lets it pick the string up.
         min_speed: f64 = default(
             Quantity::si(Dimension::TripSpeed, Range::from_to(-10.0, 10.0), "-10 m/h"),
             Autodriller::default().min_speed_m_per_s,
-        );
+        ).used_with(&[AUTODRILLER]);
         /// Autodriller: greatest speed of the block. Default: none.
         max_speed: f64 = optional(Quantity::si(
             Dimension::TripSpeed,
             Range::from_to(-10.0, 10.0),
             "60 m/h",
-        ));
+        )).used_with(&[AUTODRILLER]);
         /// Block velocity: speed of the block, positive downwards.
         block_velocity: f64 = optional(Quantity::si(
             Dimension::TripSpeed,
             Range::from_to(-10.0, 10.0),
             "0.3 m/s",
-        ));
+        )).used_with(&[BLOCK_VELOCITY]);
         /// Hook load: lifting force on the top of the string, block excluded.
         hook_load: f64 = optional(Quantity::si(
             Dimension::Force,
             Range::from_to(0.0, 1e8).usual(1e3, 2e7),
             "900 kN",
-        ));
+        )).used_with(&[HOOK_LOAD]);
         /// Tuned lift: how far the mean weight on bit may be from `wob`, as a part of it. Raising it takes fewer runs.
         tolerance: f64 = default(
             Number { unit: "", range: Range::from_to(1e-4, 0.5) },
             LIFT_TOLERANCE,
-        );
+        ).used_with(&[TUNED_LIFT]);
         /// Axial stiffness of lines and derrick.
         stiffness: f64 = default(
             Quantity::si(Dimension::Stiffness, Range::from_to(1e3, 1e12).usual(1e5, 1e10), "1e7 N/m"),
@@ -233,30 +238,16 @@ impl HoistTable {
         reader: &mut Reader,
     ) -> Option<Option<HoistControl>> {
         let chosen = self.control.optional()?;
-        let control = chosen.map(|at| at.value);
-        let later = schedule.holds_a_weight().then_some(Control::Autodriller);
-        let belongs = [
-            (&self.gain, "gain", Control::Autodriller),
-            (&self.integral_time, "integral_time", Control::Autodriller),
-            (&self.filter, "filter", Control::Autodriller),
-            (&self.min_speed, "min_speed", Control::Autodriller),
-            (&self.max_speed, "max_speed", Control::Autodriller),
-            (
-                &self.block_velocity,
-                "block_velocity",
-                Control::BlockVelocity,
-            ),
-            (&self.hook_load, "hook_load", Control::HookLoad),
-            (&self.tolerance, "tolerance", Control::TunedLift),
-        ];
-        for (field, name, owner) in belongs {
-            let Some(given) = field.given() else { continue };
-            if control == Some(owner) || later == Some(owner) {
+        let control = chosen.map(|at| word_of(at.value));
+        let later = schedule.holds_a_weight().then_some(AUTODRILLER);
+        for key in self.written() {
+            // The line that carries the string belongs to every control.
+            let [word] = key.used_with else { continue };
+            if control == Some(*word) || later == Some(*word) {
                 continue;
             }
-            let word = word_of(owner);
-            let mut diagnostic = Diagnostic::warning(format!("`{name}` has no effect here"))
-                .at(given.place, format!("used with control = \"{word}\""));
+            let mut diagnostic = Diagnostic::warning(format!("`{}` has no effect here", key.name))
+                .at(key.place, format!("used with control = \"{word}\""));
             match chosen {
                 Some(chosen) => diagnostic = diagnostic.at(chosen.place, "the control"),
                 None => {
@@ -324,7 +315,7 @@ fn word_of(control: Control) -> &'static str {
 fn needed(
     field: &Field<f64>,
     name: &str,
-    chosen: crate::source::Place,
+    chosen: wholestring_config::source::Place,
     reader: &mut Reader,
 ) -> Option<f64> {
     if let Field::Absent = field {

@@ -6,20 +6,20 @@ use wholestring::{
     string::DrillString,
     well::{Hole, Roughness},
 };
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, number_text};
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
-    hole::HoleTable,
     names::short,
+    number::Whole,
     quantity::Quantity,
-    range::{Range, Whole, number_text},
+    range::Range,
     reader::Reader,
-    rule::At,
     source::Place,
-    string::mm,
     table::{Field, default, table},
 };
+
+use crate::component::mm;
 
 /// Slope beyond which a wall is no roughness, rad: steps follow it to the first order.
 const STEEPEST: f64 = 0.3;
@@ -148,25 +148,6 @@ fn check_slope(field: &Field<f64>, roughness: &Roughness, reader: &mut Reader) -
             )),
     );
     None
-}
-
-/// A section's share of a roughness that there is none of.
-pub(crate) fn warn_of_sections(
-    roughness: Option<&RoughnessTable>,
-    sections: &[At<HoleTable>],
-    reader: &mut Reader,
-) {
-    if roughness.is_some_and(RoughnessTable::is_rough) {
-        return;
-    }
-    for section in sections {
-        if let Some(given) = section.value.roughness.given() {
-            reader.report(Diagnostic::warning("`roughness` has no effect here").at(
-                given.place,
-                "used with `rms` or `tortuosity` of [well.roughness]",
-            ));
-        }
-    }
 }
 
 /// Tools that the wall's peaks close in on.

@@ -7,12 +7,12 @@ use wholestring::{
     operation::OperationKind,
     outcome::ModelKind,
 };
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, number_text};
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     quantity::Quantity,
-    range::{Range, number_text},
+    range::Range,
     reader::Reader,
     rule::{At, Text},
     source::Place,

@@ -3,7 +3,7 @@
 use serde_json::{Value as Json, json};
 use wholestring_units::Dimension;
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     names::{nearest, short},
     node::{Node, Value},

@@ -2,18 +2,18 @@
 
 use serde_json::json;
 use wholestring::well::{Station, TieIn};
-use wholestring_units::{Dimension, Unit};
+use wholestring_survey::{Said, SurveyError, read_as};
+use wholestring_units::{Dimension, Unit, number_text};
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     names::short,
     node::{Node, Value},
     quantity::Quantity,
-    range::{Range, number_text},
+    range::Range,
     reader::Reader,
     rule::{At, Rule},
     source::{Files, Place},
-    survey::{self, Said, SurveyError},
 };
 
 /// No hole bends more sharply than this, rad/m: 10 deg/m is a radius of 5.7 m.
@@ -218,7 +218,7 @@ pub(crate) fn from_file(
             return None;
         }
     };
-    match survey::read_as(&bytes, &file.value, said) {
+    match read_as(&bytes, &file.value, said) {
         Ok(imported) => Some(Stations {
             list: imported.stations,
             places: Vec::new(),

@@ -1,12 +1,12 @@
 //! `[steel]`.
 
 use wholestring::string::Material;
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, number_text};
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     quantity::Quantity,
-    range::{Range, number_text},
+    range::Range,
     reader::Reader,
     source::Place,
     table::{default, table},

@@ -1,177 +1,18 @@
-//! `[[string]]`.
+//! Components of the string, from their keys.
 
-use wholestring::string::{Cavity, ComponentLength, ComponentSpec, Material, catalogue};
-use wholestring_units::Dimension;
+use wholestring::string::{ComponentSpec, Material, catalogue};
+use wholestring_units::{Dimension, number_text};
 
-use crate::{
-    body,
-    diagnostic::Diagnostic,
-    names::{nearest, short},
-    node::{Node, Value},
-    quantity::Quantity,
-    range::{Range, number_text},
-    reader::Reader,
-    rule::{At, Rule, Text},
-    source::Place,
-    steel::{check_moduli, density, modulus},
-    table::{optional, required, table},
+use wholestring_config::{
+    diagnostic::Diagnostic, names::short, reader::Reader, rule::At, source::Place,
 };
 
-/// What stands for the length of the component that fills the rest of the string.
-const TO_SURFACE: &str = "to surface";
-
-fn diameter(example: &'static str) -> Quantity {
-    Quantity::si(
-        Dimension::Diameter,
-        Range::from_to(0.005, 2.0).usual(0.02, 1.2),
-        example,
-    )
-}
-
-/// A length, or "to surface".
-pub(crate) struct LengthRule;
-
-impl LengthRule {
-    fn quantity() -> Quantity {
-        Quantity::si(
-            Dimension::Length,
-            Range::from_to(0.01, 20_000.0).usual(0.05, 13_000.0),
-            "9.6 m",
-        )
-    }
-}
-
-impl Rule for LengthRule {
-    type Value = ComponentLength;
-
-    fn read(&self, node: &Node, reader: &mut Reader) -> Option<ComponentLength> {
-        if let Value::Text { text, .. } = &node.value {
-            if text == TO_SURFACE {
-                return Some(ComponentLength::ToSurface);
-            }
-            if nearest(text, [TO_SURFACE]).is_some() || text.contains("surface") {
-                reader.report(
-                    Diagnostic::error(format!("`{}` is not a length", short(text)))
-                        .at(node.place, "expected a length or \"to surface\"")
-                        .help("did you mean \"to surface\"?"),
-                );
-                return None;
-            }
-        }
-        Self::quantity()
-            .read(node, reader)
-            .map(ComponentLength::Metres)
-    }
-
-    fn schema(&self) -> serde_json::Value {
-        let mut schema = Self::quantity().schema();
-        if let Some(either) = schema["anyOf"].as_array_mut() {
-            either.push(serde_json::json!({
-                "const": TO_SURFACE,
-                "description": "Fills the rest of the string; for the topmost component."
-            }));
-        }
-        schema
-    }
-}
-
-table! {
-    /// A component of the string, from the bit up.
-    ComponentTable in "[[string]]" {
-        /// What it is called in messages and results: "bit", "motor", "drill pipe". A first component whose last word is "bit"
-        /// and which fills its hole is held to the hole's axis in the dynamic model, all of it; of another one two diameters are.
-        component: String = required(Text);
-        /// Length, m unless a unit is given, or "to surface" for the topmost one, which then fills the
-        /// rest of the string.
-        length: ComponentLength = required(LengthRule);
-        /// Entry of the catalogue of API drill pipe, heavy-weight and collars, such as
-        /// "5-1/2 in 21.90 lb/ft S-135": gives diameters, joints, mass and yield strength.
-        catalogue: String = optional(Text);
-        /// Outside diameter of the body, m unless a unit is given. Needed without `catalogue`.
-        od: f64 = optional(diameter("139.7 mm"));
-        /// Inside diameter of the body, less than od. Needed without `catalogue`, except for the first of
-        /// several components, the bit, which is solid by default.
-        id: f64 = optional(Quantity::si(
-            Dimension::Diameter,
-            Range::from_to(0.0, 2.0).usual(0.005, 0.6),
-            "118.6 mm",
-        ));
-        /// Outside diameter of the tool joints, which then are what touches the wall. Default: the
-        /// catalogue's, or no joints.
-        joint_od: f64 = optional(diameter("177.8 mm"));
-        /// Distance between tool joints. Default: the catalogue's, or no joints.
-        joint_spacing: f64 = optional(Quantity::si(
-            Dimension::Length,
-            Range::from_to(0.5, 100.0).usual(4.0, 16.0),
-            "9.6 m",
-        ));
-        /// Diameter over the blades of a stabiliser or reamer, its gauge: blades then are what touches the
-        /// wall, at both edges where they are longer than 0.5 m and than half an element, at their middle
-        /// otherwise. Their mass is counted where `mass_per_length` counts it. Default: no blades; a
-        /// component of 4 m or less that stands out over its neighbours touches at its middle with `od`.
-        blade_od: f64 = optional(diameter("212.7 mm"));
-        /// Length of the blades, at the middle of the component. Default: all of the component.
-        blade_length: f64 = optional(Quantity::si(
-            Dimension::Length,
-            Range::from_to(0.01, 20.0).usual(0.05, 5.0),
-            "0.6 m",
-        ));
-        /// Mass per length in air, tool joints included. Default: the catalogue's, or that of the body
-        /// between od and id.
-        mass_per_length: f64 = optional(Quantity::si(
-            Dimension::MassPerLength,
-            Range::positive_to(20_000.0).usual(3.0, 1500.0),
-            "35.8 kg/m",
-        ));
-        /// Density of its metal. Default: that of [steel].
-        density: f64 = optional(density());
-        /// Young's modulus. Default: that of [steel].
-        youngs_modulus: f64 = optional(modulus("210 GPa"));
-        /// Shear modulus. Default: that of [steel].
-        shear_modulus: f64 = optional(modulus("76.923 GPa"));
-        /// Minimum yield strength, for strength limits. Default: the catalogue's, or unknown.
-        yield_strength: f64 = optional(Quantity::si(
-            Dimension::Pressure,
-            Range::from_to(1e7, 1e10).usual(1.5e8, 1.5e9),
-            "931 MPa",
-        ));
-        /// Bend fixed in its body, which turns with it: of a motor's bent housing, of a bent sub. The angle between the
-        /// axes above and below, deg unless a unit is given. Dynamic model only. Default: none. Raising it presses bit and housing against
-        /// opposite sides of the hole.
-        bend: f64 = optional(body::bend_angle());
-        /// Distance of the bend from the component's lower end; a node stands there. Default: its middle.
-        bend_at: f64 = optional(Quantity::si(
-            Dimension::Length,
-            Range::from_to(0.0, 20_000.0),
-            "1.9 m",
-        ));
-        /// Direction at the start to which the part below the bend is bent: the angle from the high side, clockwise as
-        /// one looks down the hole, deg unless a unit is given. Default: 0, the high side.
-        bend_toolface: f64 = optional(body::direction("90 deg"));
-        /// Distance of its steel's centre of mass from the axis, at most a tenth of od: an imbalance that
-        /// throws it outwards with the square of the rotary speed. Dynamic model only. Default: none.
-        eccentricity: f64 = optional(Quantity::si(
-            Dimension::Diameter,
-            Range::from_to(0.0, 0.2).usual(5e-5, 0.02),
-            "2 mm",
-        ));
-        /// Direction of that centre of mass at the start: the angle from the high side, clockwise as one looks down the
-        /// hole, deg unless a unit is given. Default: 0, the high side.
-        eccentricity_phase: f64 = optional(body::direction("90 deg"));
-        /// What is in the place of the steel that it lacks on the other side: "mud" (a bore off the axis, a slot, a worn
-        /// side), which makes up for part of it, or "sealed" (an empty pocket). Default: "mud".
-        eccentricity_cavity: Cavity = optional(body::cavity());
-    }
-}
+use crate::{
+    component::{ComponentTable, mm},
+    steel::check_moduli,
+};
 
 impl ComponentTable {
-    /// Where its outside diameter comes from; `place` is that of the table.
-    pub(crate) fn od_place(&self, place: Place) -> Place {
-        let given = self.od.given().map(|at| at.place);
-        let listed = self.catalogue.given().map(|at| at.place);
-        given.or(listed).unwrap_or(place)
-    }
-
     pub(crate) fn build(
         &self,
         is_bit: bool,
@@ -342,9 +183,4 @@ fn check_mass(component: &ComponentSpec, place: Place, reader: &mut Reader) -> O
         ),
     );
     None
-}
-
-/// A diameter in messages.
-pub(crate) fn mm(diameter_m: f64) -> String {
-    format!("{} mm", number_text(diameter_m * 1e3))
 }

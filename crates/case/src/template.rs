@@ -7,13 +7,21 @@ use std::{
     sync::{Mutex, PoisonError},
 };
 
-use crate::{
-    case::{Case, parse},
-    diagnostic::{Diagnostic, Report},
-    names::short,
-    overrides::Override,
-    source::{Disk, Files, read_bounded},
+use wholestring_config::{
+    diagnostic::Report,
+    file::read_file,
+    source::{Disk, Files},
 };
+
+use crate::{build::parse, case::Case, overrides::Override};
+
+/// Reads the case at `path`, and the survey that it names.
+///
+/// # Errors
+/// A report of every mistake that was found, if there is one.
+pub fn load(path: &Path, changes: &[Override]) -> Result<Case, Report> {
+    Template::read(path)?.case(changes)
+}
 
 /// A case file and the files that it names, read once: what becomes of them on the disk while a sweep
 /// goes on does not change its later cases.
@@ -44,22 +52,6 @@ impl Template {
     /// A report of every mistake that was found, if there is one.
     pub fn case(&self, changes: &[Override]) -> Result<Case, Report> {
         parse(&self.name, &self.text, &self.files, changes)
-    }
-}
-
-/// What diagnostics call the file, and what it holds.
-pub(crate) fn read_file(path: &Path, noun: &str) -> Result<(String, Vec<u8>), Report> {
-    let name = path.display().to_string();
-    match read_bounded(path) {
-        Ok(text) => Ok((name, text)),
-        Err(error) => {
-            let why = match error.kind() {
-                io::ErrorKind::NotFound => "there is no such file".to_owned(),
-                _ => short(&error.to_string()),
-            };
-            let diagnostic = Diagnostic::error(format!("the {noun} cannot be read: {why}"));
-            Err(Report::about_file(&name, diagnostic))
-        }
     }
 }
 

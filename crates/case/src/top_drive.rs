@@ -3,13 +3,13 @@
 use wholestring::dynamics::{SpeedController, TopDriveSettings};
 use wholestring_units::Dimension;
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
+    number::Number,
     quantity::Quantity,
-    range::{Number, Range},
+    range::Range,
     reader::Reader,
-    rule::{At, Choice},
-    source::Place,
+    rule::{Choice, Table, Written},
     table::{default, optional, table},
 };
 
@@ -24,10 +24,14 @@ pub(crate) enum Control {
 
 const WORDS: &[(&str, Control)] = &[
     ("constant", Control::Constant),
-    ("pi", Control::Pi),
-    ("soft-torque", Control::SoftTorque),
-    ("z-torque", Control::ZTorque),
+    (PI, Control::Pi),
+    (SOFT_TORQUE, Control::SoftTorque),
+    (Z_TORQUE, Control::ZTorque),
 ];
+
+const PI: &str = "pi";
+const SOFT_TORQUE: &str = "soft-torque";
+const Z_TORQUE: &str = "z-torque";
 
 /// Impedance over the pipe's where the case does not say: SoftTorque sends 0.6 of a wave of its frequency back and
 /// keeps its speed; Z-Torque fits the pipe.
@@ -49,21 +53,22 @@ table! {
         inertia: f64 = default(
             Quantity::si(Dimension::MomentOfInertia, Range::positive_to(1e6).usual(50.0, 1e5), "2900 kg.m2"),
             2900.0,
-        );
+        ).used_with(&[PI, SOFT_TORQUE, Z_TORQUE]);
         /// Torque per speed that is missing. Raising it stiffens the drive. Used by "pi" and "z-torque".
         proportional: f64 = default(
             Quantity::si(Dimension::RotaryDamping, Range::positive_to(1e9).usual(10.0, 1e7), "38 kN.m.s"),
             38e3,
-        );
+        ).used_with(&[PI, Z_TORQUE]);
         /// Torque per radian that is missing. Raising it brings the mean speed back sooner. Used by "pi" and
         /// "z-torque".
         integral: f64 = default(
             Quantity::si(Dimension::Torque, Range::from_to(0.0, 1e9).usual(10.0, 1e7), "100 kN.m"),
             100e3,
-        );
+        ).used_with(&[PI, Z_TORQUE]);
         /// Impedance that the drive shows over that of the uppermost pipe: at 1 it takes all of a wave, above it sends
         /// more of it back and keeps its speed better. Default: 4 with "soft-torque", 1 with "z-torque".
-        impedance_ratio: f64 = optional(Number { unit: "", range: Range::from_to(0.01, 1000.0) });
+        impedance_ratio: f64 = optional(Number { unit: "", range: Range::from_to(0.01, 1000.0) })
+            .used_with(&[SOFT_TORQUE, Z_TORQUE]);
         /// "soft-torque": the frequency that it is tuned to. Default: the lowest torsional frequency of the
         /// string, held at the top and free at the bit. "z-torque": the lower edge of its band. Default: a fifth of
         /// that frequency.
@@ -71,14 +76,14 @@ table! {
             Dimension::Frequency,
             Range::from_to(1e-3, 100.0).usual(0.01, 5.0),
             "0.2 Hz",
-        ));
+        )).used_with(&[SOFT_TORQUE, Z_TORQUE]);
         /// Largest torque that the drive gives: it stalls where the string asks for more. Default: none. Used by
         /// every control but "constant".
         torque_limit: f64 = optional(Quantity::si(
             Dimension::Torque,
             Range::positive_to(1e7).usual(1e3, 2e5),
             "60 kN.m",
-        ));
+        )).used_with(&[PI, SOFT_TORQUE, Z_TORQUE]);
     }
 }
 
@@ -86,39 +91,9 @@ impl TopDriveTable {
     pub(crate) fn build(&self, reader: &mut Reader) -> Option<TopDriveSettings> {
         use Control::{Constant, Pi, SoftTorque, ZTorque};
         let control = self.control.get()?;
-        let uses: [(&str, Option<Place>, &[Control]); 6] = [
-            (
-                "inertia",
-                self.inertia.given().map(place),
-                &[Pi, SoftTorque, ZTorque],
-            ),
-            (
-                "proportional",
-                self.proportional.given().map(place),
-                &[Pi, ZTorque],
-            ),
-            ("integral", self.integral.given().map(place), &[Pi, ZTorque]),
-            (
-                "impedance_ratio",
-                self.impedance_ratio.given().map(place),
-                &[SoftTorque, ZTorque],
-            ),
-            (
-                "frequency",
-                self.frequency.given().map(place),
-                &[SoftTorque, ZTorque],
-            ),
-            (
-                "torque_limit",
-                self.torque_limit.given().map(place),
-                &[Pi, SoftTorque, ZTorque],
-            ),
-        ];
-        for (name, given, owners) in uses {
-            if let Some(place) = given
-                && !owners.contains(control)
-            {
-                self.warn(name, place, owners, reader);
+        for key in self.written() {
+            if !key.is_used_with(word_of(*control)) {
+                self.warn(&key, reader);
             }
         }
         let impedance_ratio = self.impedance_ratio.optional()?.map(|at| at.value);
@@ -148,22 +123,21 @@ impl TopDriveTable {
         })
     }
 
-    fn warn(&self, name: &str, place: Place, owners: &[Control], reader: &mut Reader) {
-        let words: Vec<String> = owners
+    fn warn(&self, key: &Written, reader: &mut Reader) {
+        let words: Vec<String> = key
+            .used_with
             .iter()
-            .map(|owner| format!("\"{}\"", word_of(*owner)))
+            .map(|word| format!("\"{word}\""))
             .collect();
-        let diagnostic = Diagnostic::warning(format!("`{name}` has no effect here"))
-            .at(place, format!("used with control = {}", words.join(", ")));
+        let diagnostic = Diagnostic::warning(format!("`{}` has no effect here", key.name)).at(
+            key.place,
+            format!("used with control = {}", words.join(", ")),
+        );
         reader.report(match self.control.given() {
             Some(control) => diagnostic.at(control.place, "the control"),
             None => diagnostic.help("the control is \"constant\" where none is given"),
         });
     }
-}
-
-fn place<T>(at: &At<T>) -> Place {
-    at.place
 }
 
 fn word_of(control: Control) -> &'static str {

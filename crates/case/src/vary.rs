@@ -1,12 +1,13 @@
 //! Values that a sweep gives to a key, one after the other.
 
-use crate::{
+use wholestring_config::{
     diagnostic::{Diagnostic, Report},
     names::short,
-    overrides::{COMMAND_LINE, Override, Quote},
     reader::Reader,
-    source::Place,
+    source::{COMMAND_LINE, Place},
 };
+
+use crate::overrides::{Override, Quote};
 
 /// One `--vary KEY=VALUES`: a key, and the values that it takes.
 ///
@@ -74,8 +75,13 @@ impl Variation {
 }
 
 impl Variation {
+    /// The values without quotes.
+    pub fn bare_values(&self) -> impl Iterator<Item = &str> {
+        self.values.iter().map(Override::bare)
+    }
+
     /// Takes a value, or those of a range: what it says, and how it is written. Whether it is sound.
-    pub(crate) fn take(
+    pub fn take(
         &mut self,
         [says, written]: [&str; 2],
         quote: Quote,

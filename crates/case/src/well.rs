@@ -1,21 +1,24 @@
 //! `[well]`: the survey, the path through it, and the hole around it.
 
 use wholestring::well::{Hole, Interpolation, Path, PathError, TieIn};
-use wholestring_units::{Dimension, Unit};
+use wholestring_survey::{Said, under_origin};
+use wholestring_units::{Dimension, Unit, number_text};
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
-    hole::HoleTable,
     names::short,
     quantity::Quantity,
-    range::{Range, number_text},
+    range::Range,
     reader::Reader,
-    roughness::RoughnessTable,
     rule::{At, Choice, List, Section, Text},
     source::{Files, Place},
-    stations::{self, LengthUnit, StationRule, Stations},
-    survey::{Said, under_origin},
     table::{optional, required, table},
+};
+
+use crate::{
+    hole::HoleTable,
+    roughness::RoughnessTable,
+    stations::{self, LengthUnit, StationRule, Stations},
 };
 
 /// Beyond the survey's end by more than this a projection deserves a word, m.
@@ -25,9 +28,9 @@ table! {
     /// Position of the first survey station.
     TieInTable in "[well.tie_in]" {
         /// North of the first station, m unless a unit is given.
-        north: f64 = crate::table::default(coordinate(), 0.0);
+        north: f64 = wholestring_config::table::default(coordinate(), 0.0);
         /// East of the first station, m unless a unit is given.
-        east: f64 = crate::table::default(coordinate(), 0.0);
+        east: f64 = wholestring_config::table::default(coordinate(), 0.0);
         /// True vertical depth of the first station, m unless a unit is given. Default: its measured
         /// depth, as if the hole were vertical down to it.
         tvd: f64 = optional(coordinate());
@@ -55,7 +58,7 @@ table! {
         survey_unit: &'static Unit = optional(LengthUnit);
         /// Curve through the survey: "spline" (continuous curvature) or "minimum-curvature"
         /// (circular arcs).
-        path: Interpolation = crate::table::default(
+        path: Interpolation = wholestring_config::table::default(
             Choice {
                 noun: "a path",
                 words: &[

@@ -201,6 +201,8 @@ fn first_difference<'a>(
             .find_map(|key| first_difference(below(key), a.get(key), b.get(key))),
         (Some(Value::Array(a)), Some(Value::Array(b))) => (0..a.len().max(b.len()))
             .find_map(|i| first_difference(below(&i.to_string()), a.get(i), b.get(i))),
+        // What is left out and what is null are the same: earlier versions wrote null.
+        (None, Some(Value::Null)) | (Some(Value::Null), None) => None,
         (a, b) => (a != b && !WITHOUT_EFFECT.contains(&path.as_str())).then_some((path, a, b)),
     }
 }
@@ -226,6 +228,10 @@ mod tests {
         assert_eq!(difference(&there, &there), None);
         let here = json!({"a": {"b": [1, 2.5]}, "dynamics": {"checkpoint_interval_s": 1.0}});
         assert_eq!(difference(&there, &here), None);
+        let null =
+            json!({"a": {"b": [1, 2.5], "c": null}, "dynamics": {"checkpoint_interval_s": 30.0}});
+        assert_eq!(difference(&there, &null), None);
+        assert_eq!(difference(&null, &there), None);
         let tell = |here: Value| difference(&there, &here).unwrap();
         assert_eq!(
             tell(json!({"a": {"b": [1, 3]}})),

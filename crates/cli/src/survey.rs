@@ -3,10 +3,8 @@
 use std::{fs, io, path::Path};
 
 use wholestring::well::{Interpolation, Path as WellPath};
-use wholestring_case::{
-    Diagnostic, Label, Place, Report, Severity, Source, read_file,
-    survey::{self, ImportedSurvey, Said, SurveyError},
-};
+use wholestring_case::{Diagnostic, Label, Place, Report, Severity, Source, read_file};
+use wholestring_survey::{ImportedSurvey, Said, SurveyError, read_as};
 
 use crate::{args::SurveyArgs, color, failure::Failure, say, tell};
 
@@ -52,7 +50,7 @@ fn read(path: &Path, said: &Said) -> Result<ImportedSurvey, Failure> {
         io::ErrorKind::NotFound => unreadable("there is no such file"),
         _ => unreadable(&error.to_string()),
     })?;
-    survey::read_as(&bytes, &name, said).map_err(|error| match report(&error) {
+    read_as(&bytes, &name, said).map_err(|error| match report(&error) {
         Some(report) => Failure::BadInput(report.render(color())),
         None => Failure::BadInput(format!("error: {error}")),
     })

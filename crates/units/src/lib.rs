@@ -43,5 +43,6 @@ mod unit_set;
 
 pub use dimension::Dimension;
 pub use error::{QuantityError, QuantityErrorKind};
+pub use print::number_text;
 pub use unit::{Unit, Written};
 pub use unit_set::{UnitSet, UnknownUnitSet};

@@ -11,6 +11,24 @@ const LARGE: f64 = 1e7;
 /// Below here people are shown a power of ten.
 const SMALL: f64 = 1e-4;
 
+/// A bare number as a person writes it: seven digits at most, a power of ten only where it is very
+/// large or small.
+///
+/// ```
+/// use wholestring_units::number_text;
+///
+/// assert_eq!(number_text(0.1 + 0.2), "0.3");
+/// assert_eq!(number_text(2.1e11), "2.1e11");
+/// ```
+pub fn number_text(value: f64) -> String {
+    let rounded: f64 = format!("{value:.6e}").parse().unwrap_or(value);
+    if rounded != 0.0 && !(1e-4..1e9).contains(&rounded.abs()) {
+        format!("{rounded:e}")
+    } else {
+        format!("{rounded}")
+    }
+}
+
 /// The value in the unit for people to read.
 pub(crate) fn for_people(unit: &Unit, si: f64) -> String {
     let value = unit.from_si(si);

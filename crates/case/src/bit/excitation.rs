@@ -3,11 +3,11 @@
 use wholestring::dynamics::{Band, BitTable as Points, Excitation};
 use wholestring_units::Dimension;
 
-use super::{number, place};
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
+    number::{Count, Number},
     quantity::Quantity,
-    range::{Count, Number, Range},
+    range::Range,
     reader::Reader,
     table::{default, optional, table},
 };
@@ -29,7 +29,7 @@ table! {
         roughness: f64 = default(displacement(), 0.0);
         /// Fluctuation of the bit's torque, rms, as a fraction of the torque. Raising it raises the
         /// noise of the torque. A table of the law "table" may bring its own.
-        torque_fluctuation: f64 = default(number(1.0), 0.0);
+        torque_fluctuation: f64 = default(Number::up_to(1.0), 0.0);
         /// Waves per revolution at which the power density of roughness and torque fluctuation has
         /// fallen to half. Raising it makes the noise finer.
         waves: f64 = default(
@@ -112,9 +112,9 @@ impl ExcitationTable {
             || spreads_weight;
         let noise = "used with `roughness` or `torque_fluctuation`";
         for (place, name, used, with) in [
-            (place(&self.lobes), "lobes", lobed, "used with `amplitude`"),
-            (place(&self.waves), "waves", noisy, noise),
-            (place(&self.frequency), "frequency", noisy, noise),
+            (self.lobes.place(), "lobes", lobed, "used with `amplitude`"),
+            (self.waves.place(), "waves", noisy, noise),
+            (self.frequency.place(), "frequency", noisy, noise),
         ] {
             if let Some(place) = place.filter(|_| !used) {
                 let message = format!("`{name}` has no effect here");

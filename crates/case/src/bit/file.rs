@@ -4,14 +4,16 @@ use std::{f64::consts::PI, ops::Range as Span};
 
 use wholestring::dynamics::TablePoint;
 
-use super::points::MOST;
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
     names::{nearest, short},
     reader::Reader,
     rule::At,
     source::{Files, Place},
 };
+
+/// More lines than this are no table of a bit.
+pub(super) const MOST: usize = 10_000;
 
 /// Columns of the file: name, what one is worth in SI, whether it must be there.
 const COLUMNS: [(&str, f64, bool); 6] = [

@@ -7,7 +7,9 @@ use wholestring::{
     operation::Operation,
 };
 
-use crate::{diagnostic::Diagnostic, range::number_text, reader::Reader, rule::At};
+use wholestring_units::number_text;
+
+use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::At};
 
 /// The set points that stand in the file.
 pub(crate) struct Given<'a> {

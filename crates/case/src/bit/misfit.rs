@@ -2,8 +2,10 @@
 
 use wholestring::rock::bit_face::FaceError;
 
-use super::{BitTable, place};
-use crate::{diagnostic::Diagnostic, range::number_text, source::Place};
+use super::table::BitTable;
+use wholestring_units::number_text;
+
+use wholestring_config::{diagnostic::Diagnostic, rule::Table, source::Place};
 
 /// The key that holds a number which the face names so; the diameters are those of other tables.
 const KEYS: [(&str, &str); 24] = [
@@ -38,11 +40,11 @@ fn millimetres(m: f64) -> String {
 }
 
 /// The mistake, at those of its numbers that stand in the case; `od` is the diameter's place.
-pub(super) fn misfit(error: &FaceError, bit: &BitTable, od: Place) -> Diagnostic {
+pub(crate) fn misfit(error: &FaceError, bit: &BitTable, od: Place) -> Diagnostic {
     let whole = bit.face.at().map_or(od, |at| at.place);
     let given = |key: &str| {
-        let keys = bit.face.get()?.places();
-        keys.iter().find(|(name, _)| *name == key)?.1
+        let keys = bit.face.get()?.written();
+        keys.iter().find(|at| at.name == key).map(|at| at.place)
     };
     // The first of these keys that stands in the case.
     let first = |keys: &[&str]| keys.iter().find_map(|key| given(key)).unwrap_or(whole);
@@ -54,7 +56,7 @@ pub(super) fn misfit(error: &FaceError, bit: &BitTable, od: Place) -> Diagnostic
         } => {
             let (key, place) = match *quantity {
                 "diameter" => ("od", Some(od)),
-                "core diameter" => ("core_diameter", place(&bit.core_diameter)),
+                "core diameter" => ("core_diameter", bit.core_diameter.place()),
                 "tip radius of the inserts" => ("tip_radius", given("tip_radius")),
                 other => {
                     let known = KEYS.iter().find(|(name, _)| *name == other);

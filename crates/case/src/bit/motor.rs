@@ -1,12 +1,13 @@
 //! `[bit.motor]`.
 
 use wholestring::dynamics::MudMotor;
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, number_text};
 
-use crate::{
+use wholestring_config::{
     diagnostic::Diagnostic,
+    number::Number,
     quantity::Quantity,
-    range::{Number, Range, number_text},
+    range::Range,
     reader::Reader,
     rule::At,
     source::Place,

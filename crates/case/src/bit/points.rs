@@ -4,22 +4,19 @@ use std::f64::consts::PI;
 
 use serde_json::json;
 use wholestring::dynamics::{BitTable as Points, TableFault, TablePoint};
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, number_text};
 
-use super::file;
-use crate::{
+use super::file::{self, MOST};
+use wholestring_config::{
     diagnostic::Diagnostic,
     node::{Node, Value},
     quantity::Quantity,
-    range::{Range, number_text},
+    range::Range,
     reader::Reader,
     rule::{At, List, Rule, Text},
     source::{Files, Place},
     table::{optional, table},
 };
-
-/// More lines than this are no table of a bit.
-pub(super) const MOST: usize = 10_000;
 
 table! {
     /// A law that was measured: rate of penetration and torque against weight on bit and rotary speed of the bit,

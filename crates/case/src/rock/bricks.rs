@@ -2,8 +2,12 @@
 
 use wholestring::rock::{BitShape, DrillingSpec, Rock};
 
-use super::{Places, RockTable, place};
-use crate::{bit::BitTable, diagnostic::Diagnostic, range::number_text, reader::Reader};
+use wholestring_units::number_text;
+
+use wholestring_config::{diagnostic::Diagnostic, reader::Reader, source::Place};
+
+use super::table::RockTable;
+use crate::bit::{self, BitTable};
 
 /// Where the case does not say: bricks across the bit, and over how far the cutters stand out of its body.
 const BRICKS_ACROSS: f64 = 18.0;
@@ -16,6 +20,15 @@ const WIDEST: f64 = 0.25;
 
 /// More bricks than this fill the memory.
 const MOST_BRICKS: f64 = 4e6;
+/// Where tables stand.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Places {
+    /// The rock's.
+    pub(crate) rock: Place,
+    /// The bit's diameter.
+    pub(crate) od: Place,
+}
+
 impl RockTable {
     /// The rock in bricks under a bit `diameter_m` wide.
     pub(super) fn drilling(
@@ -55,7 +68,7 @@ impl RockTable {
         let mut spec = match DrillingSpec::new(rock, shape, size_m) {
             Ok(spec) => spec,
             Err(error) => {
-                reader.report(bit.misfit(&error, places.od));
+                reader.report(bit::misfit(&error, bit, places.od));
                 return None;
             }
         };
@@ -80,9 +93,11 @@ impl RockTable {
         }
         let count = spec.block.cells.iter().map(|&n| n as f64).product::<f64>();
         if count > MOST_BRICKS {
-            let place = place(&self.element_size)
-                .or(place(&self.beside))
-                .or(place(&self.below));
+            let place = self
+                .element_size
+                .place()
+                .or(self.beside.place())
+                .or(self.below.place());
             reader.report(
                 Diagnostic::error(format!(
                     "the rock would be cut into {} bricks",

@@ -2,8 +2,11 @@
 
 use wholestring::rock::{BitShape, DrillingSpec};
 
-use super::{RockTable, place};
-use crate::{diagnostic::Diagnostic, range::number_text, reader::Reader, source::Place};
+use wholestring_units::number_text;
+
+use wholestring_config::{diagnostic::Diagnostic, reader::Reader, source::Place};
+
+use super::table::RockTable;
 
 /// Part of the strength that scaled density times the square of the rim's speed may be: the mean forces then move by
 /// less than 5 %.
@@ -33,7 +36,7 @@ impl RockTable {
                 "at {speed} rev/min the bit feels the inertia of the rock, whose density is scaled"
             ))
             .at(
-                place(&self.density_factor).unwrap_or(whole),
+                self.density_factor.place().unwrap_or(whole),
                 format!(
                     "expected a density_factor of {} or less",
                     number_text(most.floor())
@@ -45,9 +48,10 @@ impl RockTable {
 
     /// What makes the bricks heavy, if it stands in the case.
     pub(crate) fn weighty_place(&self) -> Option<Place> {
-        place(&self.density_factor)
-            .or(place(&self.element_size))
-            .or(place(&self.density))
+        self.density_factor
+            .place()
+            .or(self.element_size.place())
+            .or(self.density.place())
     }
 
     /// Refuses what would take weeks: the rock moving for so long.
@@ -70,7 +74,7 @@ impl RockTable {
         reader.report(
             Diagnostic::error(message)
                 .at(
-                    place(&self.element_size).unwrap_or(whole),
+                    self.element_size.place().unwrap_or(whole),
                     format!(
                         "steps of {} s",
                         number_text(format!("{step_s:.1e}").parse().unwrap_or(step_s))

@@ -2,8 +2,11 @@
 
 use wholestring::rock::{Rock, RockError};
 
-use super::{DEGREE, RockTable, place};
-use crate::{diagnostic::Diagnostic, range::number_text, reader::Reader, source::Place};
+use wholestring_units::number_text;
+
+use wholestring_config::{diagnostic::Diagnostic, reader::Reader, source::Place};
+
+use super::table::{DEGREE, RockTable};
 
 impl RockTable {
     /// The rock; `place` is that of the table.
@@ -102,22 +105,22 @@ impl RockTable {
                 expected,
             } => {
                 let known = [
-                    ("the density", place(&self.density)),
-                    ("Young's modulus", place(&self.youngs_modulus)),
-                    ("Poisson's ratio", place(&self.poisson_ratio)),
-                    ("the cohesion", place(&self.cohesion)),
-                    ("the friction angle", place(&self.friction_angle)),
-                    ("the dilation angle", place(&self.dilation_angle)),
-                    ("the tensile strength", place(&self.tensile_strength)),
+                    ("the density", self.density.place()),
+                    ("Young's modulus", self.youngs_modulus.place()),
+                    ("Poisson's ratio", self.poisson_ratio.place()),
+                    ("the cohesion", self.cohesion.place()),
+                    ("the friction angle", self.friction_angle.place()),
+                    ("the dilation angle", self.dilation_angle.place()),
+                    ("the tensile strength", self.tensile_strength.place()),
                     (
                         "the fracture energy in tension",
-                        place(&self.tensile_fracture_energy),
+                        self.tensile_fracture_energy.place(),
                     ),
                     (
                         "the fracture energy in compression",
-                        place(&self.compressive_fracture_energy),
+                        self.compressive_fracture_energy.place(),
                     ),
-                    ("the crushing energy", place(&self.crushing_energy)),
+                    ("the crushing energy", self.crushing_energy.place()),
                 ];
                 let found = known.iter().find(|(name, _)| name == quantity);
                 let message = format!("no rock has this: {quantity}");
@@ -130,17 +133,17 @@ impl RockTable {
                 let most = number_text((largest_m * 1e4).floor() * 1e-1);
                 Diagnostic::error("the bricks are too large for this rock: they would snap, not soften")
                     .at(
-                        place(&self.element_size)
-                            .or(place(&self.crushing_energy))
-                            .or(place(&self.tensile_fracture_energy))
-                            .or(place(&self.compressive_fracture_energy))
+                        self.element_size.place()
+                            .or(self.crushing_energy.place())
+                            .or(self.tensile_fracture_energy.place())
+                            .or(self.compressive_fracture_energy.place())
                             .unwrap_or(whole),
                         format!("expected bricks below {most} mm"),
                     )
                     .help("raise crushing_energy or youngs_modulus, or lower element_size and raise the fracture energies: a brick holds more elastic energy than its failure takes")
             }
             RockError::Cells(..) => Diagnostic::error(error.to_string())
-                .at(place(&self.element_size).unwrap_or(whole), "raise it"),
+                .at(self.element_size.place().unwrap_or(whole), "raise it"),
         }
     }
 }

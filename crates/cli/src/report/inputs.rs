@@ -108,8 +108,11 @@ fn list_sheet(title: &str, list: &[Json]) -> Sheet {
     };
     // What no item has is no column.
     names.retain(|name| flat.iter().any(|cells| value(cells, name) != Cell::Nothing));
-    // What a thing is called comes first.
-    names.sort_by_key(|name| !["Component", "Kind", "At"].contains(&name.as_str()));
+    // What a thing is called comes first; items that lack a key do not move its column.
+    names.sort_by_key(|name| {
+        let first = ["Component", "Kind", "At"].contains(&name.as_str());
+        (!first, name.to_lowercase())
+    });
     let rows = flat
         .iter()
         .map(|cells| names.iter().map(|name| value(cells, name)).collect())
@@ -144,14 +147,14 @@ fn cell(key: &str, value: &Json) -> Cell {
         Json::String(text) => Cell::Text(text.clone()),
         Json::Number(number) => {
             let value = number.as_f64().unwrap_or(f64::NAN);
-            match dimensions::of_key(key) {
+            match dimensions::of_setting(key) {
                 Some((dimension, _)) => Cell::quantity(value, dimension),
                 None => Cell::number(value),
             }
         }
         Json::Array(items) => {
             let values: Vec<f64> = items.iter().filter_map(Json::as_f64).collect();
-            if let Some((dimension, _)) = dimensions::of_key(key)
+            if let Some((dimension, _)) = dimensions::of_setting(key)
                 && !items.is_empty()
                 && values.len() == items.len()
             {
@@ -172,7 +175,7 @@ fn cell(key: &str, value: &Json) -> Cell {
 
 /// A key as people read it, without its unit: `bit_depth_m` is the bit depth.
 fn label(key: &str) -> String {
-    let name = dimensions::of_key(key).map_or(key, |(_, name)| name);
+    let name = dimensions::of_setting(key).map_or(key, |(_, name)| name);
     match name {
         "md" => return "Measured depth".into(),
         "od" => return "OD".into(),

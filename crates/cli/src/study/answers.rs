@@ -6,8 +6,8 @@ use std::{
 };
 
 use wholestring::outcome::ModelKind;
-use wholestring_case::study::{Chosen, Quantity, Selection, Source, Statistic};
 use wholestring_results::{Level, OperationSummary, ResultsError, Status, Summary, Table};
+use wholestring_study::{Chosen, Quantity, Selection, Source, Statistic};
 
 use crate::{
     column::{numbers, words},

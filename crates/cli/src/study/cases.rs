@@ -2,10 +2,8 @@
 
 use std::{collections::BTreeMap, path::Path};
 
-use wholestring_case::{
-    Override, Template,
-    study::{Study, Sweep},
-};
+use wholestring_case::{Override, Template};
+use wholestring_study::{Study, Sweep};
 
 use crate::{
     color,

@@ -1,8 +1,8 @@
 //! What figures and tables of a study may show, and what people call it.
 
 use wholestring::dynamics::DynamicOutcome;
-use wholestring_case::study::{ColumnName, Quantity, Source};
 use wholestring_results::{CONTACT, ColumnSpec, FRAMES, NODES, TIME, WEAR};
+use wholestring_study::{ColumnName, Quantity, Source};
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::{

@@ -1,8 +1,8 @@
 //! Curves of a figure: what they show, and their data as a table.
 
 use wholestring::outcome::ModelKind;
-use wholestring_case::study::{Figure, FigureData, Quantity, Source, Statistic};
 use wholestring_results::{Column, Data, ResultsError, Table};
+use wholestring_study::{Figure, FigureData, Quantity, Source, Statistic};
 
 use super::{
     answers::{Answer, Answers, Series, keys_of},

@@ -1,7 +1,7 @@
 //! How curves of a study look, and what tells them apart.
 
-use wholestring_case::study::{Figure, FigureData, Source};
 use wholestring_report::figure::{Ink, Key, Sample, Stroke};
+use wholestring_study::{Figure, FigureData, Source};
 use wholestring_units::{Dimension, UnitSet};
 
 use super::{

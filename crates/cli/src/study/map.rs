@@ -1,11 +1,11 @@
 //! Contact over time and depth, as a map for each case.
 
-use wholestring_case::study::{Figure, Quantity, Source};
 use wholestring_report::{
     ContactMap, contact_figure,
     figure::{Figure as Picture, Hue},
 };
 use wholestring_results::ResultsError;
+use wholestring_study::{Figure, Quantity, Source};
 use wholestring_units::{Dimension, UnitSet};
 
 use super::{

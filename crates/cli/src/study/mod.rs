@@ -12,9 +12,10 @@ mod texts;
 
 use std::path::Path;
 
-use wholestring_case::{Report, study::Study};
+use wholestring_case::Report;
 use wholestring_report::{StudyPage, StudyPart, study_html};
 use wholestring_results::ResultsFolder;
+use wholestring_study::Study;
 
 use self::{answers::Answers, cases::Templates, numbers::Computed};
 use crate::{
@@ -32,7 +33,7 @@ use crate::{
 pub(crate) fn study(args: &StudyArgs) -> Result<(), Failure> {
     let refused = |report: Report| Failure::BadInput(report.render(color()));
     args.kept.check(&args.batch)?;
-    let study = wholestring_case::study::load(&args.study, &columns::all()).map_err(refused)?;
+    let study = wholestring_study::load(&args.study, &columns::all()).map_err(refused)?;
     if !args.batch.quiet && !study.warnings.is_empty() {
         tell(&study.warnings.render(color()));
     }

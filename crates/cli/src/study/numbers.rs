@@ -1,8 +1,8 @@
 //! The numbers of a table.
 
 use wholestring::dynamics::Statistic as Distribution;
-use wholestring_case::study::{Number, NumberTable, Row, Selection, Shape, Source, Statistic};
 use wholestring_results::ResultsError;
+use wholestring_study::{Number, NumberTable, Row, Selection, Shape, Source, Statistic};
 
 use super::{
     answers::{Answer, Answers, Series},

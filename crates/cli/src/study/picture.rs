@@ -1,12 +1,12 @@
 //! A figure of a study as a picture.
 
-use wholestring_case::study::{Figure, FigureData, Level, Pointing, Quantity, Source};
 use wholestring_report::{
     Level as Grave,
     figure::{
         Axis, Direction, Figure as Picture, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape,
     },
 };
+use wholestring_study::{Figure, FigureData, Level, Pointing, Quantity, Source};
 use wholestring_units::UnitSet;
 
 use super::{

@@ -1,8 +1,8 @@
 //! A table of a study: as data, as Markdown, and for its page.
 
-use wholestring_case::study::{Row, Wanted};
 use wholestring_report::{Grid, Head, Verdict};
 use wholestring_results::{Column, Data, Table};
+use wholestring_study::{Row, Wanted};
 use wholestring_units::UnitSet;
 
 use super::{

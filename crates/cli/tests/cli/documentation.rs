@@ -67,5 +67,5 @@ fn list(page: &str, schema: &Value) {
 #[test]
 fn the_pages_list_every_key() {
     list("case-file.md", &wholestring_case::schema());
-    list("study.md", &wholestring_case::study_schema());
+    list("study.md", &wholestring_study::schema());
 }

@@ -1,9 +1,7 @@
 //! Cases, what is set and varied in them, studies, the tables of bits, and quantities.
 
-use wholestring_case::{
-    InMemory, Override, Report, Variation, parse,
-    study::{self, ColumnName, Source},
-};
+use wholestring_case::{InMemory, Override, Report, Variation, parse};
+use wholestring_study::{self as study, ColumnName, Source};
 use wholestring_units::Dimension;
 
 use super::Reader;

@@ -1,6 +1,6 @@
 //! Surveys in every format.
 
-#[path = "../../../case/tests/old_excel/mod.rs"]
+#[path = "../../../survey/tests/old_excel/mod.rs"]
 mod old_excel;
 
 use std::{
@@ -9,7 +9,7 @@ use std::{
 };
 
 use fastrand::Rng;
-use wholestring_case::survey::{ImportedSurvey, Said, SurveyError, read_as};
+use wholestring_survey::{ImportedSurvey, Said, SurveyError, read_as};
 use wholestring_units::Dimension;
 use zip::{CompressionMethod, ZipWriter, write::SimpleFileOptions};
 

@@ -1,7 +1,11 @@
 //! Keys that do not suit the kind of bit, and cutters that suit none.
 
-use super::{FaceTable, Kind, Tip};
-use crate::{diagnostic::Diagnostic, range::number_text, reader::Reader};
+use wholestring_units::number_text;
+
+use wholestring_config::{diagnostic::Diagnostic, names::any_of, reader::Reader, rule::Table};
+
+use super::table::{FaceTable, Tip};
+use crate::bit::kind::Kind;
 
 /// Finer cutters than this part of the bit's diameter are no bit's.
 const FINEST: f64 = 0.02;
@@ -30,38 +34,20 @@ impl FaceTable {
     }
 
     pub(super) fn warn_of_idle_keys(&self, kind: Kind, reader: &mut Reader) {
-        const OF_INSERTS: [&str; 7] = [
-            "insert_diameter",
-            "insert_shape",
-            "half_angle",
-            "tip_radius",
-            "protrusion",
-            "rows",
-            "pitch",
-        ];
-        const OF_ALL: [&str; 6] = [
-            "cone_angle",
-            "nose",
-            "nose_radius",
-            "shoulder_radius",
-            "gauge_length",
-            "gauge_relief",
-        ];
         let cones = self.insert_shape.get() == Some(&Tip::Cone);
-        for (name, given) in self.places() {
-            let Some(given) = given else { continue };
-            let why = match name {
-                "cone_angle" if kind == Kind::Core => "a core bit has no cone",
-                name if OF_ALL.contains(&name) => continue,
-                name if OF_INSERTS.contains(&name) && kind != Kind::Inserts => {
-                    "used with kind = \"inserts\""
+        for key in self.written() {
+            let why = match key.name {
+                "cone_angle" if kind == Kind::Core => "a core bit has no cone".to_owned(),
+                _ if !key.is_used_with(kind.word()) => {
+                    format!("used with kind = {}", any_of(key.used_with))
                 }
-                "half_angle" | "tip_radius" if !cones => "used with insert_shape = \"cone\"",
-                name if OF_INSERTS.contains(&name) || kind != Kind::Inserts => continue,
-                _ => "used with kind = \"pdc\" or \"core\"",
+                "half_angle" | "tip_radius" if !cones => {
+                    "used with insert_shape = \"cone\"".to_owned()
+                }
+                _ => continue,
             };
-            let message = format!("`{name}` has no effect here");
-            reader.report(Diagnostic::warning(message).at(given, why));
+            let message = format!("`{}` has no effect here", key.name);
+            reader.report(Diagnostic::warning(message).at(key.place, why));
         }
     }
 }

@@ -1,9 +1,14 @@
 //! The numbers of a bit, from the keys and the defaults.
 
-use wholestring::rock::bit_face::{InsertBit, InsertShape, PdcBit};
+use wholestring::rock::{
+    BitShape,
+    bit_face::{InsertBit, InsertShape, PdcBit},
+};
 
-use super::{DEGREE, FaceTable, Tip};
-use crate::table::Field;
+use wholestring_config::{reader::Reader, table::Field};
+
+use super::table::{DEGREE, FaceTable, Tip};
+use crate::bit::kind::Kind;
 
 /// Cones of inserts where the case does not say: between side and axis, and the tip's radius over the insert's diameter.
 const HALF_ANGLE_RAD: f64 = 35.0 * DEGREE;
@@ -27,7 +32,24 @@ fn set_count(count: &mut usize, field: &Field<u64>) -> Option<bool> {
 }
 
 impl FaceTable {
-    pub(super) fn blades(&self, diameter_m: f64, core_diameter_m: f64) -> Option<PdcBit> {
+    /// The numbers of the bit, those that the case does not have by default.
+    pub(crate) fn shape(
+        &self,
+        kind: Kind,
+        diameter_m: f64,
+        core_diameter_m: f64,
+        reader: &mut Reader,
+    ) -> Option<BitShape> {
+        self.warn_of_idle_keys(kind, reader);
+        self.check_width(diameter_m, reader)?;
+        if kind == Kind::Inserts {
+            self.inserts(diameter_m).map(BitShape::Insert)
+        } else {
+            self.blades(diameter_m, core_diameter_m).map(BitShape::Pdc)
+        }
+    }
+
+    fn blades(&self, diameter_m: f64, core_diameter_m: f64) -> Option<PdcBit> {
         let mut bit = if core_diameter_m > 0.0 {
             PdcBit::core(diameter_m, core_diameter_m)
         } else {
@@ -61,7 +83,7 @@ impl FaceTable {
         Some(if counted { bit } else { bit.filled() })
     }
 
-    pub(super) fn inserts(&self, diameter_m: f64) -> Option<InsertBit> {
+    fn inserts(&self, diameter_m: f64) -> Option<InsertBit> {
         let mut bit = InsertBit::for_diameter(diameter_m);
         set(&mut bit.insert_diameter_m, &self.insert_diameter)?;
         bit.protrusion_m = 0.5 * bit.insert_diameter_m;

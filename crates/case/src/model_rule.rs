@@ -1,0 +1,54 @@
+//! Models by name.
+
+use wholestring::outcome::ModelKind;
+use wholestring_config::{
+    Json,
+    diagnostic::Diagnostic,
+    node::{Node, Value},
+    reader::Reader,
+    rule::{Choice, Rule},
+};
+
+/// The models that can solve a case.
+pub(crate) const MODELS: &[(&str, ModelKind)] = &[
+    (ModelKind::Soft.name(), ModelKind::Soft),
+    (ModelKind::Dynamic.name(), ModelKind::Dynamic),
+];
+
+/// A model by name; the stiff string is known, but not built.
+#[derive(Debug, Clone, Copy)]
+pub struct ModelRule;
+
+impl ModelRule {
+    fn choice() -> Choice<ModelKind> {
+        Choice {
+            noun: "a model",
+            words: MODELS,
+        }
+    }
+}
+
+impl Rule for ModelRule {
+    type Value = ModelKind;
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<ModelKind> {
+        if let Value::Text { text, .. } = &node.value
+            && text == "stiff"
+        {
+            reader.report(
+                Diagnostic::error("the stiff string is not built yet")
+                    .at(node.place, "expected \"soft\" or \"dynamic\""),
+            );
+            return None;
+        }
+        Self::choice().read(node, reader)
+    }
+
+    fn schema(&self) -> Json {
+        Self::choice().schema()
+    }
+
+    fn json(&self, value: &ModelKind) -> Json {
+        Self::choice().json(value)
+    }
+}

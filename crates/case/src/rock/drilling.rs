@@ -1,0 +1,61 @@
+//! What the bit drills.
+
+use wholestring::rock::DrillingSpec;
+
+use wholestring_config::{
+    diagnostic::Diagnostic, reader::Reader, rule::At, source::Place, table::Field,
+};
+
+use super::{bricks::Places, table::RockTable};
+use crate::bit::BitTable;
+
+/// What the bit drills, if anything asks for solid rock: `asks` is where.
+pub(crate) fn drilling(
+    table: &Field<RockTable>,
+    bit: &BitTable,
+    asks: Option<(Place, &str)>,
+    lowest: Option<(f64, Place)>,
+    reader: &mut Reader,
+) -> Option<Option<DrillingSpec>> {
+    let rock = match (table.given(), asks) {
+        (None, None) => return Some(None),
+        (Some(given), None) => {
+            reader.report(
+                Diagnostic::warning("[rock] has no effect here")
+                    .at(given.place, "used with law = \"rock\", and by a bit test")
+                    .help("set the law under [bit], or add [bit_test]"),
+            );
+            return Some(None);
+        }
+        (None, Some((place, who))) => {
+            if !matches!(table, Field::Bad) {
+                reader.report(
+                    Diagnostic::error(format!("{who} needs a rock"))
+                        .at(place, "[rock] is missing")
+                        .help("such as [rock] with strength = \"60 MPa\""),
+                );
+            }
+            return None;
+        }
+        (Some(given), Some(_)) => given,
+    };
+    build(rock, bit, lowest, reader).map(Some)
+}
+
+fn build(
+    table: &At<RockTable>,
+    bit: &BitTable,
+    lowest: Option<(f64, Place)>,
+    reader: &mut Reader,
+) -> Option<DrillingSpec> {
+    let rock = table.value.rock(table.place, reader);
+    let (diameter_m, od) = lowest?;
+    let shape = bit.shape(0.5 * diameter_m, reader)?;
+    let places = Places {
+        rock: table.place,
+        od,
+    };
+    table
+        .value
+        .drilling(rock?, shape, diameter_m, (bit, places), reader)
+}

@@ -1,0 +1,74 @@
+//! `bit` in the record of a run.
+
+use serde_json::{Value as Json, json};
+use wholestring::{
+    dynamics::{Band, BitLaw, BitSettings, BitTable, Excitation, Motor, TablePoint},
+    operation::Operation,
+};
+
+use super::fields::{Fields, json as to_json};
+
+/// The bit, with the keys of its law alone.
+pub(super) fn bit(bit: &BitSettings, operations: &[Operation]) -> Fields {
+    let torque_N_m = operations.first().map(|operation| operation.bit_torque_N_m);
+    Fields::of(bit)
+        .without(["law", "motor"])
+        .with("torque_N_m", to_json(&torque_N_m))
+        .and(motor(&bit.motor))
+        .and(law(&bit.law))
+}
+
+fn motor(motor: &Motor) -> Fields {
+    match motor {
+        Motor::Speed(speed) => Fields::empty().with("motor_speed_rad_per_s", to_json(speed)),
+        Motor::Displacement(motor) => Fields::empty().with(
+            "motor",
+            Fields::of(motor).renamed([("max_pressure_Pa", "max_differential_pressure_Pa")]),
+        ),
+    }
+}
+
+fn law(law: &BitLaw) -> Fields {
+    let fields = Fields::tagged("law", law).spread("cutters", "");
+    let shaken = match law {
+        BitLaw::Rate(law) => law.excitation,
+        BitLaw::DetournayDefourny(law) => law.excitation,
+        BitLaw::Table(law) => law.excitation,
+        BitLaw::Regenerative(_) => return fields,
+        // Rock and face stand in tables of their own, those of a bit test too.
+        BitLaw::Rock(_) => return fields.without(["drilling"]),
+    };
+    let fields = fields.with("excitation", shaken.as_ref().map(excitation));
+    match law {
+        BitLaw::Table(law) => fields.with("table", points(&law.table)),
+        _ => fields,
+    }
+}
+
+fn excitation(shaken: &Excitation) -> Json {
+    let (waves, frequency) = match shaken.band {
+        Band::PerRevolution(waves) => (Some(waves), None),
+        Band::PerSecond(frequency) => (None, Some(frequency)),
+    };
+    Fields::of(shaken)
+        .without(["band"])
+        .with("waves", waves)
+        .with("frequency_per_s", frequency)
+        .into()
+}
+
+/// What was measured, column by column.
+fn points(table: &BitTable) -> Json {
+    let points = table.points();
+    let column = |of: fn(&TablePoint) -> f64| points.iter().map(of).collect::<Vec<_>>();
+    let spread =
+        |of: fn(&TablePoint) -> Option<f64>| points.iter().map(of).collect::<Option<Vec<_>>>();
+    json!({
+        "weight_on_bit_N": column(|p| p.weight_on_bit_N),
+        "rotary_speed_rad_per_s": column(|p| p.rotary_speed_rad_per_s),
+        "rate_of_penetration_m_per_s": column(|p| p.rate_of_penetration_m_per_s),
+        "torque_N_m": column(|p| p.torque_N_m),
+        "torque_std_N_m": spread(|p| p.torque_std_N_m),
+        "weight_on_bit_std_N": spread(|p| p.weight_on_bit_std_N),
+    })
+}

@@ -1,0 +1,47 @@
+//! `hoist` and `top_drive` in the record of a run.
+
+use wholestring::{
+    dynamics::{DynamicsSettings, HoistControl, TopDriveSettings},
+    operation::Operation,
+};
+
+use super::fields::Fields;
+use crate::rig::{HoistTable, TUNED_LIFT};
+
+/// The control as chosen; `null` leaves it to the operation. The numbers of a control that nothing puts in control are
+/// `null`.
+pub(super) fn hoist(
+    dynamics: &DynamicsSettings,
+    operations: &[Operation],
+    table: Option<&HoistTable>,
+) -> Fields {
+    let control = table.and_then(HoistTable::control_word);
+    let tuned = control == Some(TUNED_LIFT);
+    let on_bottom = operations.iter().any(|one| one.kind.on_bottom());
+    let by_itself = dynamics.hoist_control.is_none() && !tuned && on_bottom;
+    let automatic = by_itself
+        || dynamics.hoist_control == Some(HoistControl::Autodriller)
+        || dynamics.schedule.holds_a_weight();
+    let autodriller = Fields::of(&dynamics.autodriller);
+    let (velocity, load) = match dynamics.hoist_control {
+        Some(HoistControl::BlockVelocity(velocity)) => (Some(velocity), None),
+        Some(HoistControl::HookLoad(load)) => (None, Some(load)),
+        Some(HoistControl::Autodriller) | None => (None, None),
+    };
+    Fields::of(&dynamics.hoist_line)
+        .renamed([("block_mass_kg", "mass_kg")])
+        .and(if automatic {
+            autodriller
+        } else {
+            autodriller.nulled()
+        })
+        .with("control", control)
+        .with("block_velocity_m_per_s", velocity)
+        .with("hook_load_N", load)
+        .with("tolerance", tuned.then_some(dynamics.lift_tolerance))
+}
+
+/// The drive as it runs; what it finds by itself from the string is `null`.
+pub(super) fn top_drive(drive: &TopDriveSettings) -> Fields {
+    Fields::tagged("control", drive).spread_variant("controller", "control")
+}

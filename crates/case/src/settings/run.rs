@@ -1,0 +1,50 @@
+//! `dynamics` and `records` in the record of a run.
+
+use serde_json::{Value as Json, json};
+use wholestring::dynamics::{ContactLaw, DynamicsSettings};
+
+use super::fields::Fields;
+use crate::{records::Records, settle::AUTO};
+
+pub(super) fn run(dynamics: &DynamicsSettings, checkpoint_interval_s: Option<f64>) -> Fields {
+    let fields = Fields::of(dynamics)
+        // These stand in tables of their own.
+        .without([
+            "element_length_m",
+            "hoist_control",
+            "autodriller",
+            "hoist_line",
+        ])
+        .without(["lift_tolerance", "top_drive", "schedule", "bit", "probes"])
+        .without(["steady"])
+        .spread("centred", "start_")
+        .spread_variant("contact_law", "contact_law")
+        .words(["start", "start_tension", "friction_law", "precision"])
+        .with("checkpoint_interval_s", checkpoint_interval_s);
+    let fields = match dynamics.contact_law {
+        ContactLaw::Hertz { .. } => {
+            fields.renamed([("dissipation_s_per_m", "hertz_dissipation_s_per_m")])
+        }
+        ContactLaw::Linear { .. } => fields.renamed([
+            ("stiffness_N_per_m", "contact_stiffness_N_per_m"),
+            ("damping_ratio", "contact_damping_ratio"),
+        ]),
+    };
+    match dynamics.steady {
+        // A word where the run finds it: what it was stands in the numerics of each operation.
+        Some(_) => fields.with("settle_s", AUTO),
+        None => fields,
+    }
+}
+
+pub(super) fn records(records: &Records) -> Fields {
+    let channels = records.channels.iter().map(|channel| channel.name());
+    let spectra = records.spectra.iter().map(|signal| signal.name());
+    let probes = records.probes.iter();
+    let probes = probes.map(|probe| json!({ "md_m": probe.md_m, "signal": probe.signal.name() }));
+    Fields::of(records)
+        .without(["probes"])
+        .with("channels", channels.collect::<Vec<_>>())
+        .with("spectra", spectra.collect::<Vec<_>>())
+        .with("node_spectra", probes.collect::<Json>())
+}

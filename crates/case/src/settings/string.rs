@@ -1,0 +1,28 @@
+//! `string` in the record of a run.
+
+use serde_json::Value as Json;
+use wholestring::string::{Component, DrillString};
+
+use super::fields::Fields;
+
+pub(super) fn string(string: &DrillString) -> Json {
+    let components = string.components().iter();
+    components.map(|of| Json::from(component(of))).collect()
+}
+
+/// What a component does not have, joints, blades, a bend or an eccentricity, is left out.
+fn component(component: &Component) -> Fields {
+    Fields::of(component)
+        .renamed([("name", "component")])
+        .spread("material", "")
+        .spread("joints", "joint_")
+        .spread("blades", "blade_")
+        .spread("bend", "bend_")
+        .spread("eccentricity", "eccentricity_")
+        .renamed([
+            ("bend_angle_rad", "bend_rad"),
+            ("bend_from_lower_end_m", "bend_at_m"),
+            ("eccentricity_offset_m", "eccentricity_m"),
+        ])
+        .words(["eccentricity_cavity"])
+}

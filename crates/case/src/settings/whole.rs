@@ -1,0 +1,88 @@
+//! All tables of the record of a run.
+
+use serde_json::{Value as Json, json};
+use wholestring::{
+    dynamics::DynamicsSettings, model::Model, operation::Operation, outcome::ModelKind,
+    rock::DrillingSpec,
+};
+use wholestring_units::UnitSet;
+
+use super::{
+    bit,
+    fields::{Fields, json as to_json},
+    hoist, operation, rock, run, string, well,
+};
+use crate::{bit_test::BitTest, case_table::CaseTable, records::Records};
+
+/// What was made of the tables of a case.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Given<'a> {
+    pub(crate) name: &'a str,
+    pub(crate) units: UnitSet,
+    pub(crate) models: &'a [ModelKind],
+    pub(crate) model: &'a Model,
+    pub(crate) operations: &'a [Operation],
+    pub(crate) dynamics: &'a DynamicsSettings,
+    pub(crate) records: &'a Records,
+    pub(crate) drilling: Option<&'a DrillingSpec>,
+    pub(crate) bit_test: Option<&'a BitTest>,
+}
+
+/// What the solvers were given, in SI, with units in the names of the keys.
+pub(crate) fn settings(given: &Given<'_>, case: &CaseTable) -> Json {
+    let Given {
+        name,
+        units,
+        models,
+        model,
+        operations,
+        dynamics,
+        records,
+        drilling,
+        bit_test,
+    } = *given;
+    let survey = case.well.get().and_then(|well| well.survey.get());
+    let dynamics_table = case.dynamics.get();
+    let checkpoint_interval_s = dynamics_table.and_then(|of| of.checkpoint_interval.get());
+    let mut bit = bit::bit(&dynamics.bit, operations);
+    if let Some(drilling) = drilling {
+        bit = bit.with("face", rock::face(&drilling.bit));
+    }
+    let mut whole = Fields::empty()
+        .with("name", name)
+        .with(
+            "model",
+            models.iter().map(|of| of.name()).collect::<Vec<_>>(),
+        )
+        .with("units", units.name())
+        .with("well", well::well(&model.well, survey))
+        .with("mud", Fields::of(&model.mud).tag_inside("rheology", "law"))
+        .with("string", string::string(&model.string))
+        .with("bit", bit)
+        .with("rig", to_json(&model.rig))
+        .with(
+            "hoist",
+            hoist::hoist(dynamics, operations, case.hoist.get()),
+        )
+        .with("top_drive", hoist::top_drive(&dynamics.top_drive))
+        .with(
+            "operation",
+            operation::operation(operations, &dynamics.schedule),
+        )
+        .with(
+            "mesh",
+            json!({ "element_length_m": dynamics.element_length_m }),
+        )
+        .with(
+            "dynamics",
+            run::run(dynamics, checkpoint_interval_s.copied()),
+        )
+        .with("records", run::records(records));
+    if let Some(drilling) = drilling {
+        whole = whole.with("rock", rock::rock(drilling));
+    }
+    if let Some(test) = bit_test {
+        whole = whole.with("bit_test", rock::bit_test(test));
+    }
+    whole.into()
+}

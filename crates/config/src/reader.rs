@@ -1,0 +1,201 @@
+//! Collects what is wrong while a case is read, so that all of it is reported at once.
+
+use serde_json::Value as Json;
+use wholestring_units::UnitSet;
+
+use crate::{
+    bare::Bare,
+    diagnostic::{Diagnostic, Report, Severity},
+    kind::Kind,
+    names::{nearest, short},
+    node::{Entries, Node, Value},
+    schema::homes_of,
+    source::{COMMAND_LINE, Place, Source},
+};
+
+/// The texts read so far and the mistakes found in them.
+#[derive(Debug, Default)]
+pub struct Reader {
+    /// The texts, in the order in which they were read.
+    pub sources: Vec<Source>,
+    /// The key whose value is being read, for messages.
+    pub key: &'static str,
+    /// Numbers without a unit that may have been meant in another one than SI.
+    pub(crate) bare: Vec<Bare>,
+    /// The units that people are shown.
+    units: Option<UnitSet>,
+    /// Where a number without a unit is refused.
+    asking: Vec<Place>,
+    diagnostics: Vec<Diagnostic>,
+    /// What is read; nothing for arguments.
+    kind: Option<&'static Kind>,
+}
+
+/// More mistakes than this are kept by nobody: the file is probably something else.
+const MOST: usize = 100;
+
+impl Reader {
+    /// A reader of such a file.
+    pub fn of(kind: &'static Kind) -> Self {
+        Self {
+            kind: Some(kind),
+            ..Self::default()
+        }
+    }
+
+    /// The schema of the tables of what is read; nothing for arguments.
+    pub fn tables(&self) -> Option<&'static Json> {
+        self.kind.map(|kind| (kind.tables)())
+    }
+
+    /// Adds a text that places can point into; its index.
+    pub fn add_source(&mut self, name: &str, text: &str) -> usize {
+        self.sources.push(Source {
+            name: name.to_owned(),
+            text: text.to_owned(),
+        });
+        self.sources.len() - 1
+    }
+
+    /// The units that the case is shown in.
+    pub fn units(&self) -> UnitSet {
+        self.units.unwrap_or(UnitSet::Si)
+    }
+
+    /// Says which units the case is shown in.
+    pub fn show_in(&mut self, units: UnitSet) {
+        self.units = Some(units);
+    }
+
+    /// Asks for a unit where this number is read as a quantity, or each of this list: a shell may have taken
+    /// the quotes away, and the unit's absence says nothing.
+    pub fn ask_unit(&mut self, node: &Node) {
+        let items = match &node.value {
+            Value::List(items) => items.as_slice(),
+            _ => std::slice::from_ref(node),
+        };
+        let numbers = items
+            .iter()
+            .filter(|item| matches!(item.value, Value::Number { .. }));
+        self.asking.extend(numbers.map(|number| number.place));
+    }
+
+    /// Whether a number at this place is refused without a unit.
+    pub fn asks_unit(&self, place: Place) -> bool {
+        self.asking.contains(&place)
+    }
+
+    /// Whether a place is in an argument of the command.
+    pub fn is_argument(&self, place: Place) -> bool {
+        let source = self.sources.get(place.source);
+        source.is_some_and(|source| source.name == COMMAND_LINE)
+    }
+
+    /// Keeps a diagnostic, if there are not too many already.
+    pub fn report(&mut self, diagnostic: Diagnostic) {
+        if self.diagnostics.len() >= MOST {
+            if diagnostic.severity == Severity::Warning || self.has_errors() {
+                return;
+            }
+            // An error is never lost behind warnings.
+            self.diagnostics.pop();
+        }
+        self.diagnostics.push(diagnostic);
+    }
+
+    /// Whether a mistake was found.
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics
+            .iter()
+            .any(|diagnostic| diagnostic.severity == Severity::Error)
+    }
+
+    /// Everything that was found, in the order of the places.
+    pub fn into_report(self) -> Report {
+        let diagnostics = self.diagnostics;
+        // One argument may set several values, and be wrong for each.
+        let mut unique: Vec<Diagnostic> = Vec::new();
+        for diagnostic in diagnostics {
+            if !unique.contains(&diagnostic) {
+                unique.push(diagnostic);
+            }
+        }
+        let mut diagnostics = unique;
+        diagnostics.sort_by_key(|diagnostic| {
+            let place = diagnostic.labels.first().map(|label| label.place);
+            place.map_or((0, 0), |place| (place.source, place.start))
+        });
+        Report {
+            sources: self.sources,
+            diagnostics,
+        }
+    }
+
+    /// What the user wrote at a place, short enough to quote.
+    pub fn written(&self, place: Place) -> String {
+        short(self.text_at(place))
+    }
+
+    /// What the user wrote at a place.
+    pub fn text_at(&self, place: Place) -> &str {
+        let text = self.sources.get(place.source).map(|source| &source.text);
+        text.and_then(|text| text.get(place.start..place.end))
+            .unwrap_or_default()
+    }
+
+    /// A value of the wrong kind.
+    pub fn expected(&mut self, node: &Node, expected: &str) {
+        let message = format!("`{}` cannot be {}", self.key, node.value.noun());
+        self.report(Diagnostic::error(message).at(node.place, format!("expected {expected}")));
+    }
+
+    /// The table at a node.
+    pub fn table<'a>(&mut self, node: &'a Node, heading: &str) -> Option<&'a Entries> {
+        if let Value::Table(entries) = &node.value {
+            return Some(entries);
+        }
+        let mut diagnostic = Diagnostic::error(format!(
+            "{heading} is a table with keys, found {}",
+            node.value.noun()
+        ))
+        .at(node.place, "expected a table");
+        if let Value::List(items) = &node.value
+            && matches!(items.first().map(|item| &item.value), Some(Value::Table(_)))
+        {
+            diagnostic = diagnostic.help("there is one of it, not a list: write single brackets");
+        }
+        self.report(diagnostic);
+        None
+    }
+
+    /// Reports the keys of a table that are none of `names`; the names that they were probably meant
+    /// to be.
+    pub fn check_names(
+        &mut self,
+        table: &Entries,
+        names: &[&'static str],
+        heading: &str,
+    ) -> Vec<&'static str> {
+        let mut meant = Vec::new();
+        for (key, _) in &table.0 {
+            if names.contains(&key.name.as_str()) || self.diagnostics.len() >= MOST {
+                continue;
+            }
+            let mut diagnostic =
+                Diagnostic::error(format!("unknown key `{}` in {heading}", short(&key.name)))
+                    .at(key.place, "unknown key");
+            let tables = self.tables();
+            let homes = tables.map_or_else(Vec::new, |tables| homes_of(tables, &key.name));
+            if let Some(nearest) = nearest(&key.name, names.iter().copied()) {
+                diagnostic = diagnostic.help(format!("did you mean `{nearest}`?"));
+                meant.push(nearest);
+            } else if !homes.is_empty() {
+                diagnostic =
+                    diagnostic.help(format!("`{}` belongs to {}", key.name, homes.join(", ")));
+            }
+            diagnostic = diagnostic.help(format!("keys of {heading}: {}", names.join(", ")));
+            self.report(diagnostic);
+        }
+        meant
+    }
+}

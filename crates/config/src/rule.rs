@@ -1,0 +1,316 @@
+//! What a value must look like: one rule reads it, checks it and describes it in the schema.
+
+use serde_json::{Value as Json, json};
+
+use crate::{
+    diagnostic::Diagnostic,
+    names::{any_of, nearest, short},
+    node::{Entries, Node, Value, in_single_quotes},
+    reader::Reader,
+    source::Place,
+};
+
+/// How a value is read and described.
+pub trait Rule {
+    /// What is read.
+    type Value;
+    /// Reads a value; what is wrong with it goes to the reader.
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<Self::Value>;
+    /// What the value is where its key does not stand in the file.
+    fn absent(&self, _table: Place, _reader: &mut Reader) -> Option<Self::Value> {
+        None
+    }
+    /// JSON schema of the value.
+    fn schema(&self) -> Json;
+    /// The heading of the table, if the value is one, for messages.
+    fn heading(&self) -> Option<&'static str> {
+        None
+    }
+    /// A value as it is written, for messages.
+    fn example(&self) -> Option<String> {
+        None
+    }
+    /// A default as people write it.
+    fn written(&self, default: &Json) -> String {
+        default.to_string()
+    }
+    /// The value as the schema shows defaults.
+    fn json(&self, _value: &Self::Value) -> Json {
+        Json::Null
+    }
+}
+
+/// A text that says something.
+#[derive(Debug, Clone, Copy)]
+pub struct Text;
+
+impl Rule for Text {
+    type Value = String;
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<String> {
+        let Value::Text { text, .. } = &node.value else {
+            reader.expected(node, "text in quotes");
+            return None;
+        };
+        let problem = if text.trim().is_empty() {
+            "is empty"
+        } else if text.chars().any(char::is_control) {
+            "holds a line break or another control character"
+        } else if text.chars().count() > 200 {
+            "is longer than 200 characters"
+        } else {
+            return Some(text.clone());
+        };
+        let message = format!("`{}` {problem}", reader.key);
+        let mut diagnostic = Diagnostic::error(message).at(node.place, "expected a short text");
+        let written = reader.text_at(node.place).trim_matches('"');
+        if written.contains('\\') {
+            diagnostic = diagnostic.help(in_single_quotes(written));
+        }
+        reader.report(diagnostic);
+        None
+    }
+
+    fn schema(&self) -> Json {
+        json!({ "type": "string", "minLength": 1, "maxLength": 200 })
+    }
+}
+
+/// A text of some lines.
+#[derive(Debug, Clone, Copy)]
+pub struct Prose;
+
+impl Rule for Prose {
+    type Value = String;
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<String> {
+        const MOST: usize = 5000;
+        let Value::Text { text, .. } = &node.value else {
+            reader.expected(node, "text in quotes");
+            return None;
+        };
+        let control = |letter: char| letter.is_control() && !letter.is_whitespace();
+        let problem = if text.chars().any(control) {
+            "holds a control character".to_owned()
+        } else if text.chars().count() > MOST {
+            format!("is longer than {MOST} characters")
+        } else {
+            return Some(text.trim().to_owned());
+        };
+        let message = format!("`{}` {problem}", reader.key);
+        reader.report(Diagnostic::error(message).at(node.place, "expected a text"));
+        None
+    }
+
+    fn schema(&self) -> Json {
+        json!({ "type": "string", "maxLength": 5000 })
+    }
+}
+
+/// One of a few words.
+pub struct Choice<T: 'static> {
+    /// What is chosen, for messages.
+    pub noun: &'static str,
+    /// The words and what they mean.
+    pub words: &'static [(&'static str, T)],
+}
+
+impl<T: Copy + PartialEq> Rule for Choice<T> {
+    type Value = T;
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<T> {
+        let words: Vec<&str> = self.words.iter().map(|(word, _)| *word).collect();
+        let expected = any_of(&words);
+        let Value::Text { text, .. } = &node.value else {
+            reader.expected(node, &expected);
+            return None;
+        };
+        if let Some((_, meaning)) = self.words.iter().find(|(word, _)| word == text) {
+            return Some(*meaning);
+        }
+        let mut diagnostic = Diagnostic::error(format!("`{}` is not {}", short(text), self.noun))
+            .at(node.place, format!("expected {expected}"));
+        if let Some(nearest) = nearest(text, words) {
+            diagnostic = diagnostic.help(format!("did you mean \"{nearest}\"?"));
+        }
+        reader.report(diagnostic);
+        None
+    }
+
+    fn example(&self) -> Option<String> {
+        self.words.first().map(|(word, _)| format!("\"{word}\""))
+    }
+
+    fn schema(&self) -> Json {
+        let words: Vec<&str> = self.words.iter().map(|(word, _)| *word).collect();
+        json!({ "type": "string", "enum": words })
+    }
+
+    fn json(&self, value: &T) -> Json {
+        let word = self.words.iter().find(|(_, meaning)| meaning == value);
+        word.map_or(Json::Null, |(word, _)| json!(word))
+    }
+}
+
+/// A value and the place it stands at.
+#[derive(Debug, Clone, PartialEq)]
+pub struct At<T> {
+    /// The value.
+    pub value: T,
+    /// The place.
+    pub place: Place,
+}
+
+/// Refuses a list that names one thing twice.
+pub fn once_each<T: Copy + PartialEq>(
+    list: &[At<T>],
+    name: fn(T) -> &'static str,
+    reader: &mut Reader,
+) -> Option<()> {
+    for (i, at) in list.iter().enumerate() {
+        if let Some(first) = list[..i].iter().find(|first| first.value == at.value) {
+            reader.report(
+                Diagnostic::error(format!("`{}` is listed twice", name(at.value)))
+                    .at(at.place, "again here")
+                    .at(first.place, "first here"),
+            );
+            return None;
+        }
+    }
+    Some(())
+}
+
+/// A list, each item by the same rule.
+pub struct List<R> {
+    /// The rule of an item.
+    pub item: R,
+    /// Whether one item may stand without brackets.
+    pub or_one: bool,
+    /// What it is a list of, for messages.
+    pub noun: &'static str,
+    /// More are refused.
+    pub most: usize,
+}
+
+impl<R: Rule> Rule for List<R> {
+    type Value = Vec<At<R::Value>>;
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<Self::Value> {
+        let items = match &node.value {
+            Value::List(items) => items.as_slice(),
+            _ if self.or_one => std::slice::from_ref(node),
+            _ => {
+                reader.expected(node, &format!("a list of {}", self.noun));
+                return None;
+            }
+        };
+        if items.is_empty() || items.len() > self.most {
+            let message = if items.is_empty() {
+                format!("the list of {} is empty", self.noun)
+            } else {
+                format!("{} {} are too many", items.len(), self.noun)
+            };
+            let expected = match items.len() {
+                0 => "expected at least one".to_owned(),
+                _ => format!("expected at most {}", self.most),
+            };
+            reader.report(Diagnostic::error(message).at(node.place, expected));
+            return None;
+        }
+        let read: Vec<At<R::Value>> = items
+            .iter()
+            .filter_map(|item| {
+                let value = self.item.read(item, reader)?;
+                let place = item.place;
+                Some(At { value, place })
+            })
+            .collect();
+        (read.len() == items.len()).then_some(read)
+    }
+
+    fn heading(&self) -> Option<&'static str> {
+        self.item.heading()
+    }
+
+    fn example(&self) -> Option<String> {
+        self.item.example().filter(|_| self.or_one)
+    }
+
+    fn schema(&self) -> Json {
+        let item = self.item.schema();
+        let list = json!({
+            "type": "array", "items": item, "minItems": 1, "maxItems": self.most
+        });
+        if self.or_one {
+            json!({ "anyOf": [item, list] })
+        } else {
+            list
+        }
+    }
+
+    fn json(&self, value: &Self::Value) -> Json {
+        match value.as_slice() {
+            [one] if self.or_one => self.item.json(&one.value),
+            many => many.iter().map(|at| self.item.json(&at.value)).collect(),
+        }
+    }
+}
+
+/// A key that stands in the file.
+#[derive(Debug, Clone, Copy)]
+pub struct Written {
+    /// What it is called.
+    pub name: &'static str,
+    /// Where its value stands.
+    pub place: Place,
+    /// The words of the table's choice with which it has an effect; all, where none is listed.
+    pub used_with: &'static [&'static str],
+}
+
+impl Written {
+    /// Whether it has an effect where this word is chosen.
+    pub fn is_used_with(&self, word: &str) -> bool {
+        self.used_with.is_empty() || self.used_with.contains(&word)
+    }
+}
+
+/// A table with keys of its own.
+pub trait Table: Sized {
+    /// How messages call it: `[mud]`.
+    const HEADING: &'static str;
+    /// Reads the table; what is wrong with it goes to the reader.
+    fn read(entries: &Entries, place: Place, reader: &mut Reader) -> Self;
+    /// The keys that stand in the file.
+    fn written(&self) -> Vec<Written>;
+    /// JSON schema of the table.
+    fn schema() -> Json;
+}
+
+/// The rule of a [`Table`]; where it does not stand in the file, all its keys are absent.
+pub struct Section<T>(std::marker::PhantomData<T>);
+
+impl<T> Section<T> {
+    /// The rule.
+    pub const RULE: Self = Self(std::marker::PhantomData);
+}
+
+impl<T: Table> Rule for Section<T> {
+    type Value = T;
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<T> {
+        let entries = reader.table(node, T::HEADING)?;
+        Some(T::read(entries, node.place, reader))
+    }
+
+    fn absent(&self, table: Place, reader: &mut Reader) -> Option<T> {
+        Some(T::read(&Entries::default(), table, reader))
+    }
+
+    fn heading(&self) -> Option<&'static str> {
+        Some(T::HEADING)
+    }
+
+    fn schema(&self) -> Json {
+        T::schema()
+    }
+}

@@ -1,0 +1,104 @@
+//! Texts that diagnostics point into, and where files beside the case are read from.
+
+use std::{
+    io,
+    path::{Path, PathBuf},
+};
+
+/// A text that a diagnostic can quote: the case file, a `--set` argument, a survey.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Source {
+    /// What the user knows it by: a file's name, or `command line`.
+    pub name: String,
+    /// Its text.
+    pub text: String,
+}
+
+/// The name of a source that is an argument of the command.
+pub const COMMAND_LINE: &str = "command line";
+
+/// A stretch of one source, in bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Place {
+    /// Index of the source in its [`crate::Report`].
+    pub source: usize,
+    /// First byte.
+    pub start: usize,
+    /// One past the last byte.
+    pub end: usize,
+}
+
+/// Where the files that a case names are read from.
+pub trait Files {
+    /// The content of the file at `path`, as the case writes it.
+    fn read(&self, path: &str) -> io::Result<Vec<u8>>;
+}
+
+/// Files on disk; relative paths start at the folder of the case.
+#[derive(Debug, Clone)]
+pub struct Disk {
+    folder: PathBuf,
+}
+
+impl Disk {
+    /// Files as seen from `folder`.
+    pub fn new(folder: impl Into<PathBuf>) -> Self {
+        Self {
+            folder: folder.into(),
+        }
+    }
+
+    /// Files beside the case at `path`.
+    pub fn beside(path: &Path) -> Self {
+        Self::new(path.parent().unwrap_or(Path::new("")))
+    }
+}
+
+impl Files for Disk {
+    fn read(&self, path: &str) -> io::Result<Vec<u8>> {
+        read_bounded(&self.folder.join(path))
+    }
+}
+
+/// More than any survey or case holds; a file this large was named by mistake.
+const LARGEST_FILE_BYTES: u64 = 64 << 20;
+
+/// Reads a case, a study, a survey or another file of a user, of at most 64 MB.
+///
+/// # Errors
+/// Whatever the system says, and a sentence for what is no regular file or larger.
+pub fn read_file(path: &Path) -> io::Result<Vec<u8>> {
+    read_bounded(path)
+}
+
+/// Reads a regular file of a bearable size. A device or pipe could block or never end.
+fn read_bounded(path: &Path) -> io::Result<Vec<u8>> {
+    let about = std::fs::metadata(path)?;
+    if about.is_dir() {
+        return Err(io::Error::new(
+            io::ErrorKind::IsADirectory,
+            "it is a folder, not a file",
+        ));
+    }
+    if !about.is_file() {
+        return Err(io::Error::other("it is not a regular file"));
+    }
+    if about.len() > LARGEST_FILE_BYTES {
+        return Err(io::Error::new(
+            io::ErrorKind::FileTooLarge,
+            format!("it holds {} MB, more than 64 MB", about.len() >> 20),
+        ));
+    }
+    std::fs::read(path)
+}
+
+/// Files in memory, by name.
+#[derive(Debug, Clone, Default)]
+pub struct InMemory(pub std::collections::BTreeMap<String, Vec<u8>>);
+
+impl Files for InMemory {
+    fn read(&self, path: &str) -> io::Result<Vec<u8>> {
+        let found = self.0.get(path).cloned();
+        found.ok_or_else(|| io::Error::new(io::ErrorKind::NotFound, "there is no such file"))
+    }
+}

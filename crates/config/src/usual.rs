@@ -1,0 +1,242 @@
+//! Numbers that can be computed with, but are hardly meant: a unit was forgotten, or another one was meant.
+
+use wholestring_units::{Dimension, Unit, UnitSet, number_text};
+
+use crate::{
+    bare::Bare,
+    diagnostic::Diagnostic,
+    node::{Node, Value},
+    range::Range,
+    reader::Reader,
+    source::COMMAND_LINE,
+};
+
+/// How many units a help line names.
+const MOST_UNITS: usize = 3;
+
+/// How many numbers without a unit are underlined, of all keys and of one key.
+const MOST_BARE: usize = 6;
+const MOST_BARE_OF_A_KEY: usize = 2;
+
+/// What stands in the file for a quantity.
+pub(crate) struct Entry<'a> {
+    pub(crate) dimension: Dimension,
+    pub(crate) range: &'a Range,
+    /// The unit of a number without one.
+    pub(crate) unit: &'static str,
+    pub(crate) number: f64,
+    pub(crate) si: f64,
+    pub(crate) node: &'a Node,
+}
+
+impl Entry<'_> {
+    fn is_bare(&self) -> bool {
+        matches!(self.node.value, Value::Number { .. })
+    }
+
+    /// The units in which the number would be usual: those of the case first, then those of other unit sets, then the
+    /// others.
+    fn fitting_units(&self, set: UnitSet) -> Vec<&'static Unit> {
+        let Some((from, to)) = self.range.usual_numbers() else {
+            return Vec::new();
+        };
+        let sets = std::iter::once(&set).chain(UnitSet::ALL);
+        let everyday = sets.map(|set| self.dimension.unit_in(*set));
+        let mut units: Vec<&'static Unit> = Vec::new();
+        for unit in everyday.chain(self.dimension.units()) {
+            let si = unit.to_si(self.number);
+            let known = units.iter().any(|other| other.factor == unit.factor);
+            if (from..=to).contains(&si) && !known {
+                units.push(unit);
+            }
+        }
+        units.truncate(MOST_UNITS);
+        units
+    }
+
+    /// In which units the number would make sense.
+    pub(crate) fn advice(&self, reader: &Reader) -> Option<String> {
+        let units = self.fitting_units(reader.units());
+        let first = units.first()?;
+        let symbols: Vec<&str> = units.iter().map(|unit| unit.symbol).collect();
+        let number = number_text(self.number);
+        Some(format!(
+            "{number} would make sense in {}: write {}\"{number} {}\"",
+            alternatives(&symbols),
+            if units.len() > 1 { "such as " } else { "" },
+            first.symbol
+        ))
+    }
+
+    /// Warns of a number that is believed, but not usual.
+    pub(crate) fn check(&self, reader: &mut Reader) {
+        let Some(side) = unusual(self.si, self.range) else {
+            return self.note_bare(reader);
+        };
+        let set = reader.units();
+        let (from, to) = self.range.usual_numbers().unwrap_or_default();
+        let show = |si: f64| self.dimension.format(si, set);
+        let value = if self.is_bare() {
+            format!("{} {}", number_text(self.number), self.unit)
+        } else {
+            reader.written(self.node.place)
+        };
+        let mut diagnostic =
+            Diagnostic::warning(format!("`{}` is unusually {side}: {value}", reader.key)).at(
+                self.node.place,
+                format!("usual are {} to {}", show(from), show(to)),
+            );
+        if self.is_bare() {
+            diagnostic = diagnostic.help(format!("a number without unit is in {}", self.unit));
+        }
+        if let Some(advice) = self.advice(reader) {
+            diagnostic = diagnostic.help(advice);
+        }
+        reader.report(diagnostic);
+    }
+
+    /// Remembers a number in SI, where people are shown another unit.
+    fn note_bare(&self, reader: &mut Reader) {
+        let (own, set) = (self.dimension.si_symbol(), reader.units());
+        let shown = self.dimension.unit_in(set).symbol;
+        // A survey or a table of a bit says its units itself.
+        let in_the_case = self.node.place.source == 0;
+        if set != UnitSet::Field
+            || !self.is_bare()
+            || !in_the_case
+            || self.unit != own
+            || shown == own
+            || self.si == 0.0
+        {
+            return;
+        }
+        let number = number_text(self.number);
+        let key = reader.key;
+        reader.bare.push(Bare {
+            key,
+            place: self.node.place,
+            text: format!(
+                "taken as {number} {own}, {}",
+                self.dimension.format(self.si, set)
+            ),
+            meant: format!("\"{number} {shown}\""),
+        });
+    }
+
+    /// A number without a unit, where the shell may have taken the quotes away.
+    pub(crate) fn needs_unit(&self, reader: &Reader) -> Diagnostic {
+        let set = reader.units();
+        let fitting = self.fitting_units(set);
+        let unit = match (fitting.first(), self.range.usual_numbers()) {
+            (Some(unit), _) => unit.symbol,
+            (None, Some(_)) => self.dimension.unit_in(set).symbol,
+            // Nothing is known of its size: what it was in a file.
+            (None, None) => self.unit,
+        };
+        let symbols = self.dimension.units().iter().map(|unit| unit.symbol);
+        let symbols: Vec<&str> = symbols.collect();
+        let place = self.node.place;
+        let written = reader.text_at(place).trim_matches(['"', '\'']);
+        let with_unit = with_unit(written, unit);
+        let source = reader.sources.get(place.source);
+        let argument = source
+            .filter(|source| source.name == COMMAND_LINE)
+            .and_then(|source| source.text.split_once('='));
+        let diagnostic = Diagnostic::error(format!("`{}` needs a unit", reader.key))
+            .at(place, "expected a unit after the number");
+        match argument {
+            Some((key, _)) => diagnostic.help(format!(
+                "such as {}={with_unit}: without a blank it needs no quotes, which a shell takes away",
+                key.trim_end()
+            )),
+            None => diagnostic.help(format!("such as \"{with_unit}\"")),
+        }
+        .help(format!(
+            "units of {}: {}",
+            self.dimension.name(),
+            symbols.join(", ")
+        ))
+    }
+}
+
+/// A number, or each of a range, with a unit.
+fn with_unit(written: &str, unit: &str) -> String {
+    let Some((from, rest)) = written.split_once("..") else {
+        return format!("{written}{unit}");
+    };
+    let rest: Vec<String> = rest
+        .split('/')
+        .map(|part| format!("{}{unit}", part.trim()))
+        .collect();
+    format!("{}{unit}..{}", from.trim(), rest.join("/"))
+}
+
+/// `small` or `large`, where a number is not usual.
+fn unusual(si: f64, range: &Range) -> Option<&'static str> {
+    let (from, to) = range.usual_numbers()?;
+    match si {
+        _ if si == 0.0 => None,
+        _ if si < from => Some("small"),
+        _ if si > to => Some("large"),
+        _ => None,
+    }
+}
+
+/// Warns of a number in the only unit it can have.
+pub(crate) fn check_number(
+    value: f64,
+    range: &Range,
+    unit: &str,
+    node: &Node,
+    reader: &mut Reader,
+) {
+    let (Some(side), Some((from, to))) = (unusual(value, range), range.usual_numbers()) else {
+        return;
+    };
+    let message = format!(
+        "`{}` is unusually {side}: {}",
+        reader.key,
+        reader.written(node.place)
+    );
+    let usual = format!(
+        "usual are {} to {} {unit}",
+        number_text(from),
+        number_text(to)
+    );
+    reader.report(Diagnostic::warning(message).at(node.place, usual.trim_end()));
+}
+
+/// Warns, once, of numbers without a unit in a case that is shown in field units.
+pub fn warn_of_bare(reader: &mut Reader) {
+    let bare = std::mem::take(&mut reader.bare);
+    let Some(first) = bare.first() else {
+        return;
+    };
+    let mut diagnostic =
+        Diagnostic::warning("a number without unit is SI, with units = \"field\" too");
+    let mut shown: Vec<&Bare> = Vec::new();
+    for number in &bare {
+        let of_key = shown.iter().filter(|other| other.key == number.key).count();
+        if shown.len() < MOST_BARE && of_key < MOST_BARE_OF_A_KEY {
+            diagnostic = diagnostic.at(number.place, &number.text);
+            shown.push(number);
+        }
+    }
+    let more = bare.len() - shown.len();
+    if more > 0 {
+        diagnostic = diagnostic.help(format!("and {more} more"));
+    }
+    reader.report(diagnostic.help(format!(
+        "write the unit that is meant, such as {}",
+        first.meant
+    )));
+}
+
+/// `ppg, sg or g/cm3`.
+fn alternatives(words: &[&str]) -> String {
+    match words {
+        [] => String::new(),
+        [one] => (*one).to_owned(),
+        [first @ .., last] => format!("{} or {last}", first.join(", ")),
+    }
+}

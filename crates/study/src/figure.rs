@@ -1,0 +1,528 @@
+//! `[[figure]]`: curves to draw of the cases.
+
+use wholestring::{operation::OperationKind, outcome::ModelKind};
+use wholestring_units::Dimension;
+
+use wholestring_config::{
+    diagnostic::Diagnostic,
+    names::{nearest, short},
+    quantity,
+    range::Range,
+    reader::Reader,
+    rule::{At, Choice, List, Prose, Section, Text},
+    source::Place,
+    table::{default, optional, required, table},
+};
+
+use crate::{
+    chosen::{Choosing, Chosen, MODELS, NAMES, OPERATIONS, unheeded},
+    column::{
+        Amount, AmountRule, ColumnName, Quantity, SOURCES, Source, Statistic, StatisticRule,
+        check_summarised,
+    },
+    file_name::FileName,
+    selection::{Selection, SelectionRule},
+    sweep::Sweep,
+};
+
+/// Times or depths of one figure: more curves nobody tells apart.
+const MOST: usize = 12;
+
+pub(crate) fn time() -> quantity::Quantity {
+    quantity::Quantity::si(Dimension::Time, Range::from_to(0.0, 1e9), "10 s")
+}
+
+pub(crate) fn depth() -> quantity::Quantity {
+    quantity::Quantity::si(Dimension::Length, Range::from_to(0.0, 20_000.0), "600 m")
+}
+
+pub(crate) fn times() -> List<quantity::Quantity> {
+    List {
+        item: time(),
+        or_one: true,
+        noun: "times",
+        most: MOST,
+    }
+}
+
+pub(crate) fn depths() -> List<quantity::Quantity> {
+    List {
+        item: depth(),
+        or_one: true,
+        noun: "depths",
+        most: MOST,
+    }
+}
+
+pub(crate) const WINDOW: fn() -> List<quantity::Quantity> = || List {
+    item: time(),
+    or_one: false,
+    noun: "times",
+    most: 2,
+};
+
+table! {
+    /// Curves to draw of the cases, and their data as CSV.
+    FigureTable in "[[figure]]" {
+        /// What stands over it.
+        title: String = required(Text);
+        /// Name of its files. Default: `figure-01` and so on.
+        name: String = optional(FileName);
+        /// What stands under it on the page.
+        caption: String = optional(Prose);
+        /// Sweeps whose cases it shows. Default: all.
+        sweeps: Vec<At<String>> = optional(NAMES);
+        /// Models that it shows. Default: all that were solved.
+        models: Vec<At<ModelKind>> = optional(MODELS);
+        /// Operations that it shows. Default: all that were solved.
+        operations: Vec<At<OperationKind>> = optional(OPERATIONS);
+        /// Cases that it shows, by values of varied keys: single, listed or in a range such as "..1200 m".
+        /// Default: all.
+        only: Selection = optional(SelectionRule);
+        /// Part of the results that it is drawn from: "summary" (a number for each case), "nodes" (along the
+        /// string), "wear" (along the hole), "time" (scalars against time), "frames" (the whole string against
+        /// time, where the case records frames), "contact" (over depth and time, as a map for each case) or "path" (the
+        /// well down to the bit).
+        from: Source = default(SOURCES, Source::Summary);
+        /// What stands on the horizontal axis: a varied key for "summary", otherwise a column. All other
+        /// keys that are varied make a curve for each of their values.
+        x: String = required(Text);
+        /// Where the axis of `x` points: "across" the page, or "down" it, as depths are drawn beside each other; `y` then
+        /// points across. Not for "contact".
+        x_axis: Pointing = default(POINTING, Pointing::Across);
+        /// Columns on the vertical axis, all of one unit; of |tension_N| the sign is dropped. A depth points
+        /// down.
+        y: Vec<At<String>> = required(List { item: Text, or_one: true, noun: "columns", most: MOST });
+        /// Column that colours a map of "contact", over x = "time_s" and y = "md_m". A sign is a side of the hole, but
+        /// of |side_force_N_per_m| it is dropped.
+        colour: String = optional(Text);
+        /// What is shown of a quantity that varies over the window of a dynamic model: "mean", "std", "mean+std", "min",
+        /// "max", "p05" or "p95". For "summary". Default: the mean.
+        statistic: Vec<At<Statistic>> = optional(List {
+            item: StatisticRule,
+            or_one: true,
+            noun: "statistics",
+            most: 7,
+        });
+        /// Times of the frames that are drawn, a curve for each.
+        times: Vec<At<f64>> = optional(times());
+        /// Measured depths of the nodes whose frames are drawn against time, a curve for each. The nearest node is
+        /// taken, and for contact force and friction of those within 5 m the one to which the wall does most.
+        depths: Vec<At<f64>> = optional(depths());
+        /// First and last time that is drawn. For "time", "contact", and "frames" at depths. Default: the whole run.
+        window: Vec<At<f64>> = optional(WINDOW());
+        /// Values of `y` to hold the curves against, or to mark on a map.
+        level: Vec<At<LevelTable>> = optional(List {
+            item: Section::<LevelTable>::RULE,
+            or_one: false,
+            noun: "levels ([[figure.level]])",
+            most: MOST,
+        });
+    }
+}
+
+table! {
+    /// A value to hold the curves against.
+    LevelTable in "[[figure.level]]" {
+        /// What it is.
+        label: String = required(Text);
+        /// The value, with the unit of `y`'s quantity; a bare number is SI.
+        value: Amount = required(AmountRule);
+    }
+}
+
+/// Where an axis points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Pointing {
+    /// To the right.
+    Across,
+    /// Down the page.
+    Down,
+}
+
+const POINTING: Choice<Pointing> = Choice {
+    noun: "a direction of an axis",
+    words: &[("across", Pointing::Across), ("down", Pointing::Down)],
+};
+
+/// Curves to draw.
+#[derive(Debug, Clone)]
+pub struct Figure {
+    /// Name of its files.
+    pub name: String,
+    /// What stands over it.
+    pub title: String,
+    /// What stands under it; may be empty.
+    pub caption: String,
+    /// Whose answers it shows.
+    pub chosen: Chosen,
+    /// What is drawn.
+    pub data: FigureData,
+    /// Where the axis of `x` points.
+    pub x_axis: Pointing,
+    /// The vertical axis.
+    pub y: Vec<Quantity>,
+    /// Values to hold the curves against.
+    pub levels: Vec<Level>,
+}
+
+/// Where the curves of a figure come from.
+#[derive(Debug, Clone)]
+pub enum FigureData {
+    /// A point for each case.
+    Summary {
+        /// The key on the horizontal axis.
+        x: Abscissa,
+        /// What is shown.
+        statistics: Vec<Statistic>,
+    },
+    /// Rows of a table, or of the path.
+    Rows {
+        /// The column on the horizontal axis.
+        x: Quantity,
+        /// First and last time, s.
+        window_s: Option<[f64; 2]>,
+    },
+    /// Frames at these times, s.
+    Times {
+        /// The column on the horizontal axis.
+        x: Quantity,
+        /// The times.
+        times_s: Vec<f64>,
+    },
+    /// Contact over time and depth, a map for each case.
+    Map {
+        /// What colours it.
+        colour: Quantity,
+        /// First and last time, s.
+        window_s: Option<[f64; 2]>,
+    },
+    /// Nodes at these measured depths, m, against time.
+    Depths {
+        /// The column on the horizontal axis.
+        x: Quantity,
+        /// The depths.
+        depths_m: Vec<f64>,
+        /// First and last time, s.
+        window_s: Option<[f64; 2]>,
+    },
+}
+
+impl Figure {
+    /// The columns that it is made of.
+    pub(crate) fn quantities(&self) -> impl Iterator<Item = &Quantity> {
+        let other = match &self.data {
+            FigureData::Summary { .. } => None,
+            FigureData::Rows { x, .. }
+            | FigureData::Times { x, .. }
+            | FigureData::Depths { x, .. } => Some(x),
+            FigureData::Map { colour, .. } => Some(colour),
+        };
+        self.y.iter().chain(other)
+    }
+}
+
+/// A varied key as an axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Abscissa {
+    /// The key.
+    pub key: String,
+    /// What its values measure; none where they are bare numbers.
+    pub dimension: Option<Dimension>,
+}
+
+impl Abscissa {
+    /// The number that a value of the key is, SI; none where it is a word.
+    pub fn number(&self, value: &str) -> Option<f64> {
+        let bare = value
+            .parse::<f64>()
+            .ok()
+            .filter(|number| number.is_finite());
+        bare.or_else(|| self.dimension?.parse(value).ok())
+    }
+}
+
+/// A value to hold curves against.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Level {
+    /// What it is.
+    pub label: String,
+    /// The value, SI.
+    pub value: f64,
+}
+
+impl FigureTable {
+    pub(crate) fn build(
+        &self,
+        name: String,
+        place: Place,
+        sweeps: &[Sweep],
+        columns: &[ColumnName],
+        reader: &mut Reader,
+    ) -> Option<Figure> {
+        let choosing = Choosing {
+            sweeps: &self.sweeps,
+            models: &self.models,
+            operations: &self.operations,
+            only: &self.only,
+        };
+        let chosen = choosing.within(&Chosen::all(sweeps), sweeps, reader);
+        let source = *self.from.get()?;
+        let y: Option<Vec<Quantity>> = self
+            .y
+            .get()?
+            .iter()
+            .map(|at| Quantity::named(at, source, columns, reader))
+            .collect();
+        let y = y?;
+        let at = self.y.at()?.place;
+        let unit = |quantity: &Quantity| quantity.column.dimension;
+        if y.iter().any(|other| unit(other) != unit(&y[0])) {
+            reader.report(
+                Diagnostic::error("the columns of one axis measure different things")
+                    .at(at, "expected columns of one unit"),
+            );
+            return None;
+        }
+        let chosen = chosen?;
+        let data = self.data(source, place, (&chosen, sweeps), columns, reader)?;
+        let levels = self.level.optional()?.map_or(&[][..], |at| &at.value);
+        Some(Figure {
+            name,
+            title: self.title.get()?.clone(),
+            caption: self.caption.text()?,
+            chosen,
+            data,
+            x_axis: *self.x_axis.get()?,
+            levels: levels
+                .iter()
+                .map(|At { value: table, .. }| {
+                    Some(Level {
+                        label: table.label.get()?.clone(),
+                        value: Amount::si(table.value.at()?, unit(&y[0]), reader)?,
+                    })
+                })
+                .collect::<Option<_>>()?,
+            y,
+        })
+    }
+
+    fn data(
+        &self,
+        source: Source,
+        at: Place,
+        (chosen, sweeps): (&Chosen, &[Sweep]),
+        columns: &[ColumnName],
+        reader: &mut Reader,
+    ) -> Option<FigureData> {
+        let window_s = window(self.window.optional()?, reader)?;
+        let values = |list: Option<&At<Vec<At<f64>>>>| {
+            list.map(|at| at.value.iter().map(|at| at.value).collect::<Vec<f64>>())
+        };
+        let times_s = values(self.times.optional()?);
+        let depths_m = values(self.depths.optional()?);
+        let statistics = self.statistic.optional()?;
+        let x = self.x.at()?;
+        let idle = |names: &[&'static str], why: &str, reader: &mut Reader| {
+            let all = [
+                ("statistic", self.statistic.place()),
+                ("times", self.times.place()),
+                ("depths", self.depths.place()),
+                ("window", self.window.place()),
+                ("colour", self.colour.place()),
+                ("x_axis", self.x_axis.place()),
+            ];
+            let idle = all.into_iter().filter(|(name, _)| names.contains(name));
+            unheeded(idle, why, reader);
+        };
+        if source != Source::Contact {
+            idle(&["colour"], "used with from = \"contact\"", reader);
+        }
+        if source == Source::Summary {
+            idle(
+                &["times", "depths", "window"],
+                "\"summary\" has a number for each case",
+                reader,
+            );
+            let statistics = match statistics {
+                None => vec![Statistic::Mean],
+                Some(at) => {
+                    for statistic in &at.value {
+                        check_summarised(statistic, reader)?;
+                    }
+                    at.value.iter().map(|at| at.value).collect()
+                }
+            };
+            let x = abscissa(x, chosen, sweeps, reader)?;
+            return Some(FigureData::Summary { x, statistics });
+        }
+        idle(&["statistic"], "used with from = \"summary\"", reader);
+        let x = Quantity::named(x, source, columns, reader)?;
+        match source {
+            Source::Frames => match (times_s, depths_m) {
+                (Some(times_s), None) => {
+                    idle(
+                        &["window"],
+                        "frames at `times` are drawn as they are",
+                        reader,
+                    );
+                    Some(FigureData::Times { x, times_s })
+                }
+                (None, Some(depths_m)) => Some(FigureData::Depths {
+                    x,
+                    depths_m,
+                    window_s,
+                }),
+                (times, _) => {
+                    let (message, label) = match times {
+                        None => (
+                            "a figure of frames needs `times` or `depths`",
+                            "neither is given",
+                        ),
+                        Some(_) => (
+                            "a figure of frames has `times` or `depths`",
+                            "both are given",
+                        ),
+                    };
+                    let at = self.depths.given().map_or(at, |at| at.place);
+                    reader.report(
+                        Diagnostic::error(message)
+                            .at(at, label)
+                            .help("such as times = [\"1 s\", \"10 s\"] along the string, or depths = \"600 m\" against time"),
+                    );
+                    None
+                }
+            },
+            Source::Time => {
+                idle(&["times", "depths"], "used with from = \"frames\"", reader);
+                Some(FigureData::Rows { x, window_s })
+            }
+            Source::Contact => {
+                idle(&["times", "depths"], "used with from = \"frames\"", reader);
+                idle(
+                    &["x_axis"],
+                    "the depth of a map points down the page",
+                    reader,
+                );
+                let colour = self.map_colour(at, columns, reader)?;
+                Some(FigureData::Map { colour, window_s })
+            }
+            _ => {
+                idle(
+                    &["times", "depths", "window"],
+                    "this table does not tell of time",
+                    reader,
+                );
+                Some(FigureData::Rows { x, window_s: None })
+            }
+        }
+    }
+}
+
+impl FigureTable {
+    /// What colours a map, whose axes are time and depth.
+    fn map_colour(
+        &self,
+        at: Place,
+        columns: &[ColumnName],
+        reader: &mut Reader,
+    ) -> Option<Quantity> {
+        let [y] = &self.y.get()?[..] else {
+            let message = "a map has one vertical axis";
+            let at = self.y.at()?.place;
+            reader.report(Diagnostic::error(message).at(at, "expected \"md_m\""));
+            return None;
+        };
+        for (axis, given, expected) in [("x", self.x.at()?, "time_s"), ("y", y, "md_m")] {
+            if given.value != expected {
+                let message = format!("`{}` is not on `{axis}` of a map", short(&given.value));
+                reader.report(
+                    Diagnostic::error(message)
+                        .at(given.place, format!("expected \"{expected}\""))
+                        .help("a map shows contact over time and depth; `colour` is the column that it shows"),
+                );
+                return None;
+            }
+        }
+        let Some(colour) = self.colour.optional()? else {
+            reader.report(
+                Diagnostic::error("a map of contact needs `colour`")
+                    .at(at, "it is not given")
+                    .help("such as colour = \"side_force_N_per_m\" or \"contact_force_N_per_m\""),
+            );
+            return None;
+        };
+        Quantity::named(colour, Source::Contact, columns, reader)
+    }
+}
+
+/// First and last time.
+pub(crate) fn window(
+    given: Option<&At<Vec<At<f64>>>>,
+    reader: &mut Reader,
+) -> Option<Option<[f64; 2]>> {
+    let Some(given) = given else {
+        return Some(None);
+    };
+    match given.value.as_slice() {
+        [from, to] if from.value < to.value => Some(Some([from.value, to.value])),
+        _ => {
+            reader.report(Diagnostic::error("`window` holds no time").at(
+                given.place,
+                "expected two times, such as [\"0 s\", \"20 s\"]",
+            ));
+            None
+        }
+    }
+}
+
+/// The key on the horizontal axis, which every sweep varies.
+fn abscissa(
+    at: &At<String>,
+    chosen: &Chosen,
+    sweeps: &[Sweep],
+    reader: &mut Reader,
+) -> Option<Abscissa> {
+    let mut dimension = None;
+    for sweep in chosen.sweeps.iter().map(|index| &sweeps[*index]) {
+        let Some(varied) = sweep.vary.iter().find(|varied| varied.key == at.value) else {
+            let message = format!(
+                "sweep `{}` does not vary `{}`",
+                sweep.name,
+                short(&at.value)
+            );
+            let mut diagnostic = Diagnostic::error(message).at(
+                at.place,
+                "from = \"summary\" draws against a key that is varied",
+            );
+            if let Some(near) = nearest(&at.value, sweep.keys()) {
+                diagnostic = diagnostic.help(format!("did you mean `{near}`?"));
+            }
+            reader.report(diagnostic);
+            return None;
+        };
+        for value in varied.bare_values() {
+            if value.parse::<f64>().is_ok() {
+                continue;
+            }
+            let mut all = Dimension::ALL.iter().copied();
+            dimension = dimension.or_else(|| all.find(|of| of.parse(value).is_ok()));
+            if dimension.is_none_or(|of| of.parse(value).is_err()) {
+                let message = format!(
+                    "`{}` of `{}` is no place on an axis",
+                    short(value),
+                    at.value
+                );
+                reader.report(
+                    Diagnostic::error(message)
+                        .at(at.place, "expected a key of numbers of one unit"),
+                );
+                return None;
+            }
+        }
+    }
+    Some(Abscissa {
+        key: at.value.clone(),
+        dimension,
+    })
+}

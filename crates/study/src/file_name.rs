@@ -1,0 +1,36 @@
+//! Names of files.
+
+use serde_json::json;
+use wholestring_config::{
+    Json,
+    diagnostic::Diagnostic,
+    names::short,
+    node::Node,
+    reader::Reader,
+    rule::{Rule, Text},
+};
+
+/// The name of a file without its ending: what every system takes.
+pub(crate) struct FileName;
+
+impl Rule for FileName {
+    type Value = String;
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<String> {
+        let name = Text.read(node, reader)?;
+        let sound = |letter: char| letter.is_ascii_alphanumeric() || "-_ +=,()".contains(letter);
+        if name.chars().all(sound) && name.len() <= 80 && name.trim() == name {
+            return Some(name);
+        }
+        let message = format!("`{}` makes no file name on every system", short(&name));
+        reader.report(Diagnostic::error(message).at(
+            node.place,
+            "expected letters, digits, blanks and - _ + = , ( ), 80 at most",
+        ));
+        None
+    }
+
+    fn schema(&self) -> Json {
+        json!({ "type": "string", "pattern": "^[A-Za-z0-9_+=,() -]{1,80}$" })
+    }
+}

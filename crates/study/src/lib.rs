@@ -1,0 +1,48 @@
+//! Study files: sweeps of cases, and the figures and tables to make of them.
+//!
+//! [`load`] and [`parse`] give a [`Study`], or a report that names every mistake at once. What its
+//! figures and tables may show is told by the caller, as [`ColumnName`]s: a study knows no results.
+//! The cases themselves are read by whoever carries the study out.
+//!
+//! ```
+//! use wholestring_study::{ColumnName, Source, parse};
+//! use wholestring_units::Dimension;
+//!
+//! let columns = [ColumnName {
+//!     source: Source::Summary,
+//!     name: "hook_load_N",
+//!     dimension: Some(Dimension::Force),
+//! }];
+//! let study = r#"
+//! [[sweep]]
+//! name = "deep"
+//! case = "well.toml"
+//! vary = { bit_depth = "300m..1500m/300m" }
+//!
+//! [[figure]]
+//! title = "Hook load"
+//! x = "bit_depth"
+//! y = "hook_load_N"
+//! "#;
+//! let study = parse("study.toml", study.as_bytes(), &columns)?;
+//! assert_eq!(study.sweeps[0].vary[0].values.len(), 5);
+//! # Ok::<(), wholestring_case::Report>(())
+//! ```
+#![warn(missing_docs)]
+
+mod chosen;
+mod column;
+mod figure;
+mod file_name;
+mod numbers;
+mod selection;
+mod study;
+mod sweep;
+
+pub use chosen::Chosen;
+pub use column::{ColumnName, Quantity, Source, Statistic};
+pub use figure::{Abscissa, Figure, FigureData, Level, Pointing};
+pub use numbers::{Number, NumberTable, Row, Shape, Wanted};
+pub use selection::Selection;
+pub use study::{Study, load, parse, schema};
+pub use sweep::{Exception, Sweep};

@@ -1,0 +1,221 @@
+//! A study: its top level, and how a text becomes a [`Study`].
+
+use std::{path::Path, sync::LazyLock};
+
+use serde_json::json;
+use wholestring_case::rules::UNIT_SETS;
+use wholestring_config::{
+    Json,
+    diagnostic::{Diagnostic, Report},
+    file::{read_file, tree},
+    kind::Kind,
+    names::short,
+    reader::Reader,
+    rule::{At, List, Prose, Section, Table, Text},
+    source::Place,
+    table::{Field, default, optional, required, table},
+};
+use wholestring_units::UnitSet;
+
+use crate::{
+    column::{ColumnName, Quantity, Source},
+    figure::{Figure, FigureTable},
+    numbers::{NumberTable, NumbersTable},
+    sweep::{self, Sweep, SweepTable},
+};
+
+table! {
+    /// A set of cases, and the figures and tables to make of what they leave.
+    StudyTable in "the study" {
+        /// What the study is called on its page. Default: the name of the file.
+        name: String = optional(Text);
+        /// What it asks and how, on top of its page.
+        description: String = optional(Prose);
+        /// Units of figures and tables: "si" (m, kN, kN.m, mm, kg/m3), "metric" (m, t, kN.m, mm, sg) or
+        /// "field" (ft, klbf, ft-lbf, in, ppg). Their data as CSV are SI always.
+        units: UnitSet = default(UNIT_SETS, UnitSet::Si);
+        /// The cases to solve.
+        sweep: Vec<At<SweepTable>> = required(List {
+            item: Section::<SweepTable>::RULE,
+            or_one: false,
+            noun: "sweeps ([[sweep]])",
+            most: 100,
+        });
+        /// The figures, in the order of the page.
+        figure: Vec<At<FigureTable>> = optional(List {
+            item: Section::<FigureTable>::RULE,
+            or_one: false,
+            noun: "figures ([[figure]])",
+            most: 500,
+        });
+        /// The tables, in the order of the page.
+        table: Vec<At<NumbersTable>> = optional(List {
+            item: Section::<NumbersTable>::RULE,
+            or_one: false,
+            noun: "tables ([[table]])",
+            most: 100,
+        });
+    }
+}
+
+/// A study in which everything has been checked but its cases.
+#[derive(Debug, Clone)]
+pub struct Study {
+    /// What it is called.
+    pub name: String,
+    /// What it asks and how; may be empty.
+    pub description: String,
+    /// Units of figures and tables.
+    pub units: UnitSet,
+    /// The cases.
+    pub sweeps: Vec<Sweep>,
+    /// The figures.
+    pub figures: Vec<Figure>,
+    /// The tables.
+    pub tables: Vec<NumberTable>,
+    /// What is probably not meant, but can be done.
+    pub warnings: Report,
+}
+
+impl Study {
+    /// Whether a figure or a number is made from tables that the cases of a sweep leave, by its index; from their
+    /// summaries otherwise.
+    pub fn reads_tables_of(&self, sweep: usize) -> bool {
+        let reads =
+            |quantity: &Quantity| !matches!(quantity.column.source, Source::Summary | Source::Path);
+        let figures = self
+            .figures
+            .iter()
+            .filter(|of| of.chosen.sweeps.contains(&sweep));
+        let rows = self.tables.iter().flat_map(|table| &table.rows);
+        let mut rows = rows.filter(|of| of.chosen.sweeps.contains(&sweep));
+        figures.flat_map(Figure::quantities).any(reads)
+            || rows.any(|row| reads(&row.number.quantity))
+    }
+}
+
+static STUDY_FILE: Kind = Kind {
+    noun: "study",
+    needs: "it needs at least one [[sweep]]",
+    tables: || &TABLES,
+};
+
+static TABLES: LazyLock<Json> = LazyLock::new(StudyTable::schema);
+
+/// JSON schema (draft 2020-12) of the study file: every key with its meaning, units, range and default.
+pub fn schema() -> Json {
+    let mut schema = TABLES.clone();
+    schema["$schema"] = json!("https://json-schema.org/draft/2020-12/schema");
+    schema["title"] = json!("wholestring study");
+    schema
+}
+
+/// Reads the study at `path`. `columns` is what its figures and tables may show.
+///
+/// # Errors
+/// A report of every mistake that was found, if there is one. The cases themselves are not read.
+pub fn load(path: &Path, columns: &[ColumnName]) -> Result<Study, Report> {
+    let (name, text) = read_file(path, "study")?;
+    parse(&name, &text, columns)
+}
+
+/// Reads a study from its text; `name` is what diagnostics call it.
+///
+/// # Errors
+/// As [`load`].
+pub fn parse(name: &str, text: &[u8], columns: &[ColumnName]) -> Result<Study, Report> {
+    let (root, mut reader) = tree(name, text, &STUDY_FILE)?;
+    let table = StudyTable::read(&root, Place::default(), &mut reader);
+    let study = build(name, &table, columns, &mut reader);
+    let failed = reader.has_errors();
+    let report = reader.into_report();
+    match study {
+        Some(study) if !failed => Ok(Study {
+            warnings: report,
+            ..study
+        }),
+        _ => Err(report),
+    }
+}
+
+fn build(
+    name: &str,
+    table: &StudyTable,
+    columns: &[ColumnName],
+    reader: &mut Reader,
+) -> Option<Study> {
+    let sweeps = sweep::build(table.sweep.get()?, reader)?;
+    let all = |tables: usize, built: usize| (tables == built).then_some(());
+    let given = table.figure.optional()?.map_or(&[][..], |at| &at.value);
+    let mut names = Names::default();
+    let figures: Vec<Figure> = given
+        .iter()
+        .enumerate()
+        .filter_map(|(index, at)| {
+            let name = names.name(&at.value.name, "figure", index, reader)?;
+            at.value.build(name, at.place, &sweeps, columns, reader)
+        })
+        .collect();
+    let tables_given = table.table.optional()?.map_or(&[][..], |at| &at.value);
+    let tables: Vec<NumberTable> = tables_given
+        .iter()
+        .enumerate()
+        .filter_map(|(index, at)| {
+            let name = names.name(&at.value.name, "table", index, reader)?;
+            at.value.build(name, &sweeps, columns, reader)
+        })
+        .collect();
+    all(given.len(), figures.len())?;
+    all(tables_given.len(), tables.len())?;
+    let stem = || {
+        let stem = Path::new(name).file_stem();
+        stem.map_or_else(
+            || "study".to_owned(),
+            |stem| stem.to_string_lossy().into_owned(),
+        )
+    };
+    Some(Study {
+        name: table
+            .name
+            .optional()?
+            .map_or_else(stem, |at| at.value.clone()),
+        description: table.description.text()?,
+        units: *table.units.get()?,
+        sweeps,
+        figures,
+        tables,
+        warnings: Report::default(),
+    })
+}
+
+/// Names of files, each given once.
+#[derive(Default)]
+struct Names(Vec<String>);
+
+impl Names {
+    /// The name that is given, or one of the kind and number.
+    fn name(
+        &mut self,
+        field: &Field<String>,
+        kind: &str,
+        index: usize,
+        reader: &mut Reader,
+    ) -> Option<String> {
+        let name = match field.optional()? {
+            Some(at) => {
+                let name = at.value.to_lowercase();
+                if self.0.contains(&name) {
+                    let message = format!("two are named `{}`", short(&at.value));
+                    reader.report(
+                        Diagnostic::error(message).at(at.place, "expected another file name"),
+                    );
+                    return None;
+                }
+                at.value.clone()
+            }
+            None => format!("{kind}-{:02}", index + 1),
+        };
+        self.0.push(name.to_lowercase());
+        Some(name)
+    }
+}

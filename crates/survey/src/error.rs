@@ -1,0 +1,355 @@
+//! Why a file is no survey, and where.
+
+use std::fmt;
+use std::ops::Range;
+
+use crate::column::Column;
+use wholestring_units::Dimension;
+
+/// Where in a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Place {
+    /// In a text file.
+    Text {
+        /// Line, from 1.
+        line: usize,
+        /// Character within the line, from 1.
+        column: usize,
+        /// Bytes of [`SurveyError::text`], on character boundaries.
+        span: Range<usize>,
+    },
+    /// In a workbook.
+    Cell {
+        /// Name of the sheet.
+        sheet: String,
+        /// Row, from 1 as spreadsheets number them.
+        row: u32,
+        /// Column, from 1; spreadsheets write 1 as A.
+        column: u32,
+    },
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Place::Text { line, column, .. } => write!(f, "line {line}, column {column}"),
+            Place::Cell { sheet, row, column } => {
+                write!(f, "sheet '{sheet}', cell {}{row}", letters(*column))
+            }
+        }
+    }
+}
+
+/// A spreadsheet's name of a column: 1 is A, 27 is AA.
+fn letters(column: u32) -> String {
+    let mut letters = Vec::new();
+    let mut rest = column;
+    while rest > 0 {
+        rest -= 1;
+        letters.push(char::from(b'A' + (rest % 26) as u8));
+        rest /= 26;
+    }
+    letters.iter().rev().collect()
+}
+
+/// How the unit of a survey that does not tell it is said.
+const SAY: &str = "`survey_unit = \"m\"` under [well], `--unit m` for `wholestring survey`";
+
+/// What is wrong with a survey.
+///
+/// Its `Display` is one sentence: what was found and what was expected.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SurveyErrorKind {
+    /// Nothing but blanks.
+    #[error(
+        "the file is empty; a survey with measured depth, inclination and azimuth was expected"
+    )]
+    Empty,
+    /// Bytes that are not text.
+    #[error("the file is not text; a survey as CSV or as an Excel workbook was expected")]
+    NotText,
+    /// A workbook that cannot be read.
+    #[error("the workbook cannot be read ({reason}); an .xlsx or .xls file was expected")]
+    NotAWorkbook {
+        /// What the reader of workbooks says.
+        reason: String,
+    },
+    /// More of something than any survey has.
+    #[error("the file holds {found}; at most {most} can be read")]
+    TooMuch {
+        /// How much of what.
+        found: String,
+        /// How much is read.
+        most: String,
+    },
+    /// No sheet has the columns.
+    #[error(
+        "no sheet has columns of measured depth, inclination and azimuth; the sheets are: {}",
+        quoted(sheets)
+    )]
+    NoSurveySheet {
+        /// Every sheet's name.
+        sheets: Vec<String>,
+    },
+    /// Neither a header nor three bare columns.
+    #[error(
+        "no header names the columns; expected one such as \
+         'MD (m), Inc (deg), Azi (deg)', or three columns of numbers"
+    )]
+    NoHeader,
+    /// A needed column is not there.
+    #[error(
+        "no column of {column}{}; the header has: {}",
+        perhaps(nearest),
+        quoted(headers)
+    )]
+    MissingColumn {
+        /// The column.
+        column: Column,
+        /// The header's cells.
+        headers: Vec<String>,
+        /// The heading that comes nearest, where one is near.
+        nearest: Option<String>,
+    },
+    /// Two headings mean the same column.
+    #[error("two columns read as {column}: '{first}' and '{second}'; leave one of them")]
+    DuplicateColumn {
+        /// The column.
+        column: Column,
+        /// One heading.
+        first: String,
+        /// The other.
+        second: String,
+    },
+    /// Three columns of numbers without a header, and nothing tells the unit of the depths.
+    #[error(
+        "no header names the columns and their units; \
+         write 'MD (m),Inc (deg),Azi (deg)' above them, or say the unit: {SAY}"
+    )]
+    NoUnits,
+    /// Lengths whose unit nothing tells.
+    #[error(
+        "the {column} under '{header}' has no unit; \
+         write it in the header, such as '{}', or in a row below it, or say it: {SAY}",
+        column.example()
+    )]
+    MissingUnit {
+        /// The column.
+        column: Column,
+        /// Its heading.
+        header: String,
+    },
+    /// A unit that is not known, or of something else.
+    #[error("'{found}' is {}not a unit of {}; expected {}", other(*is), column.dimension().name(),
+        units(column.dimension()))]
+    WrongUnit {
+        /// The column.
+        column: Column,
+        /// The unit as written.
+        found: String,
+        /// What it is a unit of, where it is one.
+        is: Option<Dimension>,
+    },
+    /// A heading and the row of units say different things.
+    #[error("the {column} is in '{header}' by its header and in '{row}' by the row of units")]
+    UnitConflict {
+        /// The column.
+        column: Column,
+        /// Symbol of the unit in the header.
+        header: &'static str,
+        /// Symbol of the unit in the row below.
+        row: &'static str,
+    },
+    /// The file tells another unit than the one that was said for it.
+    #[error(
+        "the {column} is in '{file}' by the file and in '{said}' by what was said; leave one of them"
+    )]
+    OtherUnit {
+        /// The column.
+        column: Column,
+        /// Symbol of the unit in the file.
+        file: &'static str,
+        /// Symbol of the unit that was said.
+        said: &'static str,
+    },
+    /// A cell that should hold a number.
+    #[error("'{found}' is not a number; the {column} was expected")]
+    NotANumber {
+        /// The column.
+        column: Column,
+        /// The cell's text.
+        found: String,
+    },
+    /// A cell that should hold something.
+    #[error("the {column} is missing in this row")]
+    EmptyCell {
+        /// The column.
+        column: Column,
+    },
+    /// NaN, an infinity, or too large for a double.
+    #[error("'{found}' is not a finite number; the {column} was expected")]
+    NotFinite {
+        /// The column.
+        column: Column,
+        /// The cell's text.
+        found: String,
+    },
+    /// Thousands or decimals: nothing in the file tells.
+    #[error(
+        "'{found}' may mean thousands or decimals; \
+         write the numbers with a decimal point and without separators"
+    )]
+    AmbiguousComma {
+        /// The cell's text.
+        found: String,
+    },
+    /// A row of a table in columns of blanks that has fewer values than the others.
+    #[error("{found} values in this row, {expected} in the first")]
+    ShortRow {
+        /// How many stand in the row.
+        found: usize,
+        /// How many columns there are.
+        expected: usize,
+    },
+    /// A measured depth that does not grow.
+    #[error(
+        "the measured depth {} after {previous}; it must grow from station to station",
+        if found == previous { "repeats:".to_owned() + " " + found } else { format!("runs backwards: {found}") }
+    )]
+    DepthNotIncreasing {
+        /// The depth as written, with its unit.
+        found: String,
+        /// The depth of the station above.
+        previous: String,
+    },
+    /// A value that no hole can have.
+    #[error("the {column} {found} is out of range; expected {expected}")]
+    OutOfRange {
+        /// The column.
+        column: Column,
+        /// The value with its unit.
+        found: String,
+        /// The range.
+        expected: &'static str,
+    },
+    /// Too few rows.
+    #[error("{}; a survey needs at least two stations", match found {
+        0 => "no station follows the header".to_owned(),
+        _ => "there is only one station".to_owned(),
+    })]
+    TooFewStations {
+        /// How many there are.
+        found: usize,
+    },
+}
+
+fn quoted(names: &[String]) -> String {
+    const SHOWN: usize = 20;
+    let mut text = names
+        .iter()
+        .take(SHOWN)
+        .map(|name| format!("'{name}'"))
+        .collect::<Vec<_>>()
+        .join(", ");
+    if names.len() > SHOWN {
+        text.push_str(", ...");
+    }
+    if text.is_empty() {
+        "(none)".to_owned()
+    } else {
+        text
+    }
+}
+
+fn perhaps(nearest: &Option<String>) -> String {
+    nearest
+        .as_ref()
+        .map_or(String::new(), |name| format!(" (is it '{name}'?)"))
+}
+
+fn other(is: Option<Dimension>) -> String {
+    is.map_or(String::new(), |is| format!("a unit of {}, ", is.name()))
+}
+
+fn units(dimension: Dimension) -> String {
+    dimension
+        .units()
+        .iter()
+        .map(|unit| unit.symbol)
+        .collect::<Vec<_>>()
+        .join(", ")
+}
+
+/// Why a file is no survey.
+///
+/// `Display` gives file, place and sentence. To underline the place, take
+/// [`text`](Self::text) and the span of [`place`](Self::place), and [`kind`](Self::kind) for the
+/// sentence alone.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SurveyError(Box<Detail>);
+
+#[derive(Debug, Clone, PartialEq)]
+struct Detail {
+    file: String,
+    kind: SurveyErrorKind,
+    place: Option<Place>,
+    text: Option<String>,
+}
+
+impl SurveyError {
+    pub(crate) fn new(
+        file: &str,
+        kind: SurveyErrorKind,
+        place: Option<Place>,
+        text: Option<&str>,
+    ) -> Self {
+        SurveyError(Box::new(Detail {
+            file: file.to_owned(),
+            kind,
+            place,
+            text: text.map(str::to_owned),
+        }))
+    }
+
+    /// The file's name as given to the reader.
+    pub fn file(&self) -> &str {
+        &self.0.file
+    }
+
+    /// What is wrong.
+    pub fn kind(&self) -> &SurveyErrorKind {
+        &self.0.kind
+    }
+
+    /// Where it is, if it is in one place.
+    pub fn place(&self) -> Option<&Place> {
+        self.0.place.as_ref()
+    }
+
+    /// The whole file as text, which the span of [`Place::Text`] counts in. `None` for workbooks
+    /// and for files that are not text.
+    ///
+    /// It differs from the file's bytes where these are not UTF-8 or begin with a mark.
+    pub fn text(&self) -> Option<&str> {
+        self.0.text.as_deref()
+    }
+
+    /// The bytes of [`text`](Self::text) to underline.
+    pub fn span(&self) -> Option<Range<usize>> {
+        match self.place() {
+            Some(Place::Text { span, .. }) => Some(span.clone()),
+            _ => None,
+        }
+    }
+}
+
+impl std::error::Error for SurveyError {}
+
+impl fmt::Display for SurveyError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.place() {
+            Some(place) => write!(f, "{}, {place}: {}", self.file(), self.kind()),
+            None => write!(f, "{}: {}", self.file(), self.kind()),
+        }
+    }
+}

@@ -1,0 +1,198 @@
+//! The header: the row, or the rows, that name the columns.
+
+use crate::column::Column;
+use crate::error::{SurveyError, SurveyErrorKind};
+use crate::heading::{self, Heading};
+use crate::number;
+use crate::table::{Position, Table};
+
+/// A header stands within this many rows.
+const HEADER_ROWS: usize = 200;
+
+/// A column of a survey stands within this many columns.
+const HEADER_COLUMNS: usize = 500;
+
+/// A heading is spread over at most this many rows.
+const STACKED: usize = 4;
+
+/// A heading this near to a column's name is offered for it.
+const NEAR: f64 = 0.6;
+
+/// A column's heading: the cell's index, its text and what it says.
+pub(crate) type Taken = (usize, String, Heading);
+
+/// A header row with the needed columns.
+#[derive(Debug, Clone)]
+pub(crate) struct Header {
+    /// Its last row.
+    pub(crate) row: usize,
+    pub(crate) headings: Vec<Taken>,
+    /// Headings of columns that another was taken for.
+    pub(crate) passed_over: Vec<String>,
+    pub(crate) texts: Vec<String>,
+}
+
+/// A row that names some of the columns.
+#[derive(Debug, Clone)]
+pub(crate) struct Partial {
+    /// How many columns it names.
+    pub(crate) count: usize,
+    row: usize,
+    texts: Vec<String>,
+    kind: SurveyErrorKind,
+}
+
+impl Partial {
+    /// It is more than a title with a word that also heads columns.
+    pub(crate) fn is_header(&self) -> bool {
+        self.count >= 2 || (self.count == 1 && self.texts.len() >= Column::NEEDED.len())
+    }
+
+    pub(crate) fn error(self, table: &Table) -> SurveyError {
+        let at = table.rows[self.row]
+            .cells
+            .iter()
+            .filter(|cell| !cell.is_empty())
+            .map(|cell| cell.at)
+            .reduce(|first, last| {
+                if first.0 == last.0 {
+                    first
+                } else {
+                    Position(first.0, last.1)
+                }
+            });
+        table.source.error(self.kind, at)
+    }
+}
+
+/// Finds the header; `Err` has the row that comes nearest to one, if any names a column.
+pub(crate) fn find(table: &Table) -> Result<Header, Option<Partial>> {
+    let mut best: Option<Partial> = None;
+    for row in 0..table.rows.len().min(HEADER_ROWS) {
+        if table.rows[row].texts().all(number::is_number) {
+            continue;
+        }
+        for stacked in 1..=STACKED.min(row + 1) {
+            let top = row + 1 - stacked;
+            if stacked > 1 && (table.rows[top].is_empty() || table.rows[top].is_comment()) {
+                break;
+            }
+            match named(table, top, row) {
+                Ok(header) => return Ok(header),
+                // A duplicate is told only if nothing else is: more rows may tell the two apart.
+                Err(partial) if stacked == 1 && !table.rows[row].is_comment() => {
+                    let better = best.as_ref().is_none_or(|best| partial.count >= best.count);
+                    if partial.texts.len() > 1 && better {
+                        best = Some(partial);
+                    }
+                }
+                Err(_) => {}
+            }
+        }
+    }
+    Err(best)
+}
+
+/// The columns that the rows from `top` to `row` name together.
+fn named(table: &Table, top: usize, row: usize) -> Result<Header, Partial> {
+    let rows = &table.rows[top..=row];
+    let width = rows.iter().map(|row| row.cells.len()).max().unwrap_or(0);
+    let width = width.min(HEADER_COLUMNS);
+    let texts: Vec<String> = (0..width)
+        .map(|index| {
+            let parts: Vec<&str> = rows
+                .iter()
+                .map(|row| row.text(index))
+                .filter(|text| !text.is_empty())
+                .collect();
+            parts.join(" ")
+        })
+        .collect();
+    let headings: Vec<(usize, Heading)> = texts
+        .iter()
+        .enumerate()
+        .filter_map(|(index, text)| Some((index, heading::recognise(text)?)))
+        .collect();
+
+    let mut taken: Vec<Taken> = Vec::new();
+    let mut passed_over = Vec::new();
+    let mut fault = None;
+    for column in Column::ALL {
+        let of = |(_, heading): &&(usize, Heading)| heading.column == column;
+        let mut candidates: Vec<&(usize, Heading)> = headings.iter().filter(of).collect();
+        candidates.sort_by_key(|(_, heading)| heading.rank);
+        match candidates[..] {
+            [] if Column::NEEDED.contains(&column) => {
+                fault.get_or_insert_with(|| missing(column, &texts));
+            }
+            [] => {}
+            [first, second, ..] if first.1.rank == second.1.rank => {
+                fault.get_or_insert(SurveyErrorKind::DuplicateColumn {
+                    column,
+                    first: texts[first.0].clone(),
+                    second: texts[second.0].clone(),
+                });
+            }
+            [first, ref others @ ..] => {
+                taken.push((first.0, texts[first.0].clone(), first.1.clone()));
+                passed_over.extend(others.iter().map(|other| texts[other.0].clone()));
+            }
+        }
+    }
+    // One alone is no position: "N" may as well number the rows.
+    let is_plan = |column| matches!(column, Column::North | Column::East);
+    if taken
+        .iter()
+        .filter(|(_, _, heading): &&Taken| is_plan(heading.column))
+        .count()
+        == 1
+    {
+        let alone = taken.extract_if(.., |(_, _, heading)| is_plan(heading.column));
+        passed_over.extend(alone.map(|(_, text, _)| text));
+    }
+    match fault {
+        None => Ok(Header {
+            row,
+            headings: taken,
+            passed_over,
+            texts,
+        }),
+        Some(kind) => {
+            let count = Column::ALL
+                .iter()
+                .filter(|column| {
+                    headings
+                        .iter()
+                        .any(|(_, heading)| heading.column == **column)
+                })
+                .count();
+            let texts = texts.into_iter().filter(|text| !text.is_empty()).collect();
+            Err(Partial {
+                count,
+                row,
+                texts,
+                kind,
+            })
+        }
+    }
+}
+
+fn missing(column: Column, texts: &[String]) -> SurveyErrorKind {
+    let headers: Vec<String> = texts
+        .iter()
+        .filter(|text| !text.is_empty())
+        .cloned()
+        .collect();
+    let nearest = headers
+        .iter()
+        .filter(|text| heading::recognise(text).is_none())
+        .map(|text| (heading::nearness(column, text), text))
+        .filter(|(nearness, _)| *nearness >= NEAR)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, text)| text.clone());
+    SurveyErrorKind::MissingColumn {
+        column,
+        headers,
+        nearest,
+    }
+}

@@ -1,0 +1,307 @@
+//! What a heading says: which column it stands over, and in which unit.
+
+use wholestring_units::{Dimension, Unit};
+
+use crate::column::Column;
+use crate::names::{BESIDE, NAMES, SUBSEA};
+
+/// A heading that names a column.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Heading {
+    pub(crate) column: Column,
+    /// Of two headings for one column the lower rank is taken.
+    pub(crate) rank: u8,
+    pub(crate) unit: HeadingUnit,
+}
+
+/// The unit in a heading.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum HeadingUnit {
+    None,
+    Unit(&'static Unit),
+    /// Something in brackets that is no unit of the column's dimension.
+    Wrong {
+        found: String,
+        is: Option<Dimension>,
+    },
+}
+
+/// Headings longer than this, in bytes, are sentences.
+const LONGEST: usize = 80;
+
+/// A unit is written in at most this many words, such as `ft MD KB`.
+const UNIT_WORDS: usize = 3;
+
+/// What a heading says, if it names a column of a survey.
+pub(crate) fn recognise(text: &str) -> Option<Heading> {
+    if text.len() > LONGEST {
+        return None;
+    }
+    let (name, brackets) = part_brackets(text);
+    let words = words(&name);
+    let inside: Vec<String> = brackets
+        .iter()
+        .flat_map(|bracket| self::words(bracket))
+        .collect();
+    if words
+        .iter()
+        .chain(&inside)
+        .any(|word| SUBSEA.contains(&lower(word).as_str()))
+    {
+        return None;
+    }
+
+    // "MD (m)": the whole name; "md_m": its last word is the unit; "MD ftKB": its last words.
+    let (column, mut rank, last) = match named(&words) {
+        Some((column, rank)) => (column, rank, None),
+        None => (1..words.len().min(UNIT_WORDS + 1)).find_map(|count| {
+            let (rest, last) = words.split_at(words.len() - count);
+            let (column, rank) = named(rest)?;
+            let unit = column.dimension().find_unit(&last.concat())?;
+            Some((column, rank, Some(unit)))
+        })?,
+    };
+    let has = |word: &str| {
+        words
+            .iter()
+            .chain(&inside)
+            .any(|other| lower(other) == word)
+    };
+    match column {
+        Column::Azimuth if has("grid") || has("corr") || has("corrected") => rank = 0,
+        Column::Azimuth if has("true") => rank = 2,
+        Column::Azimuth if has("mag") || has("magnetic") => rank = 3,
+        Column::North | Column::East if has("map") => rank = 1,
+        _ => {}
+    }
+    let unit = match last {
+        Some(unit) => HeadingUnit::Unit(unit),
+        None => unit_in(column, &brackets),
+    };
+    Some(Heading { column, rank, unit })
+}
+
+/// The unit that a cell in a row of units names: `ft`, `(ft)`, `[ft]`.
+pub(crate) fn bare_unit(text: &str) -> &str {
+    text.trim()
+        .trim_matches(['(', ')', '[', ']', '{', '}'])
+        .trim()
+}
+
+/// Whether a text is a unit of any dimension.
+pub(crate) fn dimension_of(text: &str) -> Option<Dimension> {
+    Dimension::ALL
+        .iter()
+        .copied()
+        .find(|dimension| dimension.find_unit(text).is_some())
+}
+
+/// The column whose name comes nearest to a heading, with how near, from 0 to 1.
+pub(crate) fn nearness(column: Column, text: &str) -> f64 {
+    let (name, _) = part_brackets(text);
+    let written: String = words(&name).iter().map(|word| lower(word)).collect();
+    if written.is_empty() || written.len() > LONGEST {
+        return 0.0;
+    }
+    NAMES
+        .iter()
+        .filter(|(of, _, _)| *of == column)
+        .flat_map(|(_, _, names)| names.iter())
+        .map(|name| strsim::normalized_damerau_levenshtein(name, &written))
+        .fold(0.0, f64::max)
+}
+
+/// The column that these words name.
+fn named(words: &[String]) -> Option<(Column, u8)> {
+    let find = |joined: &str| {
+        NAMES
+            .iter()
+            .find(|(_, _, names)| names.contains(&joined))
+            .map(|&(column, rank, _)| (column, rank))
+    };
+    let whole: String = words.iter().map(|word| lower(word)).collect();
+    let core: String = words
+        .iter()
+        .map(|word| lower(word))
+        .filter(|word| !BESIDE.contains(&word.as_str()))
+        .collect();
+    find(&whole).or_else(|| find(&core))
+}
+
+/// The unit among the bracketed parts of a heading.
+fn unit_in(column: Column, brackets: &[String]) -> HeadingUnit {
+    let dimension = column.dimension();
+    if let Some(unit) = brackets
+        .iter()
+        .find_map(|bracket| dimension.find_unit(bracket))
+    {
+        return HeadingUnit::Unit(unit);
+    }
+    // "Measured Depth (MD)", "Azimuth (T)", "MD (RKB)", "N(+)/S(-)": not meant as units.
+    let meant_otherwise = |bracket: &String| {
+        let words = words(bracket);
+        let beside = |word: &String| {
+            word.chars().count() == 1 && column == Column::Azimuth
+                || BESIDE.contains(&lower(word).as_str())
+        };
+        words.iter().all(beside) || named(&words).is_some()
+    };
+    match brackets.iter().find(|bracket| !meant_otherwise(bracket)) {
+        Some(bracket) => HeadingUnit::Wrong {
+            found: bracket.clone(),
+            is: dimension_of(bracket),
+        },
+        None => HeadingUnit::None,
+    }
+}
+
+/// A heading without its bracketed parts, and these.
+fn part_brackets(text: &str) -> (String, Vec<String>) {
+    let mut name = String::new();
+    let mut brackets = Vec::new();
+    let mut inside: Option<String> = None;
+    for c in text.chars() {
+        match (c, &mut inside) {
+            ('(' | '[' | '{', None) => inside = Some(String::new()),
+            (')' | ']' | '}', Some(bracket)) => {
+                brackets.push(bracket.trim().to_owned());
+                inside = None;
+                name.push(' ');
+            }
+            (c, Some(bracket)) => bracket.push(c),
+            (c, None) => name.push(c),
+        }
+    }
+    brackets.extend(inside.map(|bracket| bracket.trim().to_owned()));
+    brackets.retain(|bracket| !bracket.is_empty());
+    (name, brackets)
+}
+
+/// The words of a name: runs of letters and digits, and `MeasuredDepth` is two.
+fn words(name: &str) -> Vec<String> {
+    let name = name.replace(['°', 'º', '˚'], " deg ");
+    let mut words: Vec<String> = Vec::new();
+    let mut before = ' ';
+    for c in name.chars() {
+        if c.is_alphanumeric() {
+            let begins = !before.is_alphanumeric() || (before.is_lowercase() && c.is_uppercase());
+            match words.last_mut() {
+                Some(word) if !begins => word.push(c),
+                _ => words.push(c.to_string()),
+            }
+        }
+        before = c;
+    }
+    words
+}
+
+fn lower(word: &str) -> String {
+    word.to_lowercase()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Column, HeadingUnit, recognise};
+
+    #[test]
+    fn common_headings_are_recognised() {
+        use Column::*;
+        for (text, column, unit) in [
+            ("MD (m)", MeasuredDepth, "m"),
+            ("MD[m]", MeasuredDepth, "m"),
+            ("md_m", MeasuredDepth, "m"),
+            ("MD m", MeasuredDepth, "m"),
+            ("MD (M)", MeasuredDepth, "m"),
+            ("MD, ft", MeasuredDepth, "ft"),
+            ("#MD (usft)", MeasuredDepth, "usft"),
+            ("Measured Depth ( ft )", MeasuredDepth, "ft"),
+            ("MeasuredDepth_ft", MeasuredDepth, "ft"),
+            ("Measured Depth RKB (ft)", MeasuredDepth, "ft"),
+            ("Measured Depth (MD) [m]", MeasuredDepth, "m"),
+            ("DEPTH (FEET)", MeasuredDepth, "ft"),
+            ("Depth (metres)", MeasuredDepth, "m"),
+            ("Inc[deg]", Inclination, "deg"),
+            ("MD (ftKB)", MeasuredDepth, "ft"),
+            ("MD ftKB", MeasuredDepth, "ft"),
+            ("Measured Depth [m RT]", MeasuredDepth, "m"),
+            ("Depth (ftMDRKB)", MeasuredDepth, "ft"),
+            ("TVD (mTVDRT)", TrueVerticalDepth, "m"),
+            ("inc_deg", Inclination, "deg"),
+            ("INCL", Inclination, ""),
+            ("Incl. (°)", Inclination, "deg"),
+            ("Inclination °", Inclination, "deg"),
+            ("Hole Angle (deg)", Inclination, "deg"),
+            ("inc_rad", Inclination, "rad"),
+            ("Azimuth Grid ( deg )", Azimuth, "deg"),
+            ("Azi", Azimuth, ""),
+            ("AZ (T)", Azimuth, ""),
+            ("azi_deg", Azimuth, "deg"),
+            ("True Azimuth [dega]", Azimuth, "deg"),
+            ("TVD", TrueVerticalDepth, ""),
+            ("True Vertical Depth (m)", TrueVerticalDepth, "m"),
+            ("Vertical Depth (ft)", TrueVerticalDepth, "ft"),
+            ("North", North, ""),
+            ("N/S (ft)", North, "ft"),
+            ("+N/-S (ft)", North, "ft"),
+            ("N(+)/S(-) (m)", North, "m"),
+            ("Northing ( m )", North, "m"),
+            ("east_m", East, "m"),
+            ("+E/-W", East, ""),
+        ] {
+            let heading = recognise(text).unwrap_or_else(|| panic!("{text}"));
+            assert_eq!(heading.column, column, "{text}");
+            match heading.unit {
+                HeadingUnit::Unit(found) => assert_eq!(found.symbol, unit, "{text}"),
+                HeadingUnit::None => assert_eq!(unit, "", "{text}"),
+                HeadingUnit::Wrong { found, .. } => panic!("{text}: {found}"),
+            }
+        }
+    }
+
+    #[test]
+    fn other_headings_are_not() {
+        for text in [
+            "TVDSS (m)",
+            "TVD SS",
+            "TVD (subsea)",
+            "TVD (mMSL)",
+            "DLS (deg/30m)",
+            "Dogleg",
+            "Vertical Section",
+            "Tool face",
+            "Comment",
+            "well",
+            "Survey",
+            "Date",
+            "#",
+            "",
+            "1500.0",
+            "Closure",
+            "Inclination error model",
+            "Build rate",
+        ] {
+            assert_eq!(recognise(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_unit_of_something_else_is_kept_for_the_error() {
+        for (text, unit) in [("MD (deg)", "deg"), ("Inc (furlong)", "furlong")] {
+            match recognise(text).map(|heading| heading.unit) {
+                Some(HeadingUnit::Wrong { found, .. }) => assert_eq!(found, unit),
+                other => panic!("{text}: {other:?}"),
+            }
+        }
+    }
+
+    #[test]
+    fn grid_comes_before_true_and_true_before_magnetic() {
+        let rank = |text| recognise(text).map(|heading| heading.rank);
+        assert!(rank("Azimuth (grid)") < rank("Azimuth"));
+        assert!(rank("Azimuth") < rank("Azimuth True"));
+        assert!(rank("Azimuth True") < rank("Azimuth Magnetic"));
+        assert!(rank("MD") < rank("Depth"));
+        assert!(rank("N/S") < rank("Northing"));
+        assert!(rank("N/S") < rank("Map North"));
+    }
+}

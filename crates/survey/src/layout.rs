@@ -1,0 +1,254 @@
+//! Where a table's columns stand: their units, and the first row of numbers.
+
+use wholestring_units::Unit;
+
+use crate::error::{SurveyError, SurveyErrorKind};
+use crate::header::Header;
+use crate::heading::{self, HeadingUnit};
+use crate::number;
+use crate::table::{Position, Table};
+use crate::{column::Column, said::Said};
+
+/// One column of the survey in the table.
+#[derive(Debug, Clone)]
+pub(crate) struct Found {
+    pub(crate) column: Column,
+    /// Which cell of each row.
+    pub(crate) index: usize,
+    pub(crate) unit: &'static Unit,
+}
+
+/// Where everything is.
+#[derive(Debug, Clone)]
+pub(crate) struct Layout {
+    pub(crate) columns: Vec<Found>,
+    /// The first row below the header and the units.
+    pub(crate) data: usize,
+    /// The header's texts, by which a header repeated further down is known.
+    pub(crate) header: Vec<String>,
+    pub(crate) notes: Vec<String>,
+}
+
+impl Layout {
+    pub(crate) fn column(&self, column: Column) -> Option<&Found> {
+        self.columns.iter().find(|found| found.column == column)
+    }
+}
+
+/// The layout below a header: its units, and where the numbers begin.
+pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout, SurveyError> {
+    let row = table.source.row_name(table.rows[header.row].end);
+    let mut notes = vec![table.note(&format!("header in {row}"))];
+    for text in &header.passed_over {
+        notes.push(format!("the column '{text}' is not used"));
+    }
+    let (units_row, data) = units_row(table, &header);
+
+    let mut columns = Vec::new();
+    let mut in_degrees = Vec::new();
+    let mut as_said = Vec::new();
+    for (index, text, heading) in &header.headings {
+        let column = heading.column;
+        let header_at = header_position(table, header.row, *index);
+        let in_row = match units_row {
+            Some(row) => unit_in_row(table, row, *index, column)?,
+            None => None,
+        };
+        let unit = match (&heading.unit, in_row) {
+            (HeadingUnit::Wrong { found, is }, _) => {
+                let kind = SurveyErrorKind::WrongUnit {
+                    column,
+                    found: found.clone(),
+                    is: *is,
+                };
+                return Err(table.source.error(kind, Some(header_at)));
+            }
+            (HeadingUnit::Unit(in_header), Some((in_row, at))) if *in_header != in_row => {
+                let kind = SurveyErrorKind::UnitConflict {
+                    column,
+                    header: in_header.symbol,
+                    row: in_row.symbol,
+                };
+                return Err(table.source.error(kind, Some(at)));
+            }
+            (HeadingUnit::Unit(unit), _) => *unit,
+            (HeadingUnit::None, Some((unit, _))) => unit,
+            (HeadingUnit::None, None) => match column {
+                Column::Inclination | Column::Azimuth => {
+                    in_degrees.push(column.to_string());
+                    named_unit(column, "deg")
+                }
+                _ => match said.length_unit {
+                    Some(unit) => {
+                        as_said.push(column.to_string());
+                        unit
+                    }
+                    None => {
+                        let kind = SurveyErrorKind::MissingUnit {
+                            column,
+                            header: text.clone(),
+                        };
+                        return Err(table.source.error(kind, Some(header_at)));
+                    }
+                },
+            },
+        };
+        if let Some(said) = said.length_unit
+            && column == Column::MeasuredDepth
+            && said != unit
+        {
+            let kind = SurveyErrorKind::OtherUnit {
+                column,
+                file: unit.symbol,
+                said: said.symbol,
+            };
+            return Err(table.source.error(kind, Some(header_at)));
+        }
+        notes.push(format!("{column} from '{text}' in {}", unit.symbol));
+        columns.push(Found {
+            column,
+            index: *index,
+            unit,
+        });
+    }
+    if let Some(unit) = said.length_unit.filter(|_| !as_said.is_empty()) {
+        notes.push(format!(
+            "no unit for {}: read in {} as was said",
+            as_said.join(" and "),
+            unit.symbol
+        ));
+    }
+    if !in_degrees.is_empty() {
+        notes.push(format!(
+            "no unit for {}: read in degrees",
+            in_degrees.join(" and ")
+        ));
+    }
+    Ok(Layout {
+        columns,
+        data,
+        header: header.texts,
+        notes,
+    })
+}
+
+/// Three columns of numbers without a header, from the first row that is such; none if the
+/// numbers stand in more columns, or under a header that names none of them. It is an error where
+/// the unit of the depths was not said.
+pub(crate) fn without_header(table: &Table, said: &Said) -> Option<Result<Layout, SurveyError>> {
+    let first = table.rows.iter().position(|row| {
+        !row.is_empty() && row.texts().count() > 1 && row.texts().all(number::is_number)
+    })?;
+    let headed = table.rows[..first]
+        .iter()
+        .any(|row| !row.is_comment() && row.texts().count() >= Column::NEEDED.len());
+    if headed || table.rows[first].texts().count() != Column::NEEDED.len() {
+        return None;
+    }
+    let row = &table.rows[first];
+    let cells = &row.cells;
+    let Some(length_unit) = said.length_unit else {
+        let at = cells.iter().find(|cell| !cell.is_empty());
+        let at = at.map_or(row.end, |cell| cell.at);
+        return Some(Err(table.source.error(SurveyErrorKind::NoUnits, Some(at))));
+    };
+    let filled = cells
+        .iter()
+        .enumerate()
+        .filter(|(_, cell)| !cell.is_empty());
+    let columns = filled
+        .zip(Column::NEEDED)
+        .map(|((index, _), column)| {
+            let unit = if column == Column::MeasuredDepth {
+                length_unit
+            } else {
+                named_unit(column, "deg")
+            };
+            Found {
+                column,
+                index,
+                unit,
+            }
+        })
+        .collect();
+    let notes = vec![
+        table.note("no header"),
+        format!(
+            "three columns read as measured depth in {} as was said, inclination in deg, azimuth in deg",
+            length_unit.symbol
+        ),
+    ];
+    Some(Ok(Layout {
+        columns,
+        data: first,
+        header: Vec::new(),
+        notes,
+    }))
+}
+
+/// The row of units below a header, if there is one, and the row after it.
+fn units_row(table: &Table, header: &Header) -> (Option<usize>, usize) {
+    let below = header.row + 1;
+    let drawn = |row: usize| table.rows[row].is_empty() || table.rows[row].is_rule();
+    let Some(row) = (below..table.rows.len()).find(|&row| !drawn(row)) else {
+        return (None, below);
+    };
+    let mut cells = header
+        .headings
+        .iter()
+        .map(|(index, _, heading)| (heading.column, table.rows[row].text(*index)))
+        .filter(|(_, text)| !text.is_empty())
+        .peekable();
+    let mut names_unit = false;
+    let mut names_number = false;
+    for (column, text) in cells.by_ref() {
+        let unit = heading::bare_unit(text);
+        names_unit |= column.dimension().find_unit(unit).is_some();
+        names_unit |= heading::dimension_of(unit).is_some();
+        names_number |= number::is_number(text);
+    }
+    if names_unit && !names_number {
+        (Some(row), row + 1)
+    } else {
+        (None, below)
+    }
+}
+
+/// The unit in a row of units, and where it stands.
+fn unit_in_row(
+    table: &Table,
+    row: usize,
+    index: usize,
+    column: Column,
+) -> Result<Option<(&'static Unit, Position)>, SurveyError> {
+    let Some(cell) = table.rows[row].cells.get(index) else {
+        return Ok(None);
+    };
+    let text = heading::bare_unit(&cell.text);
+    if text.is_empty() || text.chars().all(|c| "-=_".contains(c)) {
+        return Ok(None);
+    }
+    match column.dimension().find_unit(text) {
+        Some(unit) => Ok(Some((unit, cell.at))),
+        None => {
+            let is = heading::dimension_of(text);
+            let kind = SurveyErrorKind::WrongUnit {
+                column,
+                found: text.to_owned(),
+                is,
+            };
+            Err(table.source.error(kind, Some(cell.at)))
+        }
+    }
+}
+
+fn header_position(table: &Table, row: usize, index: usize) -> Position {
+    let row = &table.rows[row];
+    row.cells.get(index).map_or(row.end, |cell| cell.at)
+}
+
+/// A unit of the column by its symbol; the dimension's first if the symbol were not its.
+fn named_unit(column: Column, symbol: &str) -> &'static Unit {
+    let dimension = column.dimension();
+    dimension.find_unit(symbol).unwrap_or(&dimension.units()[0])
+}

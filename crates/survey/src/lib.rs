@@ -1,0 +1,52 @@
+//! Surveys from CSV, text reports and Excel.
+//!
+//! Columns are found by their headings, in any order and under the spellings that are common:
+//! `MD (m)`, `Measured Depth ( ft )`, `md_m`, `INCL`, `Azimuth Grid [deg]`. Units stand in the
+//! headings or in a row below them. Titles and comments above the header, a comma, semicolon, tab
+//! or blanks between the columns, decimal commas and thousands separators are taken as they come.
+//! What was recognised is told in [`ImportedSurvey::notes`].
+//!
+//! Nothing is guessed where a mistake would go unseen: lengths without any unit are an error until
+//! their unit is [said](Said), with which three columns need no header either. Angles without a unit are
+//! degrees, which is noted.
+//!
+//! ```
+//! let text = "MD (ft),Inc,Azi\n0,0,0\n1000,0,0\n1100,3,45\n";
+//! let survey = wholestring_survey::read(text.as_bytes(), "a.csv")?;
+//! assert_eq!(survey.stations[1].md_m, 304.8);
+//!
+//! let error = wholestring_survey::read(b"MD (ft),Inc,Azi\n0,0,0\nx,0,0\n", "a.csv");
+//! assert_eq!(
+//!     error.unwrap_err().to_string(),
+//!     "a.csv, line 3, column 1: 'x' is not a number; the measured depth was expected"
+//! );
+//! # Ok::<(), wholestring_survey::SurveyError>(())
+//! ```
+#![warn(missing_docs)]
+
+mod archive;
+mod blanks;
+mod column;
+mod compound;
+mod decode;
+mod delimited;
+mod error;
+mod header;
+mod heading;
+mod imported;
+mod layout;
+mod limits;
+mod names;
+mod number;
+mod read;
+mod records;
+mod said;
+mod stations;
+mod table;
+mod workbook;
+
+pub use column::Column;
+pub use error::{Place, SurveyError, SurveyErrorKind};
+pub use imported::{ImportedSurvey, under_origin};
+pub use read::{read, read_as, read_csv, read_excel};
+pub use said::Said;

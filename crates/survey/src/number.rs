@@ -1,0 +1,150 @@
+//! Numbers in cells: what their commas and points mean.
+
+/// What commas and points mean in the numbers of a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Style {
+    /// `1500.5`, or `1,500.5` with thousands.
+    Point,
+    /// `1500,5`, or `1.500,5` with thousands.
+    Comma,
+}
+
+/// Why a text is no number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Fault {
+    NotANumber,
+    NotFinite,
+}
+
+/// The style that numbers are written in; `Err` has the first one that nothing settles.
+///
+/// A sign that parts groups of three digits may be either. One number that cannot be read both
+/// ways settles the whole table.
+pub(crate) fn style<'a>(numbers: impl Iterator<Item = &'a str>) -> Result<Style, &'a str> {
+    let (mut point, mut comma) = (false, false);
+    let (mut point_or_thousands, mut comma_or_thousands) = (None, None);
+    for number in numbers.filter(|number| number.contains([',', '.'])) {
+        let fits_point = read(number, Style::Point).is_ok();
+        let fits_comma = read(number, Style::Comma).is_ok();
+        match (fits_point, fits_comma) {
+            (true, false) => point = true,
+            (false, true) => comma = true,
+            (true, true) if number.contains(',') => {
+                comma_or_thousands.get_or_insert(number);
+            }
+            (true, true) => {
+                point_or_thousands.get_or_insert(number);
+            }
+            (false, false) => {}
+        }
+    }
+    match (point, comma) {
+        // Where both stand, the comma's numbers will be refused at their own place.
+        (true, _) => Ok(Style::Point),
+        (false, true) => Ok(Style::Comma),
+        // `1,500` beside `3.125`: no thousands are as small as angles, points are decimals.
+        (false, false) => match (point_or_thousands, comma_or_thousands) {
+            (_, None) | (Some(_), Some(_)) => Ok(Style::Point),
+            (None, Some(number)) => Err(number),
+        },
+    }
+}
+
+/// Reads a number in a style.
+pub(crate) fn read(text: &str, style: Style) -> Result<f64, Fault> {
+    let text = text.trim().replace('−', "-");
+    let unsigned = text.strip_prefix(['+', '-']).unwrap_or(&text);
+    if ["nan", "inf", "infinity"]
+        .iter()
+        .any(|name| unsigned.eq_ignore_ascii_case(name))
+    {
+        return Err(Fault::NotFinite);
+    }
+    let (decimal, thousands) = match style {
+        Style::Point => ('.', ','),
+        Style::Comma => (',', '.'),
+    };
+    let (mantissa, exponent) = match unsigned.find(['e', 'E']) {
+        Some(at) => unsigned.split_at(at),
+        None => (unsigned, ""),
+    };
+    let (whole, fraction) = mantissa.split_once(decimal).unwrap_or((mantissa, ""));
+    let whole = without_groups(whole, &[thousands, ' ', '\u{a0}', '\u{202f}', '\'', '’']);
+    let mut number = String::with_capacity(text.len());
+    number.push_str(&text[..text.len() - unsigned.len()]);
+    number.push_str(&whole);
+    number.push('.');
+    number.push_str(fraction);
+    number.push_str(exponent);
+    let plain = |c: char| c.is_ascii_digit() || "+-.eE".contains(c);
+    if !number.chars().all(plain) {
+        return Err(Fault::NotANumber);
+    }
+    match number.parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok(number),
+        Ok(_) => Err(Fault::NotFinite),
+        Err(_) => Err(Fault::NotANumber),
+    }
+}
+
+/// It is a number in one style or the other.
+pub(crate) fn is_number(text: &str) -> bool {
+    read(text, Style::Point).is_ok() || read(text, Style::Comma).is_ok()
+}
+
+/// Digits without the signs between groups of three; the text itself if it has no such groups.
+fn without_groups(whole: &str, separators: &[char]) -> String {
+    let Some(separator) = whole.chars().find(|c| separators.contains(c)) else {
+        return whole.to_owned();
+    };
+    let groups: Vec<&str> = whole.split(separator).collect();
+    let digits = |group: &str| group.bytes().all(|byte| byte.is_ascii_digit());
+    let leads = (1..=3).contains(&groups[0].len()) && !groups[0].starts_with('0');
+    if leads
+        && groups.iter().all(|group| digits(group))
+        && groups[1..].iter().all(|group| group.len() == 3)
+    {
+        groups.concat()
+    } else {
+        whole.to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Fault, Style, read, style};
+
+    #[test]
+    fn numbers_are_read_in_their_style() {
+        let point = |text| read(text, Style::Point);
+        let comma = |text| read(text, Style::Comma);
+        assert_eq!(point("1,500.25"), Ok(1500.25));
+        assert_eq!(point("-1,234,567"), Ok(-1_234_567.0));
+        assert_eq!(point("1 500.5"), Ok(1500.5));
+        assert_eq!(point(".5"), Ok(0.5));
+        assert_eq!(point("5."), Ok(5.0));
+        assert_eq!(point("1e3"), Ok(1000.0));
+        assert_eq!(comma("1.500,25"), Ok(1500.25));
+        assert_eq!(comma("−0,5"), Ok(-0.5));
+        for text in [
+            "", ".", "-", "1,50", "0,500", "1,5000", "1.2.3", "1e", "e5", "abc", "5m",
+        ] {
+            assert_eq!(point(text), Err(Fault::NotANumber), "{text}");
+        }
+        for text in ["NaN", "-inf", "Infinity", "1e999"] {
+            assert_eq!(point(text), Err(Fault::NotFinite), "{text}");
+        }
+    }
+
+    #[test]
+    fn one_number_settles_the_style() {
+        assert_eq!(style(["1,500", "0.5"].into_iter()), Ok(Style::Point));
+        assert_eq!(style(["1,500.0", "2,000"].into_iter()), Ok(Style::Point));
+        assert_eq!(style(["1,500", "0,5"].into_iter()), Ok(Style::Comma));
+        assert_eq!(style(["1.500", "0,5"].into_iter()), Ok(Style::Comma));
+        assert_eq!(style(["0,000", "1,500"].into_iter()), Ok(Style::Comma));
+        assert_eq!(style(["30.125", "1500"].into_iter()), Ok(Style::Point));
+        assert_eq!(style(["30,125", "1500"].into_iter()), Err("30,125"));
+        assert_eq!(style(["30", "1500", "x,y"].into_iter()), Ok(Style::Point));
+    }
+}

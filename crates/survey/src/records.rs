@@ -1,0 +1,295 @@
+//! The guard before the records of old workbooks (`.xls`).
+//!
+//! The reader of workbooks makes a table of every sheet that is named, as large as its farthest cells and its own
+//! claim say, and copies a shared string into each cell that shows it. So all of this is counted first. Claims
+//! of extent, names and formulas, which are not needed, are taken out.
+//!
+//! Format: \[MS-XLS\] Excel Binary File Format.
+
+use std::collections::HashSet;
+
+use crate::compound::{u16_at, u32_at};
+use crate::error::SurveyErrorKind;
+use crate::limits::{self, Budget, too_much};
+
+/// Kinds of records.
+const FORMULA: u16 = 0x0006;
+const END: u16 = 0x000a;
+const NAME: u16 = 0x0018;
+const CONTINUE: u16 = 0x003c;
+const SHEET: u16 = 0x0085;
+const MANY_NUMBERS: u16 = 0x00bd;
+const STRINGS: u16 = 0x00fc;
+const SHARED_TEXT: u16 = 0x00fd;
+const EXTENT: u16 = 0x0200;
+const TEXT: u16 = 0x0207;
+const BEGIN: u16 = 0x0809;
+
+/// A kind that no reader knows.
+const NOTHING: u16 = 0xffff;
+
+/// Bytes of a formula's record before its expression.
+const FORMULA_HEAD: usize = 20;
+
+/// Columns of a sheet; its rows are as many as 16 bits count.
+const COLUMNS: u16 = 256;
+
+/// Refuses a workbook whose cells are more than are read or beyond the limits of the format, and takes out of its
+/// records what would make room for more than there is.
+pub(crate) fn check(stream: &mut [u8]) -> Result<(), SurveyErrorKind> {
+    let all: Vec<Record> = records(stream, 0).collect();
+    let head = all.iter().position(|record| record.kind == END);
+    let head = &all[..head.unwrap_or(all.len())];
+    let sheets: Vec<u32> = head
+        .iter()
+        .filter(|record| record.kind == SHEET)
+        .filter_map(|record| u32_at(record.data(stream), 0))
+        .collect();
+    if sheets.len() > limits::SHEETS {
+        return Err(too_much(sheets.len(), "sheets", limits::SHEETS));
+    }
+    let strings = string_lengths(head, stream);
+    // Where a sheet begins elsewhere, what is taken out below would change its cells.
+    let begins: HashSet<usize> = all.iter().map(|record| record.from - 4).collect();
+    let mut budget = Budget::default();
+    for sheet in sheets {
+        let start = sheet as usize;
+        if !begins.contains(&start) {
+            return Err(damaged("a sheet does not begin with a record"));
+        }
+        count(stream, start, &strings, &mut budget)?;
+    }
+    for record in all {
+        let length = record.to - record.from;
+        match record.kind {
+            EXTENT => stream[record.from..record.to].fill(0),
+            NAME => {
+                stream[record.from - 4..record.from - 2].copy_from_slice(&NOTHING.to_le_bytes());
+            }
+            // The length of its expression.
+            FORMULA if length >= FORMULA_HEAD + 2 => {
+                stream[record.from + FORMULA_HEAD..][..2].fill(0);
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// Counts the cells of a sheet.
+fn count(
+    stream: &[u8],
+    start: usize,
+    strings: &[usize],
+    budget: &mut Budget,
+) -> Result<(), SurveyErrorKind> {
+    let (mut cells, mut formulas) = (Extent::default(), Extent::default());
+    // Where a formula's text goes, which stands in a record of its own.
+    let mut at = (0, 0);
+    let mut depth = 0_usize;
+    for record in records(stream, start) {
+        let data = record.data(stream);
+        match record.kind {
+            BEGIN => depth += 1,
+            // A chart within the sheet ends before it does.
+            END if depth > 1 => depth -= 1,
+            END => break,
+            EXTENT if !is_extent(data) => {
+                return Err(damaged("a sheet claims more than the format has"));
+            }
+            TEXT => {
+                budget.cells(1)?;
+                cells.take(at.0, at.1, at.1);
+            }
+            _ => {}
+        }
+        let Some((row, first, last)) = place(record.kind, data) else {
+            continue;
+        };
+        if last >= COLUMNS || last < first {
+            return Err(damaged("a cell stands beyond the format's last column"));
+        }
+        budget.cells(usize::from(last - first) + 1)?;
+        cells.take(row, first, last);
+        if record.kind == FORMULA {
+            formulas.take(row, first, last);
+            at = (row, first);
+        }
+        if record.kind == SHARED_TEXT {
+            let index = u32_at(data, 6).map_or(usize::MAX, |index| index as usize);
+            budget.text(strings.get(index).copied().unwrap_or(0))?;
+        }
+    }
+    // A table has all the cells between its corners.
+    budget.cells(cells.area())?;
+    budget.cells(formulas.area())
+}
+
+/// Row, first and last column of the cells that a record holds, if it holds any.
+fn place(kind: u16, data: &[u8]) -> Option<(u16, u16, u16)> {
+    let (row, first) = (u16_at(data, 0)?, u16_at(data, 2)?);
+    match kind {
+        // Number, Label, RString, BoolErr, RK, LabelSst, Formula.
+        0x0203 | 0x0204 | 0x00d6 | 0x0205 | 0x027e | SHARED_TEXT | FORMULA => {
+            Some((row, first, first))
+        }
+        // Row, first column, six bytes for each number, last column.
+        MANY_NUMBERS => {
+            let numbers = data.len().saturating_sub(6) / 6;
+            let by_length = usize::from(first) + numbers.max(1) - 1;
+            let told = u16_at(data, data.len().checked_sub(2)?)?;
+            Some((
+                row,
+                first,
+                told.max(by_length.min(usize::from(u16::MAX)) as u16),
+            ))
+        }
+        _ => None,
+    }
+}
+
+/// Whether a claim of extent is within the format's limits: first row, row after the last, first column, column after
+/// the last.
+fn is_extent(data: &[u8]) -> bool {
+    let (first, after, columns) = if data.len() < 14 {
+        let wide = |at| u16_at(data, at).map(u32::from);
+        (wide(0), wide(2), u16_at(data, 6))
+    } else {
+        (u32_at(data, 0), u32_at(data, 4), u16_at(data, 10))
+    };
+    let rows = u32::from(u16::MAX) + 1;
+    after.is_none_or(|after| after <= rows && (after == 0 || first < Some(after)))
+        && columns.is_none_or(|columns| columns <= COLUMNS)
+}
+
+/// The least rectangle around cells: rows and columns, from and to.
+#[derive(Default)]
+struct Extent(Option<[u16; 4]>);
+
+impl Extent {
+    fn take(&mut self, row: u16, first: u16, last: u16) {
+        let [top, bottom, left, right] = self.0.unwrap_or([row, row, first, last]);
+        self.0 = Some([
+            top.min(row),
+            bottom.max(row),
+            left.min(first),
+            right.max(last),
+        ]);
+    }
+
+    fn area(&self) -> usize {
+        let Some([top, bottom, left, right]) = self.0 else {
+            return 0;
+        };
+        (usize::from(bottom - top) + 1) * (usize::from(right - left) + 1)
+    }
+}
+
+/// The lengths of the shared strings, bytes at most; as far as they are sound.
+fn string_lengths(head: &[Record], stream: &[u8]) -> Vec<usize> {
+    // The last such record is the one that counts.
+    let Some(at) = head.iter().rposition(|record| record.kind == STRINGS) else {
+        return Vec::new();
+    };
+    let more = head[at + 1..].iter();
+    let more = more.take_while(|record| record.kind == CONTINUE);
+    let pieces = std::iter::once(&head[at]).chain(more);
+    let mut strings = Strings {
+        pieces: pieces.map(|record| record.data(stream)).collect(),
+        piece: 0,
+        at: 8,
+    };
+    let mut lengths = Vec::new();
+    while let Some(length) = strings.next_length() {
+        lengths.push(length);
+    }
+    lengths
+}
+
+/// Shared strings that are gone through one by one.
+struct Strings<'a> {
+    pieces: Vec<&'a [u8]>,
+    piece: usize,
+    at: usize,
+}
+
+impl Strings<'_> {
+    /// How many bytes the next string takes as text: at most three a letter.
+    fn next_length(&mut self) -> Option<usize> {
+        while self.at >= self.pieces.get(self.piece)?.len() {
+            (self.piece, self.at) = (self.piece + 1, 0);
+        }
+        let here = &self.pieces[self.piece][self.at..];
+        let letters = usize::from(u16_at(here, 0)?);
+        let flags = *here.get(2)?;
+        self.at += 3;
+        let mut after = 0_usize;
+        for (flag, size) in [(8, 2), (4, 4)] {
+            if flags & flag != 0 {
+                let here = self.pieces[self.piece].get(self.at..)?;
+                // Runs of a format, four bytes each, and what belongs to phonetics.
+                after += match size {
+                    2 => 4 * usize::from(u16_at(here, 0)?),
+                    _ => u32_at(here, 0)? as usize,
+                };
+                self.at += size;
+            }
+        }
+        let (mut left, mut wide) = (letters, flags & 1 != 0);
+        while left > 0 {
+            let there = self.pieces[self.piece].len().saturating_sub(self.at);
+            let width = if wide { 2 } else { 1 };
+            let taken = left.min(there / width);
+            self.at += taken * width;
+            left -= taken;
+            if left > 0 {
+                // Each piece tells anew how wide its letters are.
+                self.piece += 1;
+                wide = *self.pieces.get(self.piece)?.first()? & 1 != 0;
+                self.at = 1;
+            }
+        }
+        while after > 0 {
+            let there = self.pieces[self.piece].len().saturating_sub(self.at);
+            let skipped = after.min(there);
+            (self.at, after) = (self.at + skipped, after - skipped);
+            if after > 0 {
+                (self.piece, self.at) = (self.piece + 1, 0);
+                self.pieces.get(self.piece)?;
+            }
+        }
+        Some(3 * letters)
+    }
+}
+
+/// A record: its kind, and where its data begin and end.
+#[derive(Clone, Copy)]
+struct Record {
+    kind: u16,
+    from: usize,
+    to: usize,
+}
+
+impl Record {
+    fn data<'a>(&self, stream: &'a [u8]) -> &'a [u8] {
+        &stream[self.from..self.to]
+    }
+}
+
+/// The records of a stream from a place on.
+fn records(stream: &[u8], from: usize) -> impl Iterator<Item = Record> + '_ {
+    let mut at = from;
+    std::iter::from_fn(move || {
+        let kind = u16_at(stream, at)?;
+        let length = usize::from(u16_at(stream, at + 2)?);
+        let from = at + 4;
+        at = from.checked_add(length).filter(|to| *to <= stream.len())?;
+        Some(Record { kind, from, to: at })
+    })
+}
+
+fn damaged(reason: &str) -> SurveyErrorKind {
+    SurveyErrorKind::NotAWorkbook {
+        reason: reason.to_owned(),
+    }
+}

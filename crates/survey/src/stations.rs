@@ -1,0 +1,268 @@
+//! From rows of numbers to stations.
+
+use wholestring::well::{Station, TieIn};
+
+use wholestring_units::number_text;
+
+use crate::error::{SurveyError, SurveyErrorKind};
+use crate::layout::{Found, Layout};
+use crate::number::{self, Fault, Style};
+use crate::table::{Position, Row, Table};
+use crate::{column::Column, imported::ImportedSurvey};
+
+/// No hole is deeper along its axis, m.
+const DEEPEST_M: f64 = 1e5;
+
+/// Notes about rows that were passed over, before they are only counted.
+const NOTED_ROWS: usize = 5;
+
+/// Reads the rows below the header.
+pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedSurvey, SurveyError> {
+    let mut notes = layout.notes.clone();
+    let rows = station_rows(table, &layout, &mut notes);
+    let reader = Reader {
+        table,
+        style: style(table, &layout, &rows)?,
+    };
+    if reader.style == Style::Comma {
+        notes.push("a comma is read as the decimal sign".to_owned());
+    }
+
+    let needed = Column::NEEDED.map(|column| layout.column(column));
+    let [Some(depth), Some(inclination), Some(azimuth)] = needed else {
+        return Err(table.source.error(SurveyErrorKind::NoHeader, None));
+    };
+    let mut stations: Vec<Station> = Vec::with_capacity(rows.len());
+    let mut previous = String::new();
+    for &row in &rows {
+        let row = &table.rows[row];
+        if let Some(expected) = table.counted.filter(|&count| row.cells.len() < count) {
+            let kind = SurveyErrorKind::ShortRow {
+                found: row.cells.len(),
+                expected,
+            };
+            return Err(table.source.error(kind, Some(whole(row))));
+        }
+        let md_m = reader.value(row, depth)?;
+        let written = format!("{} {}", row.text(depth.index), depth.unit.symbol);
+        let at = position(row, depth);
+        if !(0.0..=DEEPEST_M).contains(&md_m) {
+            return Err(reader.out_of_range(row, depth, "0 to 100 km"));
+        }
+        if stations.last().is_some_and(|last| md_m <= last.md_m) {
+            let repeats = stations.last().is_some_and(|last| md_m == last.md_m);
+            let found = if repeats { previous.clone() } else { written };
+            let kind = SurveyErrorKind::DepthNotIncreasing { found, previous };
+            return Err(table.source.error(kind, Some(at)));
+        }
+        previous = written;
+        let inclination_rad = reader.value(row, inclination)?;
+        if !(0.0..=std::f64::consts::PI).contains(&inclination_rad) {
+            return Err(reader.out_of_range(row, inclination, "0 to 180 deg"));
+        }
+        let azimuth_rad = reader.value(row, azimuth)?;
+        let turn = std::f64::consts::TAU;
+        if !(-turn..=2.0 * turn).contains(&azimuth_rad) {
+            return Err(reader.out_of_range(row, azimuth, "-360 to 720 deg"));
+        }
+        stations.push(Station {
+            md_m,
+            inclination_rad,
+            azimuth_rad,
+        });
+    }
+    if stations.len() < 2 {
+        let kind = SurveyErrorKind::TooFewStations {
+            found: stations.len(),
+        };
+        let last = rows
+            .last()
+            .map_or(layout.data.saturating_sub(1), |&row| row);
+        let at = table.rows.get(last).map(whole);
+        return Err(table.source.error(kind, at));
+    }
+    let tie_in = match rows.first() {
+        Some(&first) => reader.tie_in(&layout, &table.rows[first], stations[0].md_m, &mut notes)?,
+        None => None,
+    };
+    if let (None, Some(first)) = (tie_in, stations.first())
+        && first.md_m != 0.0
+    {
+        notes.push(format!(
+            "the first station is at {} m and the file does not say where it lies: taken to be as deep, \
+             vertically under the origin",
+            number_text(first.md_m)
+        ));
+    }
+    notes.extend(table.notes.iter().cloned());
+    notes.push(format!("{} stations", stations.len()));
+    Ok(ImportedSurvey {
+        stations,
+        tie_in,
+        notes,
+    })
+}
+
+/// The rows that hold stations: not empty, no comment, rule, remark or repeated header.
+fn station_rows(table: &Table, layout: &Layout, notes: &mut Vec<String>) -> Vec<usize> {
+    let mut rows = Vec::new();
+    let mut passed_over = 0;
+    for (index, row) in table.rows.iter().enumerate().skip(layout.data) {
+        if row.is_empty() || row.is_rule() {
+            continue;
+        }
+        let needed: Vec<&str> = Column::NEEDED
+            .iter()
+            .filter_map(|&column| layout.column(column))
+            .map(|found| row.text(found.index))
+            .collect();
+        // A remark stands in one cell; a row that lacks a number beside others is no remark.
+        let remark = needed.iter().filter(|text| !text.is_empty()).count() <= 1
+            && !row.texts().any(number::is_number);
+        let header = !layout.header.is_empty()
+            && row.texts().count() > 1
+            && row
+                .texts()
+                .all(|text| layout.header.iter().any(|heading| heading == text));
+        if remark || header || row.is_comment() {
+            passed_over += 1;
+            if passed_over <= NOTED_ROWS {
+                let name = table.source.row_name(whole(row));
+                let text: String = row.texts().next().unwrap_or("").chars().take(40).collect();
+                notes.push(format!("{name} is passed over: '{text}'"));
+            }
+        } else {
+            rows.push(index);
+        }
+    }
+    if passed_over > NOTED_ROWS {
+        notes.push(format!("{passed_over} such rows in all are passed over"));
+    }
+    rows
+}
+
+/// The style of the table's numbers.
+fn style(table: &Table, layout: &Layout, rows: &[usize]) -> Result<Style, SurveyError> {
+    let cells = || {
+        rows.iter().flat_map(|&row| {
+            layout
+                .columns
+                .iter()
+                .filter_map(move |found| table.rows[row].cells.get(found.index))
+        })
+    };
+    let written = cells().filter(|cell| cell.number.is_none());
+    number::style(written.map(|cell| cell.text.as_str())).map_err(|found| {
+        let at = cells().find(|cell| cell.text == found).map(|cell| cell.at);
+        table.source.error(
+            SurveyErrorKind::AmbiguousComma {
+                found: found.to_owned(),
+            },
+            at,
+        )
+    })
+}
+
+/// Reads cells of one table.
+struct Reader<'a> {
+    table: &'a Table<'a>,
+    style: Style,
+}
+
+impl Reader<'_> {
+    /// The cell of a column in SI.
+    fn value(&self, row: &Row, found: &Found) -> Result<f64, SurveyError> {
+        let column = found.column;
+        let error = |kind, at| Err(self.table.source.error(kind, Some(at)));
+        let Some(cell) = row.cells.get(found.index).filter(|cell| !cell.is_empty()) else {
+            return error(SurveyErrorKind::EmptyCell { column }, position(row, found));
+        };
+        let number = match cell.number {
+            Some(number) => Ok(number),
+            None => number::read(&cell.text, self.style),
+        };
+        let text = cell.text.clone();
+        match number.map(|number| found.unit.to_si(number)) {
+            Ok(si) if si.is_finite() => Ok(si),
+            Ok(_) | Err(Fault::NotFinite) => error(
+                SurveyErrorKind::NotFinite {
+                    column,
+                    found: text,
+                },
+                cell.at,
+            ),
+            Err(Fault::NotANumber) => error(
+                SurveyErrorKind::NotANumber {
+                    column,
+                    found: text,
+                },
+                cell.at,
+            ),
+        }
+    }
+
+    fn out_of_range(&self, row: &Row, found: &Found, expected: &'static str) -> SurveyError {
+        let written = format!("{} {}", row.text(found.index), found.unit.symbol);
+        let kind = SurveyErrorKind::OutOfRange {
+            column: found.column,
+            found: written,
+            expected,
+        };
+        self.table.source.error(kind, Some(position(row, found)))
+    }
+
+    /// Where the first station lies, by its row.
+    fn tie_in(
+        &self,
+        layout: &Layout,
+        row: &Row,
+        md_m: f64,
+        notes: &mut Vec<String>,
+    ) -> Result<Option<TieIn>, SurveyError> {
+        let first = |column| match layout.column(column) {
+            Some(found) if !row.text(found.index).is_empty() => self.value(row, found).map(Some),
+            _ => Ok(None),
+        };
+        let tvd_m = first(Column::TrueVerticalDepth)?;
+        let north_m = first(Column::North)?;
+        let east_m = first(Column::East)?;
+        if tvd_m.is_none() && north_m.is_none() && east_m.is_none() {
+            return Ok(None);
+        }
+        let Some(tvd_m) = tvd_m.or((md_m == 0.0).then_some(0.0)) else {
+            notes.push(
+                "north and east are not used: the first station lies below 0 \
+                 and has no true vertical depth"
+                    .to_owned(),
+            );
+            return Ok(None);
+        };
+        for (column, value) in [(Column::North, north_m), (Column::East, east_m)] {
+            if value.is_none() {
+                notes.push(format!("the first station has no {column}: taken as 0"));
+            }
+        }
+        let tie_in = TieIn {
+            north_m: north_m.unwrap_or(0.0),
+            east_m: east_m.unwrap_or(0.0),
+            tvd_m,
+        };
+        notes.push(format!(
+            "the first station lies at true vertical depth {} m, north {} m, east {} m",
+            tie_in.tvd_m, tie_in.north_m, tie_in.east_m
+        ));
+        Ok(Some(tie_in))
+    }
+}
+
+fn position(row: &Row, found: &Found) -> Position {
+    row.cells.get(found.index).map_or(row.end, |cell| cell.at)
+}
+
+/// The place of a whole row: its first cell that holds anything.
+fn whole(row: &Row) -> Position {
+    row.cells
+        .iter()
+        .find(|cell| !cell.is_empty())
+        .map_or(row.end, |cell| cell.at)
+}

@@ -1,0 +1,147 @@
+//! A file as rows of cells, each of which knows where it stands.
+
+use crate::error::{Place, SurveyError, SurveyErrorKind};
+
+/// Where a cell stands in its file: from and to which byte of a text, or in which row and column
+/// of a sheet, from 0. Its [`Source`] knows which of the two it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Position(pub(crate) usize, pub(crate) usize);
+
+/// One cell.
+#[derive(Debug, Clone)]
+pub(crate) struct Cell {
+    /// Its text, trimmed.
+    pub(crate) text: String,
+    /// Its number, where the file holds one and not its text.
+    pub(crate) number: Option<f64>,
+    pub(crate) at: Position,
+}
+
+impl Cell {
+    pub(crate) fn is_empty(&self) -> bool {
+        self.text.is_empty()
+    }
+}
+
+/// One row.
+#[derive(Debug, Clone)]
+pub(crate) struct Row {
+    pub(crate) cells: Vec<Cell>,
+    /// Where a cell that the row lacks would stand.
+    pub(crate) end: Position,
+}
+
+impl Row {
+    pub(crate) fn is_empty(&self) -> bool {
+        self.cells.iter().all(Cell::is_empty)
+    }
+
+    pub(crate) fn text(&self, index: usize) -> &str {
+        self.cells.get(index).map_or("", |cell| &cell.text)
+    }
+
+    /// The texts of its cells that hold any.
+    pub(crate) fn texts(&self) -> impl Iterator<Item = &str> {
+        self.cells
+            .iter()
+            .map(|cell| cell.text.as_str())
+            .filter(|text| !text.is_empty())
+    }
+
+    /// It begins with a sign of comments.
+    pub(crate) fn is_comment(&self) -> bool {
+        let first = self.texts().next().unwrap_or("");
+        first.starts_with(['#', '%', '~']) || first.starts_with("//")
+    }
+
+    /// A line drawn with signs, such as `-----`.
+    pub(crate) fn is_rule(&self) -> bool {
+        let mut drawn = self
+            .texts()
+            .flat_map(str::chars)
+            .filter(|c| !c.is_whitespace())
+            .peekable();
+        drawn.peek().is_some() && drawn.all(|c| "-=_*+|".contains(c))
+    }
+}
+
+/// A table and the file it comes from.
+#[derive(Debug, Clone)]
+pub(crate) struct Table<'a> {
+    pub(crate) source: Source<'a>,
+    pub(crate) rows: Vec<Row>,
+    /// What parts the cells of a text, in words.
+    pub(crate) parted_by: Option<&'static str>,
+    /// Every row must have as many values: cells are counted, not parted by a sign.
+    pub(crate) counted: Option<usize>,
+    /// What was passed over while the rows were cut.
+    pub(crate) notes: Vec<String>,
+}
+
+impl Table<'_> {
+    /// A note on a thing found, and on what parts the cells.
+    pub(crate) fn note(&self, found: &str) -> String {
+        match self.parted_by {
+            Some(sign) => format!("{found}, columns parted by {sign}"),
+            None => found.to_owned(),
+        }
+    }
+}
+
+/// A text or a sheet of a workbook.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Source<'a> {
+    Text { file: &'a str, text: &'a str },
+    Sheet { file: &'a str, sheet: &'a str },
+}
+
+impl Source<'_> {
+    /// The error of this kind at a position.
+    pub(crate) fn error(&self, kind: SurveyErrorKind, at: Option<Position>) -> SurveyError {
+        let place = at.map(|at| self.place(at));
+        match *self {
+            Source::Text { file, text } => SurveyError::new(file, kind, place, Some(text)),
+            Source::Sheet { file, .. } => SurveyError::new(file, kind, place, None),
+        }
+    }
+
+    /// The place of a position.
+    pub(crate) fn place(&self, at: Position) -> Place {
+        let Position(first, second) = at;
+        match *self {
+            Source::Text { text, .. } => {
+                let before = &text[..first];
+                let line_start = line_starts(before).last().unwrap_or(0);
+                Place::Text {
+                    line: line_starts(before).count(),
+                    column: before[line_start..].chars().count() + 1,
+                    span: first..second,
+                }
+            }
+            Source::Sheet { sheet, .. } => Place::Cell {
+                sheet: sheet.to_owned(),
+                row: first as u32 + 1,
+                column: second as u32 + 1,
+            },
+        }
+    }
+
+    /// The row of a position, in words.
+    pub(crate) fn row_name(&self, at: Position) -> String {
+        match self.place(at) {
+            Place::Text { line, .. } => format!("line {line}"),
+            Place::Cell { row, sheet, .. } => format!("row {row} of sheet '{sheet}'"),
+        }
+    }
+}
+
+/// Where the lines of a text begin: after `\n`, `\r\n` or a lone `\r`.
+pub(crate) fn line_starts(text: &str) -> impl Iterator<Item = usize> {
+    let bytes = text.as_bytes();
+    let ends = bytes.iter().enumerate().filter_map(|(i, byte)| match byte {
+        b'\n' => Some(i + 1),
+        b'\r' if bytes.get(i + 1) != Some(&b'\n') => Some(i + 1),
+        _ => None,
+    });
+    std::iter::once(0).chain(ends)
+}

@@ -1,0 +1,520 @@
+//! Surveys as text, in the ways people keep them.
+
+use wholestring_survey::{Column, ImportedSurvey, Said, SurveyErrorKind, read, read_as, read_csv};
+use wholestring_units::Dimension;
+
+#[track_caller]
+fn survey(text: &str) -> ImportedSurvey {
+    read_csv(text.as_bytes(), "a.csv").unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Measured depths in m, inclinations and azimuths in degrees.
+#[track_caller]
+fn assert_stations(survey: &ImportedSurvey, expected: &[[f64; 3]]) {
+    assert_eq!(survey.stations.len(), expected.len(), "{:?}", survey.notes);
+    for (station, &[md_m, inclination, azimuth]) in survey.stations.iter().zip(expected) {
+        // One multiplication by a factor, one here: a few units in the last place.
+        let near = |a: f64, b: f64| (a - b).abs() <= 1e-14 * b.abs().max(1.0);
+        assert!(near(station.md_m, md_m), "{station:?}, {md_m}");
+        assert!(
+            near(station.inclination_rad, inclination.to_radians()),
+            "{station:?}"
+        );
+        assert!(
+            near(station.azimuth_rad, azimuth.to_radians()),
+            "{station:?}"
+        );
+    }
+}
+
+#[track_caller]
+fn noted(survey: &ImportedSurvey, part: &str) {
+    assert!(
+        survey.notes.iter().any(|note| note.contains(part)),
+        "{:#?}",
+        survey.notes
+    );
+}
+
+#[test]
+fn feet_with_a_row_of_units_and_azimuths_through_north() {
+    let survey = survey(
+        "MD,INCL,Azimuth\nft,deg,deg\n0,0,0\n1000,0,359.5\n1100,3,0.5\n1200,6,-10\n1300,8,365\n",
+    );
+    let foot = 0.3048;
+    assert_stations(
+        &survey,
+        &[
+            [0.0, 0.0, 0.0],
+            [1000.0 * foot, 0.0, 359.5],
+            [1100.0 * foot, 3.0, 0.5],
+            [1200.0 * foot, 6.0, -10.0],
+            [1300.0 * foot, 8.0, 365.0],
+        ],
+    );
+    assert_eq!(survey.tie_in, None);
+    noted(&survey, "measured depth from 'MD' in ft");
+    assert!(!survey.notes.iter().any(|note| note.contains("no unit")));
+}
+
+#[test]
+fn columns_in_any_order_with_others_between() {
+    let survey = survey(
+        "Comment,Azimuth Grid ( deg ),TVD ( ft ),Measured Depth ( ft ),DLS ( deg/100 ft ),Inclination ( deg )\n\
+         tie,10,0,0,0,0\n,20,100,100,1,1\nlast,30,199.9,200,1,2\n",
+    );
+    let foot = 0.3048;
+    assert_stations(
+        &survey,
+        &[
+            [0.0, 0.0, 10.0],
+            [100.0 * foot, 1.0, 20.0],
+            [200.0 * foot, 2.0, 30.0],
+        ],
+    );
+}
+
+#[test]
+fn semicolons_with_decimal_commas() {
+    let survey = survey("MD (m);Inc (°);Azi (°)\n0,0;0,0;0\n30,5;1,25;90,125\n1.060,5;1,25;90\n");
+    assert_stations(
+        &survey,
+        &[[0.0, 0.0, 0.0], [30.5, 1.25, 90.125], [1060.5, 1.25, 90.0]],
+    );
+    noted(&survey, "comma is read as the decimal sign");
+    noted(&survey, "parted by semicolons");
+}
+
+#[test]
+fn tabs_titles_comments_quotes_and_empty_rows() {
+    let survey = survey(
+        "Well S-1, survey \"as drilled\"\r\n# made by hand\r\n\r\n\"MD\n(m)\"\tInc[deg]\tAzi[deg]\r\n\
+         0\t0\t0\r\n\r\n\"1,030.5\"\t0.5\t45\r\n\t\t\r\nEnd of survey\t\t\r\n\r\n",
+    );
+    assert_stations(&survey, &[[0.0, 0.0, 0.0], [1030.5, 0.5, 45.0]]);
+    noted(&survey, "line 10 is passed over: 'End of survey'");
+}
+
+/// What is said of a file that does not tell its unit.
+fn said(unit: &str) -> Said {
+    Said {
+        length_unit: Some(Dimension::Length.find_unit(unit).unwrap()),
+    }
+}
+
+/// Metres for feet would go unseen: a well a third as deep is a well too.
+#[test]
+fn lengths_without_a_unit_are_refused_until_it_is_said() {
+    let foot = 0.3048;
+    let in_feet = [[0.0, 0.0, 0.0], [30.0 * foot, 1.5, 45.0]];
+    for text in [
+        "0,0,0\n30,1.5,45\n",
+        "0 0 0\n30 1.5 45\n",
+        "0;0;0\n30;1,5;45\n",
+        "# x\n0\t0\t0\n30\t1.5\t45",
+    ] {
+        let error = read_csv(text.as_bytes(), "a.csv").unwrap_err();
+        assert_eq!(error.kind(), &SurveyErrorKind::NoUnits, "{text}");
+        let headless = read_as(text.as_bytes(), "a.csv", &said("ft")).unwrap();
+        assert_stations(&headless, &in_feet);
+        noted(&headless, "no header");
+        noted(
+            &headless,
+            "three columns read as measured depth in ft as was said",
+        );
+    }
+    let text = b"md,inc,azi\n0,0,0\n30,1.5,45\n";
+    let error = read_csv(text, "a.csv").unwrap_err();
+    assert!(
+        matches!(error.kind(), SurveyErrorKind::MissingUnit { .. }),
+        "{error}"
+    );
+    let bare = read_as(text, "a.csv", &said("ft")).unwrap();
+    assert_stations(&bare, &in_feet);
+    noted(&bare, "no unit for measured depth: read in ft as was said");
+    noted(
+        &bare,
+        "no unit for inclination and azimuth: read in degrees",
+    );
+}
+
+#[test]
+fn what_is_said_must_be_what_the_file_tells() {
+    let text = b"MD (m),Inc,Azi\n0,0,0\n30,1.5,45\n";
+    assert!(read_as(text, "a.csv", &said("m")).is_ok());
+    let error = read_as(text, "a.csv", &said("ft")).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "a.csv, line 1, column 1: the measured depth is in 'm' by the file and in 'ft' by what was said; \
+         leave one of them"
+    );
+}
+
+#[test]
+fn angles_without_a_unit_are_degrees_and_say_so() {
+    let expected = [[0.0, 0.0, 0.0], [30.0, 1.5, 45.0]];
+    let degrees = survey("MD (m),Inc,Azi\n0,0,0\n30,1.5,45\n");
+    assert_stations(&degrees, &expected);
+    noted(
+        &degrees,
+        "no unit for inclination and azimuth: read in degrees",
+    );
+    let radians = survey("md_m,inc_rad,azi_rad\n0,0,0\n30,0.5,1\n");
+    assert_eq!(radians.stations[1].inclination_rad, 0.5);
+}
+
+#[test]
+fn encodings_of_the_degree_sign() {
+    let text = "MD (m),Inc (°),Azi (°)\n0,0,0\n30,1.5,45\n";
+    let latin1: Vec<u8> = text.chars().map(|c| c as u8).collect();
+    let marked = [b"\xef\xbb\xbf", text.as_bytes()].concat();
+    let utf16: Vec<u8> = [0xfffeu16.swap_bytes()]
+        .into_iter()
+        .chain(text.encode_utf16())
+        .flat_map(u16::to_le_bytes)
+        .collect();
+    for bytes in [text.as_bytes().to_vec(), latin1, marked, utf16] {
+        let survey = read(&bytes, "a.csv").unwrap_or_else(|error| panic!("{error}"));
+        assert_stations(&survey, &[[0.0, 0.0, 0.0], [30.0, 1.5, 45.0]]);
+    }
+}
+
+#[test]
+fn the_first_row_ties_the_survey_in() {
+    let tied = survey(
+        "MD (m),Inc (deg),Azi (deg),TVD (m),N/S (ft),E/W (ft)\n\
+         500,10,45,495,100,-200\n530,10,45,524.5,110,-190\n",
+    );
+    let tie_in = tied.tie_in.unwrap();
+    assert_eq!(
+        (tie_in.tvd_m, tie_in.north_m, tie_in.east_m),
+        (495.0, 30.48, -60.96)
+    );
+
+    let depth_only = survey("MD (m),Inc (deg),Azi (deg),TVD (m)\n500,10,45,495\n530,10,45,524\n");
+    let tie_in = depth_only.tie_in.unwrap();
+    assert_eq!(
+        (tie_in.tvd_m, tie_in.north_m, tie_in.east_m),
+        (495.0, 0.0, 0.0)
+    );
+    noted(&depth_only, "the first station has no north: taken as 0");
+
+    let no_depth = survey("MD (m),Inc (deg),Azi (deg),N (m),E (m)\n500,10,45,1,2\n530,10,45,3,4\n");
+    assert_eq!(no_depth.tie_in, None);
+    assert_eq!(no_depth.start().tvd_m, 500.0);
+    noted(&no_depth, "the first station is at 500 m");
+    noted(&no_depth, "north and east are not used");
+    let surface = survey("MD (m),Inc (deg),Azi (deg),N (m),E (m)\n0,10,45,1,2\n530,10,45,3,4\n");
+    assert_eq!(surface.tie_in.unwrap().north_m, 1.0);
+}
+
+#[test]
+fn north_without_east_numbers_the_rows() {
+    let survey = survey("N,MD (m),Inc,Azi\n1,0,0,0\n2,30,1,1\n");
+    assert_eq!(survey.tie_in, None);
+    noted(&survey, "the column 'N' is not used");
+}
+
+#[test]
+fn the_ends_of_the_ranges_are_in_them() {
+    let ends = survey("MD (m),Inc,Azi\n0,0,-360\n100000,180,720\n");
+    assert_stations(&ends, &[[0.0, 0.0, -360.0], [100_000.0, 180.0, 720.0]]);
+}
+
+#[test]
+fn bare_headers_may_have_a_bare_position() {
+    let text = b"md,inc,azi,tvd,north,east\n10,0,0,9,1,2\n30,1,1,29,1,2\n";
+    let survey = read_as(text, "a.csv", &said("m")).unwrap();
+    let tie_in = survey.tie_in.unwrap();
+    assert_eq!(
+        (tie_in.tvd_m, tie_in.north_m, tie_in.east_m),
+        (9.0, 1.0, 2.0)
+    );
+}
+
+#[test]
+fn the_better_of_two_azimuths_is_taken() {
+    let survey = survey("MD (m),Inc,Azimuth (magnetic),Azimuth (grid)\n0,0,10,12\n30,1,20,22\n");
+    assert_stations(&survey, &[[0.0, 0.0, 12.0], [30.0, 1.0, 22.0]]);
+    noted(&survey, "the column 'Azimuth (magnetic)' is not used");
+}
+
+const REPORT: &str = "\
+Company:   Made up                    Database:   DEMO
+Well:      S-1                        MD Reference:   RKB @ 82.0ft (Rig 7)
+
+Survey
+   Measured                          Vertical                      Vertical    Dogleg
+    Depth    Inclination  Azimuth     Depth      +N/-S     +E/-W    Section      Rate
+     (ft)        (°)        (°)        (ft)       (ft)      (ft)     (ft)     (°/100ft)
+       0.0      0.00        0.00        0.0        0.0       0.0       0.0      0.00
+   1,500.0      0.00        0.00    1,500.0        0.0       0.0       0.0      0.00
+   1,600.0      3.00      359.50    1,599.9        2.6       0.0       2.6      3.00
+ ! 1,700.0      6.00        0.50    1,699.6       10.5       0.1      10.5      3.00
+";
+
+#[test]
+fn a_text_report_with_stacked_headings() {
+    let survey = survey(REPORT);
+    let foot = 0.3048;
+    assert_stations(
+        &survey,
+        &[
+            [0.0, 0.0, 0.0],
+            [1500.0 * foot, 0.0, 0.0],
+            [1600.0 * foot, 3.0, 359.5],
+            [1700.0 * foot, 6.0, 0.5],
+        ],
+    );
+    noted(&survey, "the mark '!' in line 11 is passed over");
+    assert_eq!(survey.tie_in.map(|tie_in| tie_in.tvd_m), Some(0.0));
+}
+
+#[test]
+fn single_blanks_between_words_and_columns() {
+    let expected = [[0.0, 0.0, 0.0], [30.0, 1.5, 45.0]];
+    for text in [
+        "MD (m) Inc (deg) Azi (deg)\n0 0 0\n30 1.5 45\n",
+        "Measured Depth (m) Inclination (deg) Azimuth (deg)\n0 0 0\n30 1.5 45\n",
+        "MD   Inc   Azi\nm    deg   deg\n0    0     0\n30   1.5   45\n",
+        "# md_m inc_deg azi_deg\n0 0 0\n30 1.5 45\n",
+        "MD(m)\t Inc(deg)\t Azi(deg)\n0\t 0\t 0\n30\t 1.5\t 45\n",
+    ] {
+        assert_stations(&survey(text), &expected);
+    }
+}
+
+#[test]
+fn a_table_continued_on_another_page() {
+    let survey = survey(
+        "MD (m),Inc (deg),Azi (deg)\n0,0,0\n30,1.5,45\n\u{c}\nMD (m),Inc (deg),Azi (deg)\n60,3,45\n",
+    );
+    assert_stations(
+        &survey,
+        &[[0.0, 0.0, 0.0], [30.0, 1.5, 45.0], [60.0, 3.0, 45.0]],
+    );
+}
+
+/// The sentence, and the text that is underlined.
+#[track_caller]
+fn refused(text: &str, underlined: &str, message: &str) -> SurveyErrorKind {
+    let error = read_csv(text.as_bytes(), "a.csv").unwrap_err();
+    let span = error.span().unwrap_or(0..0);
+    assert_eq!(
+        error.text().map(|text| &text[span]),
+        Some(underlined),
+        "{error}"
+    );
+    assert_eq!(error.to_string(), message);
+    error.kind().clone()
+}
+
+#[test]
+fn faults_in_the_header_are_underlined() {
+    let kind = refused(
+        "MD (m),Inclnation (deg),Azi (deg)\n0,0,0\n30,1,1\n",
+        "MD (m),Inclnation (deg),Azi (deg)",
+        "a.csv, line 1, column 1: no column of inclination (is it 'Inclnation (deg)'?); \
+         the header has: 'MD (m)', 'Inclnation (deg)', 'Azi (deg)'",
+    );
+    assert!(matches!(
+        kind,
+        SurveyErrorKind::MissingColumn {
+            column: Column::Inclination,
+            ..
+        }
+    ));
+    refused(
+        "Title\nMD;Inc;Azi\n0;0;0\n30;1;1\n",
+        "MD",
+        "a.csv, line 2, column 1: the measured depth under 'MD' has no unit; \
+         write it in the header, such as 'MD (m)', or in a row below it, or say it: \
+         `survey_unit = \"m\"` under [well], `--unit m` for `wholestring survey`",
+    );
+    refused(
+        "MD (bar),Inc,Azi\n0,0,0\n30,1,1\n",
+        "MD (bar)",
+        "a.csv, line 1, column 1: 'bar' is a unit of pressure, not a unit of length; \
+         expected m, ft, mm, in, cm, km, yd, usft",
+    );
+    refused(
+        "MD,Inc,Azi\nfurlong,deg,deg\n0,0,0\n30,1,1\n",
+        "furlong",
+        "a.csv, line 2, column 1: 'furlong' is not a unit of length; \
+         expected m, ft, mm, in, cm, km, yd, usft",
+    );
+    refused(
+        "MD (m),Inc,Azi\nft,deg,deg\n0,0,0\n30,1,1\n",
+        "ft",
+        "a.csv, line 2, column 1: the measured depth is in 'm' by its header \
+         and in 'ft' by the row of units",
+    );
+    refused(
+        "MD (m),MD (ft),Inc,Azi\n0,0,0,0\n30,100,1,1\n",
+        "MD (m),MD (ft),Inc,Azi",
+        "a.csv, line 1, column 1: two columns read as measured depth: 'MD (m)' and 'MD (ft)'; \
+         leave one of them",
+    );
+    refused(
+        "MD (m),Inc,Azi,TVD\n0,0,0,0\n30,1,1,30\n",
+        "TVD",
+        "a.csv, line 1, column 16: the true vertical depth under 'TVD' has no unit; \
+         write it in the header, such as 'TVD (m)', or in a row below it, or say it: \
+         `survey_unit = \"m\"` under [well], `--unit m` for `wholestring survey`",
+    );
+}
+
+#[test]
+fn faults_in_the_rows_are_underlined() {
+    let after = |rows: &str| format!("MD (m),Inc (°),Azi (°)\n0,0,0\n{rows}\n");
+    for (rows, underlined, message) in [
+        (
+            "30,x y,1",
+            "x y",
+            "line 3, column 4: 'x y' is not a number; the inclination was expected",
+        ),
+        (
+            "30,1",
+            "",
+            "line 3, column 5: the azimuth is missing in this row",
+        ),
+        (
+            "30,,1",
+            "",
+            "line 3, column 4: the inclination is missing in this row",
+        ),
+        (
+            "30,1,NaN",
+            "NaN",
+            "line 3, column 6: 'NaN' is not a finite number; the azimuth was expected",
+        ),
+        (
+            "1e999,1,1",
+            "1e999",
+            "line 3, column 1: '1e999' is not a finite number; the measured depth was expected",
+        ),
+        (
+            "30,1,1\n20,1,1",
+            "20",
+            "line 4, column 1: the measured depth runs backwards: 20 m after 30 m; it must grow from station to station",
+        ),
+        (
+            "30,1,1\n30.0,1,1",
+            "30.0",
+            "line 4, column 1: the measured depth repeats: 30 m after 30 m; it must grow from station to station",
+        ),
+        (
+            "30,-1,1",
+            "-1",
+            "line 3, column 4: the inclination -1 deg is out of range; expected 0 to 180 deg",
+        ),
+        (
+            "30,181,1",
+            "181",
+            "line 3, column 4: the inclination 181 deg is out of range; expected 0 to 180 deg",
+        ),
+        (
+            "30,1,721",
+            "721",
+            "line 3, column 6: the azimuth 721 deg is out of range; expected -360 to 720 deg",
+        ),
+        (
+            "30,1,-999.25",
+            "-999.25",
+            "line 3, column 6: the azimuth -999.25 deg is out of range; expected -360 to 720 deg",
+        ),
+        (
+            "1e308,1,1",
+            "1e308",
+            "line 3, column 1: the measured depth 1e308 m is out of range; expected 0 to 100 km",
+        ),
+        (
+            "",
+            "0",
+            "line 2, column 1: there is only one station; a survey needs at least two stations",
+        ),
+    ] {
+        refused(&after(rows), underlined, &format!("a.csv, {message}"));
+    }
+    refused(
+        "MD (m);Inc;Azi\n1,500;10;5\n2,500;10;5\n",
+        "1,500",
+        "a.csv, line 2, column 1: '1,500' may mean thousands or decimals; \
+         write the numbers with a decimal point and without separators",
+    );
+    refused(
+        "MD (m)  Inc  Azi\n0  0  0\n30  1\n",
+        "30",
+        "a.csv, line 3, column 1: 2 values in this row, 3 in the first",
+    );
+    refused(
+        "MD (m),Inc,Azi\n",
+        "MD (m)",
+        "a.csv, line 1, column 1: no station follows the header; \
+         a survey needs at least two stations",
+    );
+}
+
+#[test]
+fn a_span_counts_in_the_decoded_text() {
+    let text = "MD (m),Inc (°),Azi (°)\r\n0,0,0\r\n30,zwölf,1\r\n";
+    let latin1: Vec<u8> = text.chars().map(|c| c as u8).collect();
+    let error = read_csv(&latin1, "a.csv").unwrap_err();
+    assert_eq!(error.text(), Some(text));
+    assert_eq!(&text[error.span().unwrap()], "zwölf");
+}
+
+#[test]
+fn files_that_are_no_survey_get_a_sentence() {
+    let message = |bytes: &[u8], name: &str| read(bytes, name).unwrap_err().to_string();
+    for empty in [&b""[..], b" \n\t\n", b"\xef\xbb\xbf"] {
+        assert!(message(empty, "a.csv").starts_with("a.csv: the file is empty; "));
+    }
+    assert!(message(b"\x00\x01\x02", "a.csv").starts_with("a.csv: the file is not text; "));
+    assert!(message(b"\xff\xfe\x00", "a.csv").starts_with("a.csv: the file is not text; "));
+    assert!(
+        message(b"1,2,3,4\n5,6,7,8\n", "a.csv").starts_with("a.csv: no header names the columns")
+    );
+    assert!(
+        message(b"Dear Sir, hello\n", "a.txt").starts_with("a.txt: no header names the columns")
+    );
+    assert!(
+        message(b"a,b,c\n1,2,3\n4,5,6\n", "a.csv")
+            .starts_with("a.csv: no header names the columns")
+    );
+    assert!(
+        message(b"MD (m),Inc,Azi\n", "a.xlsx").starts_with("a.xlsx: the workbook cannot be read")
+    );
+    // Text under the name of a workbook is common.
+    assert!(read(b"md_m\tinc\tazi\n0\t0\t0\n9\t0\t0\n", "a.xls").is_ok());
+}
+
+#[test]
+fn depths_from_the_kelly_bushing_are_in_feet() {
+    let foot = 0.3048;
+    let expected = [[0.0, 0.0, 0.0], [100.0 * foot, 1.0, 45.0]];
+    for text in [
+        "MD (ftKB),Inc,Azi\n0,0,0\n100,1,45\n",
+        "MD ftKB,Inc,Azi\n0,0,0\n100,1,45\n",
+        "MD,Inc,Azi\nftRKB,deg,deg\n0,0,0\n100,1,45\n",
+        "Depth [ft MD],Inc,Azi,TVD (ftTVDKB)\n0,0,0,0\n100,1,45,100\n",
+    ] {
+        assert_stations(&survey(text), &expected);
+    }
+}
+
+/// A text that is all signs or all ends of lines makes a table a hundred times as large as itself.
+#[test]
+fn texts_with_more_cells_than_any_survey_are_refused() {
+    for (text, message) in [
+        (",".repeat(1_000_000), "1000001 cells; at most 1000000"),
+        ("x\r\n".repeat(200_000), "200001 lines; at most 200000"),
+        (" 1".repeat(1_000_000), "1000001 cells; at most 1000000"),
+    ] {
+        let error = read_csv(text.as_bytes(), "a.csv").unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            format!("a.csv: the file holds {message} can be read")
+        );
+    }
+}
