@@ -6,6 +6,7 @@ use wholestring::outcome::{ModelKind, Scalars};
 use wholestring_results::{Numerics, OperationSummary, Status, Summary};
 use wholestring_units::{Dimension, UnitSet};
 
+#[path = "../../runner/src/findings/drift.rs"]
 pub(crate) mod drift;
 
 use crate::pace::pace;

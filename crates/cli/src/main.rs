@@ -2,34 +2,51 @@
 
 mod args;
 mod bench;
+#[path = "../../runner/src/bit_test/mod.rs"]
 mod bit_test;
 mod catalogue;
 mod check;
+#[path = "../../runner/src/checkpoint/laid.rs"]
 mod checkpoint;
+#[path = "../../runner/src/claim/folder.rs"]
 mod claim;
+#[path = "../../runner/src/column.rs"]
 mod column;
 mod comparison;
 mod conclusion;
+#[path = "../../runner/src/cores.rs"]
 mod cores;
 mod failure;
+#[path = "../../runner/src/findings/mod.rs"]
 mod findings;
+#[path = "../../runner/src/folder_name.rs"]
 mod folder_name;
+#[path = "../../runner/src/record/frames.rs"]
 mod frames;
 mod interrupt;
+#[path = "../../runner/src/keep.rs"]
 mod keep;
 mod new_case;
 mod pace;
+#[path = "../../runner/src/parallel.rs"]
 mod parallel;
+#[path = "../../runner/src/pictures.rs"]
 mod plot;
 mod progress;
+#[path = "../../runner/src/record/mod.rs"]
 mod record;
+#[path = "../../runner/src/page/run.rs"]
 mod report;
+#[path = "../../runner/src/run/request.rs"]
 mod run;
 mod screen_table;
 mod shell;
+#[path = "../../runner/src/run/solve.rs"]
 mod solve;
+#[path = "../../runner/src/study/mod.rs"]
 mod study;
 mod survey;
+#[path = "../../runner/src/sweep/mod.rs"]
 mod sweep;
 
 use std::{

@@ -3,6 +3,7 @@
 mod batch;
 mod checked;
 mod points;
+#[path = "page.rs"]
 pub(crate) mod report;
 mod table;
 

@@ -3,6 +3,7 @@
 mod laid;
 pub(crate) mod page;
 mod points;
+#[path = "../../../cli/src/bit_test/screen.rs"]
 mod screen;
 mod tables;
 mod trials;

@@ -1,5 +1,6 @@
 //! Findings in words: in the summary, on the screen, and as an exit status.
 
+#[path = "../../../cli/src/findings.rs"]
 mod screen;
 mod sentence;
 

@@ -1,0 +1,1 @@
+//! Carries out what fronts ask for: runs, sweeps, studies and bit tests, and their pages.
