@@ -1,8 +1,7 @@
 //! Findings under the table of a run.
 
 use wholestring_results::{Finding, Level, Summary};
-
-use super::name;
+use wholestring_runner::findings::name;
 
 /// Space before what does not fit in the first line.
 const INDENT: usize = 4;

@@ -8,7 +8,12 @@ use wholestring_case::{
     survey::{self, ImportedSurvey, Said, SurveyError},
 };
 
-use crate::{args::SurveyArgs, color, failure::Failure, say, tell};
+use crate::{
+    args::SurveyArgs,
+    color::color,
+    failure::Failure,
+    terminal::{say, tell},
+};
 
 /// Columns of the result. Surveys are in degrees everywhere, so that this one is too; `survey` reads
 /// its own result.

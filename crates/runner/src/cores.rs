@@ -12,7 +12,7 @@ use wholestring::{
 };
 use wholestring_case::Case;
 
-use crate::interrupt::Interrupt;
+use crate::cancellation::CancellationToken;
 
 /// Who may be lent to a simulation.
 pub(crate) type Lent = Arc<dyn Executor + Send + Sync>;
@@ -39,26 +39,30 @@ impl Cores {
     }
 }
 
-/// Who works on the rock of a run: its own thread, and others where there are any. The user's Ctrl-C stops what has nothing to
+/// Who works on the rock of a run: its own thread, and others where there are any. A cancellation stops what has nothing to
 /// keep.
 struct Workers {
     cores: Option<Cores>,
-    interrupt: Interrupt,
+    cancellation: CancellationToken,
 }
 
 /// So many threads for the rock of a case, one per core where nothing is said.
-pub(crate) fn for_rock(case: &Case, threads: Option<NonZeroUsize>, interrupt: &Interrupt) -> Lent {
+pub(crate) fn for_rock(
+    case: &Case,
+    threads: Option<NonZeroUsize>,
+    cancellation: &CancellationToken,
+) -> Lent {
     Arc::new(Workers {
         cores: Cores::of_case(case, threads),
-        interrupt: interrupt.clone(),
+        cancellation: cancellation.clone(),
     })
 }
 
 /// The thread that solves, alone.
-pub(crate) fn alone(interrupt: &Interrupt) -> Lent {
+pub(crate) fn alone(cancellation: &CancellationToken) -> Lent {
     Arc::new(Workers {
         cores: None,
-        interrupt: interrupt.clone(),
+        cancellation: cancellation.clone(),
     })
 }
 
@@ -71,7 +75,7 @@ impl Executor for Workers {
     }
 
     fn stopped(&self) -> bool {
-        self.interrupt.asked()
+        self.cancellation.is_cancelled()
     }
 }
 

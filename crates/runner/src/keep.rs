@@ -2,18 +2,17 @@
 
 use std::path::Path;
 
-use clap::ValueEnum;
 use wholestring::outcome::ModelKind;
 use wholestring_case::Case;
 
 /// What is kept of a case, each with what stands before it. Frames and spectra are kept wherever a case asks for them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
-pub(crate) enum Keep {
-    /// Its `summary.json`
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Keep {
+    /// Its `summary.json`.
     Summary,
-    /// Its tables too
+    /// Its tables too.
     Tables,
-    /// All that a run leaves: its page and its picture too
+    /// All that a run leaves: its page and its picture too.
     All,
 }
 

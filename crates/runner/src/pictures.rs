@@ -1,41 +1,39 @@
-//! `wholestring plot`: the pictures of a run, of two on the same axes, of a sweep, or of a bit test, as files.
+//! The pictures of a run, of two on the same axes, of a sweep, or of a bit test.
 
 use std::path::{Path, PathBuf};
 
 use wholestring_report::{
-    Plot, Report, Run, Spectrum, bit_test_plots, common_operations, figure::Figure, plots,
-    sweep_plots,
+    Plot, Report, Run, Spectrum, bit_test_plots, common_operations, plots, sweep_plots,
 };
-use wholestring_results::{ResultsFolder, Summary};
+use wholestring_results::Summary;
 use wholestring_units::UnitSet;
 
 use crate::{
-    args::PlotArgs,
     bit_test::page as bit_test,
-    failure::Failure,
+    error::Error,
     folder_name::file_name,
-    report::{Tables, gather, lacking, spectra::spectra, table},
-    say,
-    sweep::report as sweep,
+    page::{Tables, gather, lacking, spectra::spectra, table},
+    results_kind::ResultsKind,
+    sweep::page as sweep,
 };
 
-/// Dots per inch that printers and journals ask for.
-const DOTS_PER_INCH: f64 = 300.0;
-
-pub(crate) fn plot(args: &PlotArgs) -> Result<(), Failure> {
-    let are_sweeps = sweeps(&args.folders);
-    let bit_tests = args.folders.iter().filter(|of| bit_test::is_bit_test(of));
-    let are_bit_tests = bit_tests.count() > 0;
-    let plots = match (&args.folders[..], &are_sweeps[..]) {
+/// Draws what lies in a folder, or two runs on the same axes, in these units or the case's.
+///
+/// # Errors
+/// Folders whose results cannot be drawn, or not together.
+pub fn pictures(folders: &[PathBuf], units: Option<UnitSet>) -> Result<Vec<Plot>, Error> {
+    let are_sweeps = sweeps(folders);
+    let are_bit_tests = folders.iter().any(|of| bit_test::is_bit_test(of));
+    let plots = match (folders, &are_sweeps[..]) {
         ([folder], _) if are_bit_tests => {
-            let test = bit_test::gather(folder, args.units).map_err(bad)?;
+            let test = bit_test::gather(folder, units).map_err(bad)?;
             bit_test_plots(&test, &test.units)
         }
         _ if are_bit_tests => {
             return Err(bad("a bit test cannot be overlaid with anything"));
         }
         ([folder], [true]) => {
-            let sweep = sweep::gather(folder, args.units).map_err(bad)?;
+            let sweep = sweep::gather(folder, units).map_err(bad)?;
             sweep_plots(&sweep, &sweep.units)
         }
         ([first, second], [a, b]) if a != b => {
@@ -51,25 +49,17 @@ pub(crate) fn plot(args: &PlotArgs) -> Result<(), Failure> {
                 "two sweeps cannot be overlaid: vary in one what tells them apart",
             ));
         }
+        ([], _) => return Err(bad("no folder is given")),
         (folders, _) => {
-            let runs = folders.iter().map(|folder| Drawn::read(folder, args.units));
+            let runs = folders.iter().map(|folder| Drawn::read(folder, units));
             drawn(&runs.collect::<Result<Vec<_>, _>>()?)?
         }
     };
     if plots.is_empty() {
-        let place = args.folders[0].display();
+        let place = folders[0].display();
         return Err(bad(format!("nothing was solved in {place}")));
     }
-    let output = args
-        .output
-        .clone()
-        .unwrap_or_else(|| default(&args.folders));
-    let folder = ResultsFolder::create(output)?;
-    for plot in &plots {
-        write_picture(&folder, &plot.name, &plot.figure, args.png)?;
-    }
-    let place = folder.path().display();
-    say(&format!("{} pictures in {place}\n", plots.len()))
+    Ok(plots)
 }
 
 /// Which of the folders are sweeps.
@@ -80,33 +70,15 @@ fn sweeps(folders: &[PathBuf]) -> Vec<bool> {
         .collect()
 }
 
-/// Where pictures go by themselves: those of two runs do not take the place of the first one's own.
-fn default(folders: &[PathBuf]) -> PathBuf {
+/// Where pictures of these folders go by themselves: those of two runs do not take the place of the first one's own.
+pub fn pictures_folder(folders: &[PathBuf]) -> PathBuf {
     let name = match folders.get(1).and_then(|second| second.file_name()) {
         Some(second) => format!("plots-{}", file_name(&second.to_string_lossy())),
         None if folders.len() > 1 => "plots-both".to_owned(),
         None => "plots".to_owned(),
     };
-    folders[0].join(name)
-}
-
-/// Writes a picture as SVG, and as PNG if that is asked for.
-pub(crate) fn write_picture(
-    folder: &ResultsFolder,
-    name: &str,
-    figure: &Figure,
-    png: bool,
-) -> Result<(), Failure> {
-    let drawing = figure.drawing();
-    folder.write_file(&format!("{name}.svg"), drawing.svg().as_bytes())?;
-    let painted = format!("{name}.png");
-    if png {
-        folder.write_file(&painted, &drawing.png(DOTS_PER_INCH))?;
-    } else {
-        // One that was painted before is not of what was drawn now.
-        folder.remove(&painted)?;
-    }
-    Ok(())
+    let first = folders.first().map_or(Path::new(""), PathBuf::as_path);
+    first.join(name)
 }
 
 /// A run that is to be drawn.
@@ -116,18 +88,16 @@ struct Drawn {
     spectra: Vec<Spectrum>,
 }
 
-fn bad(reason: impl std::fmt::Display) -> Failure {
-    Failure::BadInput(format!("error: {reason}"))
+fn bad(reason: impl std::fmt::Display) -> Error {
+    Error::BadInput(reason.to_string())
 }
 
 impl Drawn {
-    fn read(folder: &Path, units: Option<UnitSet>) -> Result<Self, Failure> {
+    fn read(folder: &Path, units: Option<UnitSet>) -> Result<Self, Error> {
         let place = folder.display();
         let path = folder.join("summary.json");
         if !path.is_file() {
-            return Err(bad(format!(
-                "{place} is no folder of a run, a sweep or a bit test: it holds neither summary.json nor sweep.csv"
-            )));
+            return Err(ResultsKind::none(folder));
         }
         let summary = Summary::read(&path).map_err(bad)?;
         if summary.operations.is_empty() {
@@ -146,7 +116,7 @@ impl Drawn {
 }
 
 /// Every picture of one run or two.
-fn drawn(runs: &[Drawn]) -> Result<Vec<Plot>, Failure> {
+fn drawn(runs: &[Drawn]) -> Result<Vec<Plot>, Error> {
     let first = &runs[0].report;
     let alike = runs[1..].iter().any(|run| run.report.title == first.title);
     let names: Vec<String> = runs

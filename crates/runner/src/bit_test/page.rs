@@ -12,10 +12,8 @@ use super::{
     points::common,
     tables::{BOTTOM, OPERATION, POINTS},
 };
-use crate::{
-    failure::Failure,
-    plot::write_picture,
-    report::{self, dimensions, history::bottom, inputs::sheets, table},
+use crate::page::{
+    FILE, PROGRAM, dimensions, history::bottom, inputs::sheets, table, write_picture,
 };
 
 /// The picture that is drawn unasked.
@@ -27,13 +25,13 @@ pub(crate) fn is_bit_test(folder: &Path) -> bool {
 }
 
 /// Writes the page of a test and the picture of its drill-off; neither where no point is finished.
-pub(crate) fn write(folder: &ResultsFolder, test: &BitTest) -> Result<(), Failure> {
+pub(crate) fn write(folder: &ResultsFolder, test: &BitTest) -> Result<(), ResultsError> {
     let plots = bit_test_plots(test, &test.units);
     let Some(drill_off) = plots.iter().find(|plot| plot.name == DRILL_OFF) else {
-        folder.remove(report::FILE)?;
-        return Ok(folder.remove(&format!("{DRILL_OFF}.svg"))?);
+        folder.remove(FILE)?;
+        return folder.remove(&format!("{DRILL_OFF}.svg"));
     };
-    folder.write_file(report::FILE, bit_test_html(test).as_bytes())?;
+    folder.write_file(FILE, bit_test_html(test).as_bytes())?;
     write_picture(folder, &drill_off.name, &drill_off.figure, false)
 }
 
@@ -63,7 +61,7 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<BitTest, R
         None => settings["units"].as_str().unwrap_or("si"),
     };
     Ok(BitTest {
-        program: report::PROGRAM.into(),
+        program: PROGRAM.into(),
         title: format!("{}: bit test", summary.case),
         units: units.into(),
         dimensions: dimensions::all(),

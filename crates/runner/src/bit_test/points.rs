@@ -6,8 +6,7 @@ use serde_json::{Value, json};
 use wholestring::rock::TrialSpec;
 use wholestring_case::BitTest;
 
-use super::bad;
-use crate::failure::Failure;
+use crate::error::Error;
 
 /// One weight at one speed.
 pub(super) struct Point {
@@ -33,7 +32,7 @@ fn rounded(value: f64, digits: usize) -> f64 {
 }
 
 /// The points, the speeds of one weight after the other.
-pub(super) fn points(test: &BitTest, settings: &Value) -> Result<Vec<Point>, Failure> {
+pub(super) fn points(test: &BitTest, settings: &Value) -> Result<Vec<Point>, Error> {
     let common = common(settings);
     let point = |weight_N: f64, rotary_rad_per_s: f64| {
         let mut settings = common.clone();
@@ -67,7 +66,7 @@ pub(super) fn points(test: &BitTest, settings: &Value) -> Result<Vec<Point>, Fai
         .collect();
     let mut names = BTreeSet::new();
     match points.iter().find(|point| !names.insert(&point.name)) {
-        Some(twice) => Err(bad(format_args!(
+        Some(twice) => Err(Error::BadInput(format!(
             "two points of the test are {}: weights and speeds must differ in their first {DIGITS} digits",
             twice.name
         ))),

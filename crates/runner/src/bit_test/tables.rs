@@ -6,7 +6,7 @@ use wholestring_results::{
 };
 
 use super::points::rpm;
-use crate::record::bottom_rows;
+use crate::record::rows::bottom_rows;
 
 /// Name of the table of all points, without its extension.
 pub(super) const POINTS: &str = "bit-test";

@@ -1,8 +1,7 @@
-//! The trials of a bit test: all cores, one progress bar.
+//! The trials of a bit test, on all cores.
 
 use std::{sync::Mutex, time::Instant};
 
-use indicatif::ProgressBar;
 use wholestring::rock::{Alone, DrillingResponse, Stepper, Trial, TrialOutcome};
 use wholestring_case::{BitTest, Case};
 use wholestring_results::{
@@ -15,14 +14,13 @@ use super::{
     tables,
 };
 use crate::{
-    args::{BatchArgs, Shard},
+    batch::{BatchOptions, BatchOutcome, FailedCase},
+    cancellation::CancellationToken,
     checkpoint::{Keeper, other_processor},
-    conclusion::Conclusion,
-    failure::Failure,
-    interrupt::Interrupt,
+    observer::{BatchSize, CaseEnded, Observer, Watch},
+    output::Existing,
     parallel::{in_parallel, lock},
-    progress::{self, Watch, milliseconds},
-    solve::{Stop, checkpoint_every},
+    run::{Stop, checkpoint_every},
 };
 
 /// How a point ended.
@@ -30,7 +28,7 @@ type Ending = Result<TrialOutcome, Stop>;
 
 /// Points that are drilled together.
 pub(super) struct Trials<'a> {
-    args: &'a BatchArgs,
+    options: &'a BatchOptions,
     case: &'a Case,
     test: &'a BitTest,
     points: Vec<Point>,
@@ -38,8 +36,8 @@ pub(super) struct Trials<'a> {
     mine: Vec<usize>,
     folder: ResultsFolder,
     stepper: Stepper,
-    interrupt: Interrupt,
-    bar: ProgressBar,
+    observer: &'a dyn Observer,
+    cancellation: &'a CancellationToken,
     /// How each point ended, none where it has not.
     endings: Mutex<Vec<Option<Ending>>>,
     /// Held by who writes the tables.
@@ -50,23 +48,20 @@ pub(super) struct Trials<'a> {
 impl<'a> Trials<'a> {
     /// Trials of these points, with results in the folder; the tables of an earlier test go.
     pub(super) fn new(
-        args: &'a BatchArgs,
+        options: &'a BatchOptions,
         case: &'a Case,
         test: &'a BitTest,
         points: Vec<Point>,
         folder: ResultsFolder,
-    ) -> Result<Self, Failure> {
-        let shard = args.shard.unwrap_or(Shard::ALL);
+        observer: &'a dyn Observer,
+        cancellation: &'a CancellationToken,
+    ) -> Result<Self, ResultsError> {
+        let shard = options.shard;
         let mine: Vec<usize> = (0..points.len())
             .filter(|point| shard.has(*point))
             .collect();
-        let lengths = mine
-            .iter()
-            .map(|point| milliseconds(points[*point].spec.duration_s()));
-        let bar = progress::bar(lengths.sum(), args.quiet);
-        bar.set_prefix("bit test");
         let trials = Self {
-            args,
+            options,
             case,
             test,
             endings: Mutex::new(points.iter().map(|_| None).collect()),
@@ -74,12 +69,12 @@ impl<'a> Trials<'a> {
             mine,
             folder,
             stepper: Stepper::default(),
-            interrupt: Interrupt::listen(),
-            bar,
+            observer,
+            cancellation,
             writing: Mutex::default(),
             start: Instant::now(),
         };
-        if args.resume {
+        if options.output.existing == Existing::Resume {
             trials.find_finished()?;
         }
         trials.write()?;
@@ -87,7 +82,7 @@ impl<'a> Trials<'a> {
     }
 
     /// Takes up the points that an earlier test finished, those of other shards too: the tables show all there is.
-    fn find_finished(&self) -> Result<(), Failure> {
+    fn find_finished(&self) -> Result<(), ResultsError> {
         let mut endings = lock(&self.endings);
         for (index, point) in self.points.iter().enumerate() {
             let place = self.folder.path().join(&point.name);
@@ -101,39 +96,47 @@ impl<'a> Trials<'a> {
     }
 
     /// Drills the points of this shard.
-    pub(super) fn solve_all(&self) -> Result<(), Failure> {
+    pub(super) fn solve_all(&self) -> Result<(), ResultsError> {
+        let durations_s = self.mine.iter();
+        let durations_s = durations_s.map(|point| self.points[*point].spec.duration_s());
+        self.observer.batch_started(&BatchSize {
+            cases: self.mine.len(),
+            finished: self.ended(),
+            simulated_s: durations_s.sum(),
+        });
         // The slowest turn longest: what is left at the end is short.
         let mut order = self.mine.clone();
         let duration_s = |point: &usize| self.points[*point].spec.duration_s();
         order.sort_by(|a, b| duration_s(b).total_cmp(&duration_s(a)));
-        in_parallel(self.args.jobs(), &order, |point| self.solve(point));
-        self.bar.finish_and_clear();
-        Ok(self.write()?)
+        in_parallel(self.options.jobs(), &order, |point| self.solve(point));
+        self.observer.batch_ended();
+        self.write()
     }
 
-    /// Drills one point, unless it is finished or the user asked to stop.
+    /// Drills one point, unless it is finished or the test is cancelled.
     fn solve(&self, index: usize) {
         let point = &self.points[index];
         if lock(&self.endings)[index].is_some() {
-            self.bar.inc(milliseconds(point.spec.duration_s()));
+            self.tell_end(point.spec.duration_s());
             return;
         }
-        if self.interrupt.asked() {
+        if self.cancellation.is_cancelled() {
             return;
         }
-        let ending = self.ending(point);
+        let ending = self.ending(index);
         lock(&self.endings)[index] = Some(ending);
+        self.tell_end(0.0);
         // What cannot be written now is told at the end.
         let _ = self.write();
     }
 
-    fn ending(&self, point: &Point) -> Ending {
+    fn ending(&self, index: usize) -> Ending {
+        let point = &self.points[index];
         let folder = ResultsFolder::create(self.folder.path().join(&point.name))?;
-        let begun = self
-            .args
-            .resume
-            .then(|| self.begun(point, &folder))
-            .flatten();
+        let begun = match self.options.output.existing {
+            Existing::Resume => self.begun(point, &folder),
+            Existing::Protect | Existing::Overwrite => None,
+        };
         let unsolved = |error: &dyn std::error::Error| Stop::Unsolved(error.to_string());
         let mut trial = match begun {
             Some(trial) => trial,
@@ -142,20 +145,23 @@ impl<'a> Trials<'a> {
                 Trial::new(&point.spec, &self.test.drilling).map_err(|error| unsolved(&error))?
             }
         };
-        let every = self.args.checkpoint;
+        let every = self.options.checkpoint_every;
         let every = every.unwrap_or_else(|| checkpoint_every(self.case));
         let mut keeper = Keeper::new(&folder, every);
-        let watch = Watch::Sweep(self.bar.clone());
-        let progress = watch.operation(&point.name, trial.time_s(), point.spec.duration_s());
+        let watch = Watch {
+            observer: self.observer,
+            case: index,
+        };
+        let duration_s = point.spec.duration_s();
+        let progress = watch.simulation(&point.name, None, [trial.time_s(), duration_s]);
         while !trial.is_finished() {
-            progress.reach(trial.time_s());
-            self.bar.set_message(self.message());
-            let interrupted = self.interrupt.asked();
+            progress.reach(trial.time_s(), duration_s, false);
+            let interrupted = self.cancellation.is_cancelled();
             if interrupted || keeper.is_due() {
                 let laid = Laid::new(point, &self.stepper, &trial);
                 // A point does not end because one checkpoint cannot be written: the next may.
                 if let Err(error) = keeper.write(&laid) {
-                    watch.tell(&format!("warning: no checkpoint: {error}\n"));
+                    self.observer.warning(&format!("no checkpoint: {error}"));
                 }
             }
             if interrupted {
@@ -166,10 +172,10 @@ impl<'a> Trials<'a> {
                 return Err(unsolved(&error));
             }
         }
-        progress.reach(trial.time_s());
+        progress.reach(trial.time_s(), duration_s, false);
         let outcome = trial.outcome().expect("a finished trial has an outcome");
         let bottom = tables::bottom(&trial.drilling().bottom_hole());
-        folder.write_table(tables::BOTTOM, &bottom, self.args.csv)?;
+        folder.write_table(tables::BOTTOM, &bottom, self.options.csv)?;
         // With this the point is finished.
         laid::finish(&folder, point, outcome)?;
         keeper.finish()?;
@@ -178,31 +184,37 @@ impl<'a> Trials<'a> {
 
     /// What an earlier test began of the point; nothing where it left none to go on with, or none that one can.
     fn begun(&self, point: &Point, folder: &ResultsFolder) -> Option<Trial> {
-        let watch = Watch::Sweep(self.bar.clone());
         match Laid::read(folder, point, &self.test.drilling) {
             Ok(laid) => laid.map(|laid| {
                 let now = self.stepper.instructions;
                 if let Some(warning) = other_processor(&laid.instructions, now) {
-                    watch.tell(&warning);
+                    self.observer.warning(&warning);
                 }
                 laid.trial.into_owned()
             }),
             Err(reason) => {
-                watch.tell(&format!(
-                    "warning: {}: {reason}; it begins anew\n",
-                    point.name
-                ));
+                let name = &point.name;
+                let warning = format!("{name}: {reason}; it begins anew");
+                self.observer.warning(&warning);
                 None
             }
         }
     }
 
-    /// Points that are finished.
-    fn message(&self) -> String {
+    /// Points of this shard that have ended.
+    fn ended(&self) -> usize {
         let endings = lock(&self.endings);
         let done = self.mine.iter().filter(|point| endings[**point].is_some());
-        let (done, all) = (done.count(), self.mine.len());
-        format!("{done} of {all} points")
+        done.count()
+    }
+
+    /// Tells that a point has ended, of which so much was not drilled now.
+    fn tell_end(&self, reused_s: f64) {
+        self.observer.case_ended(&CaseEnded {
+            ended: self.ended(),
+            of: self.mine.len(),
+            reused_s,
+        });
     }
 
     /// How far the test has come.
@@ -246,38 +258,36 @@ impl<'a> Trials<'a> {
         let summary = self.summary();
         let points = &summary.points;
         self.folder
-            .write_table(tables::POINTS, &tables::points(points), self.args.csv)?;
+            .write_table(tables::POINTS, &tables::points(points), self.options.csv)?;
         tables::write_law(&self.folder, points)?;
         summary.write(&self.folder.path().join("summary.json"))
     }
 
-    /// The folder with the results.
-    pub(super) fn folder(&self) -> &ResultsFolder {
-        &self.folder
-    }
-
-    /// Says how it went.
-    pub(super) fn conclude(self) -> Result<(), Failure> {
+    /// How it went.
+    pub(super) fn outcome(self) -> BatchOutcome {
         let endings = std::mem::take(&mut *lock(&self.endings));
-        let of_mine = |point: &usize| (&self.points[*point], endings[*point].as_ref());
-        let mine: Vec<_> = self.mine.iter().map(of_mine).collect();
-        let failed = |(point, ending): &(&Point, Option<&Ending>)| {
-            let reason = ending.as_ref()?.as_ref().err()?.reason()?;
-            Some(format!("  {}: {reason}", point.name))
-        };
-        Conclusion {
-            noun: "bit test",
-            items: "points",
-            all: mine.len(),
-            finished: mine
-                .iter()
-                .filter(|(_, ending)| matches!(ending, Some(Ok(_))))
-                .count(),
-            failed: mine.iter().filter_map(failed).collect(),
-            interrupted: self.interrupt.asked(),
-            place: self.folder.path(),
+        let mut outcome = BatchOutcome {
+            folder: self.folder.path().to_owned(),
+            all: self.mine.len(),
+            finished: 0,
+            failed: Vec::new(),
+            with_errors: Vec::new(),
+            cancelled: self.cancellation.is_cancelled(),
             took: self.start.elapsed(),
+        };
+        for point in &self.mine {
+            match &endings[*point] {
+                Some(Ok(_)) => outcome.finished += 1,
+                Some(Err(why)) => {
+                    let failed = why.reason().map(|reason| FailedCase {
+                        name: self.points[*point].name.clone(),
+                        reason,
+                    });
+                    outcome.failed.extend(failed);
+                }
+                None => {}
+            }
         }
-        .tell(self.args.quiet)
+        outcome
     }
 }

@@ -1,7 +1,4 @@
-//! Whose a folder is: results of one case are never replaced by those of another in silence, and no two programs write
-//! to one folder, but for the shards of one sweep.
-
-mod leftovers;
+//! A folder that is asked for, and held as long as it is written to.
 
 use std::{
     path::{Path, PathBuf},
@@ -11,31 +8,31 @@ use std::{
 
 use wholestring_results::{Hold, Holding, Occupant, ResultsFolder};
 
-use crate::{failure::Failure, tell};
+use super::{leftovers, refusal::FolderRefused};
+use crate::{
+    error::Error,
+    observer::Observer,
+    output::{Existing, Output},
+};
 
 /// Who asks for a folder, and what for.
 pub(crate) struct Claim<'a> {
     /// What will be written.
     pub(crate) occupant: Occupant,
-    /// The folder that the user named.
-    pub(crate) output: Option<&'a Path>,
+    /// The folder that the user named, and what becomes of what lies there.
+    pub(crate) output: &'a Output,
     /// Where it goes otherwise.
     pub(crate) default: PathBuf,
     /// Whether others that do a part of the same work write to the folder too.
     pub(crate) shared: bool,
-    /// Whether it goes on with what lies there.
-    pub(crate) resume: bool,
-    /// Whether what lies there may be replaced.
-    pub(crate) overwrite: bool,
-    pub(crate) quiet: bool,
+    /// Who is told of another folder than the default one.
+    pub(crate) observer: &'a dyn Observer,
     /// Whether the work has been begun there, and can be gone on with.
     pub(crate) is_unfinished: &'a dyn Fn(&Path) -> bool,
     /// Whether some of the work lies there, of more or less work than this: a sweep may be resumed with other values.
     pub(crate) is_part: &'a dyn Fn(&Path) -> bool,
-    /// How one goes on with it.
-    pub(crate) go_on: &'a dyn Fn(&Path) -> String,
     /// Why the work cannot go to a folder that could be held, if anything else is against it.
-    pub(crate) refuse: &'a dyn Fn(&Path) -> Result<(), Failure>,
+    pub(crate) refuse: &'a dyn Fn(&Path) -> Result<(), Error>,
 }
 
 /// A folder for results, and what keeps others out of it as long as it lives.
@@ -69,12 +66,15 @@ impl Claim<'_> {
     ///
     /// # Errors
     /// A named folder with other results, an unfinished run of the same work, or another program that writes there.
-    pub(crate) fn folder(&self) -> Result<Claimed, Failure> {
-        if let Some(path) = self.output {
+    pub(crate) fn folder(&self) -> Result<Claimed, Error> {
+        if let Some(path) = &self.output.folder {
             return match self.look(path)? {
                 Look::Free(folder, hold) | Look::Part(folder, hold) => self.take(folder, hold),
                 Look::Unfinished => Err(self.unfinished(path)),
-                Look::Other(there) => Err(refused(path, there.as_ref())),
+                Look::Other(there) => {
+                    let path = path.clone();
+                    Err(FolderRefused::Occupied { path, there }.into())
+                }
                 Look::Busy(_) => Err(busy(path)),
             };
         }
@@ -95,9 +95,9 @@ impl Claim<'_> {
             match self.look(&path)? {
                 Look::Part(folder, hold) => part = part.or(Some((folder, hold))),
                 Look::Free(folder, hold) => {
-                    if number > 1 && !self.quiet {
-                        tell(&format!(
-                            "note: {} holds other results, and is left alone: these go to {}\n",
+                    if number > 1 {
+                        self.observer.note(&format!(
+                            "{} holds other results, and is left alone: these go to {}",
                             self.default.display(),
                             path.display()
                         ));
@@ -109,13 +109,14 @@ impl Claim<'_> {
                 Look::Other(_) | Look::Busy(_) => {}
             }
         }
-        Err(bad(format_args!(
-            "{} and {MOST_FOLDERS} folders like it hold other results\nname another folder with -o",
-            self.default.display()
-        )))
+        Err(FolderRefused::AllOccupied {
+            path: self.default.clone(),
+            count: MOST_FOLDERS,
+        }
+        .into())
     }
 
-    fn look(&self, path: &Path) -> Result<Look, Failure> {
+    fn look(&self, path: &Path) -> Result<Look, Error> {
         let folder = ResultsFolder::create(path)?;
         let (mut tries, pause) = PATIENCE;
         let hold = loop {
@@ -149,19 +150,19 @@ impl Claim<'_> {
         Ok(match there {
             None => Look::Free(folder, hold),
             Some(Some(there)) if self.occupant.is_same(&there) => {
-                if (self.is_unfinished)(path) && !self.resume && !self.overwrite {
+                if self.output.existing == Existing::Protect && (self.is_unfinished)(path) {
                     Look::Unfinished
                 } else {
                     Look::Free(folder, hold)
                 }
             }
-            Some(_) if self.overwrite => {
+            Some(_) if self.output.existing == Existing::Overwrite => {
                 leftovers::remove(path)?;
                 Look::Free(folder, hold)
             }
             // Which of its cases are finished is asked one by one.
             Some(there)
-                if self.resume
+                if self.output.existing == Existing::Resume
                     && there
                         .as_ref()
                         .is_none_or(|one| one.kind == self.occupant.kind)
@@ -173,7 +174,7 @@ impl Claim<'_> {
         })
     }
 
-    fn take(&self, folder: ResultsFolder, mut hold: Hold) -> Result<Claimed, Failure> {
+    fn take(&self, folder: ResultsFolder, mut hold: Hold) -> Result<Claimed, Error> {
         (self.refuse)(folder.path())?;
         hold.occupy(&self.occupant)?;
         if self.shared {
@@ -189,13 +190,10 @@ impl Claim<'_> {
         Ok(Claimed { folder, hold })
     }
 
-    fn unfinished(&self, path: &Path) -> Failure {
-        let kind = &self.occupant.kind;
-        bad(format_args!(
-            "{} holds an unfinished {kind} of this case\nto go on with it, {}; to begin anew, add --overwrite",
-            path.display(),
-            (self.go_on)(path)
-        ))
+    fn unfinished(&self, path: &Path) -> Error {
+        let kind = self.occupant.kind.clone();
+        let path = path.to_owned();
+        FolderRefused::Unfinished { path, kind }.into()
     }
 }
 
@@ -203,7 +201,7 @@ impl Claim<'_> {
 ///
 /// # Errors
 /// Another program that writes there.
-pub(crate) fn hold(folder: &ResultsFolder) -> Result<Claimed, Failure> {
+pub(crate) fn hold(folder: &ResultsFolder) -> Result<Claimed, Error> {
     match folder.hold(false)? {
         Holding::Alone(hold) => Ok(Claimed {
             folder: folder.clone(),
@@ -215,7 +213,7 @@ pub(crate) fn hold(folder: &ResultsFolder) -> Result<Claimed, Failure> {
 
 impl Claimed {
     /// Says what the folder is written for from now on.
-    pub(crate) fn occupy(mut self, occupant: &Occupant) -> Result<Self, Failure> {
+    pub(crate) fn occupy(mut self, occupant: &Occupant) -> Result<Self, Error> {
         self.hold.occupy(occupant)?;
         Ok(self)
     }
@@ -231,24 +229,9 @@ fn numbered(path: &Path, number: usize) -> PathBuf {
     path.with_file_name(name)
 }
 
-fn refused(path: &Path, there: Option<&Occupant>) -> Failure {
-    let what = match there {
-        Some(there) => format!("the {} of another case, \"{}\"", there.kind, there.name),
-        None => "results of an earlier version, which did not say of which case".to_owned(),
-    };
-    bad(format_args!(
-        "{} holds {what}\nname another folder with -o, or add --overwrite to replace what lies there",
-        path.display()
-    ))
-}
-
-fn busy(path: &Path) -> Failure {
-    bad(format_args!(
-        "another run is writing to {}\nwait until it has ended, or name another folder with -o",
-        path.display()
-    ))
-}
-
-fn bad(reason: impl std::fmt::Display) -> Failure {
-    Failure::BadInput(format!("error: {reason}"))
+fn busy(path: &Path) -> Error {
+    FolderRefused::Busy {
+        path: path.to_owned(),
+    }
+    .into()
 }

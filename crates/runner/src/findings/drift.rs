@@ -1,34 +1,15 @@
-//! What is to be known of means that do not stand still: marks in the table, and what a finding says of them.
+//! What a finding says of means that do not stand still.
 
-use wholestring_results::{OperationSummary, Statistic};
+use wholestring_results::OperationSummary;
 use wholestring_units::{Dimension, UnitSet};
 
-use super::{QUANTITIES, deviation};
+use super::quantities::{QUANTITIES, deviation};
 
 /// Travel of the bit in the window from which it is named as what may change a mean, m.
 const TRAVELS_M: f64 = 1.0;
 
-/// The mark beside the deviation of what drifts.
-pub(super) fn mark(statistic: &Statistic) -> &'static str {
-    match (statistic.drifts, statistic.drift < 0.0) {
-        (false, _) => "",
-        (true, false) => " ↗",
-        (true, true) => " ↘",
-    }
-}
-
-/// A column of deviations, those without a mark as far from the edge as those with one.
-pub(super) fn aligned(cells: Vec<String>) -> Vec<String> {
-    let is_marked = |cell: &String| cell.ends_with(['↗', '↘']);
-    if !cells.iter().any(is_marked) {
-        return cells;
-    }
-    let pad = |cell: String| if is_marked(&cell) { cell } else { cell + "  " };
-    cells.into_iter().map(pad).collect()
-}
-
 /// What drifts in the window of an operation, as a sentence; none where nothing of the table does.
-pub(crate) fn sentence(solved: &OperationSummary, units: UnitSet) -> Option<String> {
+pub(super) fn sentence(solved: &OperationSummary, units: UnitSet) -> Option<String> {
     let statistics = solved.statistics.as_ref()?;
     let drifts: Vec<String> = QUANTITIES
         .iter()
@@ -70,7 +51,7 @@ mod tests {
     use serde_json::{Value, json};
     use wholestring_results::Summary;
 
-    use super::{super::table, *};
+    use super::*;
 
     /// A summary of one operation with these statistics and numerics.
     fn summary(statistics: Value, numerics: Value) -> Summary {
@@ -119,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn what_drifts_is_marked_and_told() {
+    fn what_drifts_is_told() {
         let drifts = summary(
             json!({
                 "hook_load_N": {"drift": -2100.0, "drifts": true},
@@ -135,14 +116,6 @@ mod tests {
                  ± is drift, not motion alone; settle longer"
             )
         );
-        let shown = table(&drifts, UnitSet::Si, None);
-        let row = |label: &str| shown.lines().find(|line| line.starts_with(label)).unwrap();
-        assert!(row("Hook load").ends_with("0.70 ↘"), "{shown}");
-        assert!(row("Stretch").ends_with("0.0030 ↗"), "{shown}");
-        // Digits stand below each other.
-        assert!(row("Axial friction").ends_with("0.70"), "{shown}");
-        let place = |label| row(label).chars().position(|letter| letter == '.');
-        assert_eq!(place("Axial friction"), place("Hook load"), "{shown}");
     }
 
     #[test]
@@ -164,6 +137,5 @@ mod tests {
     fn what_stands_still_is_not_told() {
         let still = summary(json!({"hook_load_N": {}}), json!({}));
         assert_eq!(told(&still), None);
-        assert!(!table(&still, UnitSet::Si, None).contains('↗'));
     }
 }

@@ -14,7 +14,7 @@ use wholestring::{
 use wholestring_results::OperationSummary;
 use wholestring_units::{Dimension, UnitSet};
 
-use crate::comparison::drift;
+use super::drift;
 
 /// A sentence that begins with a capital and ends without a full stop.
 pub(super) fn sentence(

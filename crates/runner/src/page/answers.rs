@@ -5,7 +5,7 @@ use wholestring::outcome::ModelKind;
 use wholestring_report::{Answer, Cell, Fact};
 use wholestring_results::{OperationSummary, Table};
 
-use super::rows;
+use super::rows::rows;
 use crate::column::numbers;
 
 /// Five numbers. Of a dynamic model those that vary are means, and their largest of the window is held against the

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use wholestring_report::{BottomPicture, ContactPicture, DrillOff, Packed, thinned};
 use wholestring_results::Table;
 
-use super::rows;
+use super::rows::rows;
 use crate::column::{numbers, words};
 
 /// Rows of time histories that a page holds, all operations together.

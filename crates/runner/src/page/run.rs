@@ -1,78 +1,33 @@
-//! `report.html`: the page of a run, made from the files that it left.
+//! The page of a run, made from the files that it left.
 
-mod answers;
-pub(crate) mod asked;
-pub(crate) mod dimensions;
-mod findings;
-mod frames;
-pub(crate) mod history;
-pub(crate) mod inputs;
-mod sheets;
-pub(crate) mod spectra;
-pub(crate) mod well;
+use std::path::Path;
 
-use std::path::{Path, PathBuf};
-
-use wholestring_report::{Packed, Report, Solved, TimeRun, report_html};
+use wholestring_report::{Report, Solved, TimeRun, report_html};
 use wholestring_results::{OperationSummary, ResultsError, ResultsFolder, Status, Summary, Table};
 use wholestring_units::UnitSet;
 
-use crate::{
-    args::ReportArgs,
-    bit_test::page as bit_test,
-    column::{numbers, words},
-    failure::Failure,
-    record::{PROFILE, write_profile},
-    say,
-    sweep::report as sweep,
+use super::{
+    answers, asked, dimensions,
+    file::{FILE, PROGRAM},
+    findings, frames, history, inputs,
+    profile::{PROFILE, write_profile},
+    rows::columns,
+    sheets, spectra,
+    tables::{Tables, table},
+    well,
 };
 
-/// Name of the file.
-pub(crate) const FILE: &str = "report.html";
-
-/// What made the page.
-pub(crate) const PROGRAM: &str = concat!("wholestring ", env!("CARGO_PKG_VERSION"));
-
-/// Rows of a profile that a page shows: of a soft string every few where there are more.
-const MOST_NODES: usize = 3000;
-
-/// `wholestring report DIR`.
-pub(crate) fn report(args: &ReportArgs) -> Result<(), Failure> {
-    let place = args.folder.display();
-    let bad = |error: &dyn std::fmt::Display| Failure::BadInput(format!("error: {error}"));
-    // Whatever the folder holds is the input here.
-    if bit_test::is_bit_test(&args.folder) {
-        let test = bit_test::gather(&args.folder, args.units).map_err(|error| bad(&error))?;
-        bit_test::write(&ResultsFolder::create(&args.folder)?, &test)?;
-    } else if args.folder.join("summary.json").is_file() {
-        if let Some(lacking) = lacking(&args.folder).map_err(|error| bad(&error))? {
-            return Err(bad(&lacking));
-        }
-        let page = page(&args.folder, args.units).map_err(|error| bad(&error))?;
-        let folder = ResultsFolder::create(&args.folder)?;
-        folder.write_file(FILE, page.as_bytes())?;
-    } else if sweep::is_sweep(&args.folder) {
-        let folder = ResultsFolder::create(&args.folder)?;
-        sweep::write(&folder, args.units).map_err(|error| bad(&error))?;
-    } else {
-        return Err(bad(&format!(
-            "{place} is no folder of a run, a sweep or a bit test: it holds neither summary.json nor sweep.csv"
-        )));
-    }
-    say(&format!("{}\n", args.folder.join(FILE).display()))
-}
-
 /// Writes the page of the run whose files are in the folder; nothing where nothing was solved.
-pub(crate) fn write(folder: &ResultsFolder, units: UnitSet) -> Result<(), Failure> {
+pub(crate) fn write(folder: &ResultsFolder, units: UnitSet) -> Result<(), ResultsError> {
     if !folder.path().join("summary.json").is_file() {
         return Ok(());
     }
     let page = page(folder.path(), Some(units))?;
-    Ok(folder.write_file(FILE, page.as_bytes())?)
+    folder.write_file(FILE, page.as_bytes())
 }
 
 /// Makes the page and the picture of a run that is finished where its folder lacks them.
-pub(crate) fn complete(folder: &ResultsFolder, units: UnitSet) -> Result<(), Failure> {
+pub(crate) fn complete(folder: &ResultsFolder, units: UnitSet) -> Result<(), ResultsError> {
     if !folder.path().join(PROFILE).is_file() {
         let summary = Summary::read(&folder.path().join("summary.json"))?;
         let (nodes, wear) = (
@@ -115,7 +70,7 @@ pub(crate) fn lacking(folder: &Path) -> Result<Option<String>, ResultsError> {
 }
 
 /// The page of the run in a folder.
-fn page(folder: &Path, units: Option<UnitSet>) -> Result<String, ResultsError> {
+pub(crate) fn page(folder: &Path, units: Option<UnitSet>) -> Result<String, ResultsError> {
     let summary = Summary::read(&folder.join("summary.json"))?;
     let mut report = gather(&Tables::read(folder)?, &summary, units)?;
     let mut frames = frames::read(folder, report.runs.len())?;
@@ -123,48 +78,6 @@ fn page(folder: &Path, units: Option<UnitSet>) -> Result<String, ResultsError> {
         run.frames = frames.remove(&run.operation);
     }
     Ok(report_html(&report))
-}
-
-/// The tables of a run, without rows where there is none. Those against time are large, and are
-/// read operation by operation.
-pub(crate) struct Tables {
-    folder: PathBuf,
-    nodes: Table,
-    wear: Table,
-    bottom_hole: Table,
-}
-
-impl Tables {
-    /// Those in a folder.
-    pub(crate) fn read(folder: &Path) -> Result<Self, ResultsError> {
-        Ok(Self {
-            folder: folder.to_owned(),
-            nodes: table(folder, "nodes")?,
-            wear: table(folder, "wear")?,
-            bottom_hole: table(folder, "bottom_hole")?,
-        })
-    }
-
-    /// A table against time, as far as it is about an operation.
-    fn of(&self, name: &str, operation: &str) -> Result<Table, ResultsError> {
-        let path = self.folder.join(format!("{name}.parquet"));
-        let rows = if path.is_file() {
-            Table::read_parquet_with(&path, "operation", operation)?
-        } else {
-            None
-        };
-        Ok(rows.unwrap_or_else(|| Table::new(Vec::new())))
-    }
-}
-
-/// A table of the folder, without rows where there is none.
-pub(crate) fn table(folder: &Path, name: &str) -> Result<Table, ResultsError> {
-    let path = folder.join(format!("{name}.parquet"));
-    if path.is_file() {
-        Table::read_parquet(&path)
-    } else {
-        Ok(Table::new(Vec::new()))
-    }
 }
 
 /// What is told of a run; all but the string at moments.
@@ -257,48 +170,4 @@ pub(crate) fn along_the_hole(
         ]
         .concat(),
     }
-}
-
-/// Rows of a table that belong to an operation, and to a model where the table tells them apart.
-fn rows(table: &Table, model: Option<&str>, operation: &str) -> Vec<usize> {
-    let models = words(table, "model");
-    let operations = words(table, "operation").iter().enumerate();
-    operations
-        .filter(|(row, name)| {
-            // A table that does not tell models apart is the dynamics'.
-            let of = models.get(*row).map_or("dynamic", String::as_str);
-            *name == operation && model.is_none_or(|model| of == model)
-        })
-        .map(|(row, _)| row)
-        .collect()
-}
-
-/// The numbers of those rows by the name of their column; columns that hold none are left out.
-fn columns(
-    table: &Table,
-    model: Option<&str>,
-    operation: &str,
-) -> std::collections::BTreeMap<String, Packed> {
-    let rows = rows(table, model, operation);
-    let step = rows.len().div_ceil(MOST_NODES).max(1);
-    // The last row, the bit's, is always among them.
-    let last = rows.len().saturating_sub(1);
-    let chosen: Vec<usize> = rows
-        .iter()
-        .enumerate()
-        .filter(|(place, _)| (last - place).is_multiple_of(step))
-        .map(|(_, row)| *row)
-        .collect();
-    let names = table.columns().iter().map(|column| column.name.as_str());
-    names
-        .filter_map(|name| {
-            let all = numbers(table, name);
-            let values: Vec<f64> = chosen
-                .iter()
-                .map(|row| all.get(*row).copied().flatten().unwrap_or(f64::NAN))
-                .collect();
-            let any = values.iter().any(|value| value.is_finite());
-            any.then(|| (name.to_owned(), Packed::single(values)))
-        })
-        .collect()
 }

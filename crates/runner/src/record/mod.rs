@@ -1,8 +1,7 @@
 //! What a run has solved so far, and its way to the disk.
 
-mod rows;
-
-pub(crate) use rows::{Effort, bottom_rows};
+mod frames;
+pub(crate) mod rows;
 
 use std::borrow::Cow;
 
@@ -17,20 +16,18 @@ use wholestring::{
     well::Hole,
 };
 use wholestring_case::{Case, Records};
-use wholestring_report::{Report, profile};
 use wholestring_results::{
     BOTTOM_HOLE, CONTACT, ENGINE_VERSION, FramesSoFar, Friction, GrowingTable, NODES,
     OperationSummary, ResultsError, ResultsFolder, SCHEMA_VERSION, SPECTRA, Status, Summary, TIME,
     Table, TableSoFar, WEAR, digest,
 };
-use wholestring_units::{Dimension, UnitSet};
+use wholestring_units::UnitSet;
 
+use self::frames::Frames;
 use crate::{
-    failure::Failure,
     findings,
-    frames::Frames,
     keep::Keep,
-    report::{self, along_the_hole},
+    page::{FILE, PROFILE, along_the_hole, write_profile},
 };
 
 /// What a run has solved to its end, as a checkpoint keeps it. The tables against time are large:
@@ -169,6 +166,11 @@ impl Record {
         }
     }
 
+    /// What is told of it in short; all else goes.
+    pub(crate) fn into_summary(self) -> Summary {
+        self.summary
+    }
+
     /// Whether a model has solved an operation already.
     pub(crate) fn has(&self, model: ModelKind, operation: &Operation) -> bool {
         let name = operation.kind.name();
@@ -213,7 +215,7 @@ impl Record {
         folder: &ResultsFolder,
         keep: Keep,
         csv: bool,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), ResultsError> {
         for (name, table) in [
             ("nodes", Some(&self.nodes)),
             ("wear", Some(&self.wear)),
@@ -248,7 +250,7 @@ impl Record {
             write_profile(folder, &report)?;
         } else {
             folder.remove(PROFILE)?;
-            folder.remove(report::FILE)?;
+            folder.remove(FILE)?;
         }
         // Last, so that a summary tells of tables that are there.
         let solved = &self.summary.operations;
@@ -272,17 +274,6 @@ impl Record {
     }
 }
 
-/// Name of the picture of all tracks.
-pub(crate) const PROFILE: &str = "profile.svg";
-
-/// Draws all tracks of a run; nothing where it has none.
-pub(crate) fn write_profile(folder: &ResultsFolder, report: &Report) -> Result<(), ResultsError> {
-    match profile(report, &report.units) {
-        Some(figure) => folder.write_file(PROFILE, figure.drawing().svg().as_bytes()),
-        None => folder.remove(PROFILE),
-    }
-}
-
 fn remove_table(folder: &ResultsFolder, name: &str) -> Result<(), ResultsError> {
     folder.remove(&format!("{name}.parquet"))?;
     folder.remove(&format!("{name}.csv"))
@@ -293,25 +284,4 @@ fn friction(hole: &Hole) -> Vec<f64> {
         .iter()
         .map(|section| section.friction.kinetic)
         .collect()
-}
-
-/// `bit at 4305 m, friction 0.3, mud 1200 kg/m3`
-pub(crate) fn subtitle(case: &Case, units: UnitSet) -> String {
-    let depth = case
-        .operations
-        .first()
-        .map_or(0.0, |operation| operation.bit_depth_m);
-    let friction = match Friction::of(&friction(&case.model.well.hole)) {
-        Friction::Uniform(value) => value.to_string(),
-        Friction::BySection(values) => values
-            .iter()
-            .map(f64::to_string)
-            .collect::<Vec<_>>()
-            .join(", "),
-    };
-    format!(
-        "bit at {}, friction {friction}, mud {}",
-        Dimension::Length.format(depth, units),
-        Dimension::Density.format(case.model.mud.density_kg_per_m3, units),
-    )
 }

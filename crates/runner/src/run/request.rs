@@ -1,135 +1,191 @@
-//! `wholestring run`: solves a case, prints one table and writes the results.
+//! A run that is asked for, and how it ended.
 
-use std::path::Path;
+use std::{
+    num::NonZeroUsize,
+    path::{Path, PathBuf},
+    time::Duration,
+};
 
 use wholestring_case::Case;
 use wholestring_results::{Occupant, ResultsFolder, Status, Summary, digest};
+use wholestring_units::UnitSet;
 
+use super::{
+    solve::solve,
+    stop::Stop,
+    way::{Way, checkpoint_every},
+};
 use crate::{
-    args::RunArgs,
-    checkpoint::{Laid, is_of},
-    claim::{self, Claim},
-    comparison, cores,
-    failure::Failure,
-    findings,
+    cancellation::CancellationToken,
+    checkpoint::{Laid, UnderWay, is_of},
+    claim::{self, Claim, Claimed},
+    cores,
+    error::Error,
     folder_name::default_output,
-    interrupt::Interrupt,
     keep::Keep,
-    load,
-    progress::Watch,
-    record::{self, Record},
-    report, say, screen_color,
-    solve::{Way, checkpoint_every, solve},
+    observer::{Observer, Watch},
+    output::{Existing, Output},
+    page,
+    record::Record,
 };
 
-pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
-    let case = load(&args.case, args.quiet)?;
-    let units = args.units.unwrap_or(case.units);
+/// A case that is to be solved.
+#[derive(Debug, Clone)]
+pub struct Request<'a> {
+    /// The case.
+    pub case: &'a Case,
+    /// Where the results go. With [`Existing::Resume`] the run in the folder goes on from its checkpoint.
+    pub output: Output,
+    /// Units of the findings, the picture and the page; the case's where nothing is said.
+    pub units: Option<UnitSet>,
+    /// Threads that work on solid rock under the bit, to the same answer; one per core where nothing is said.
+    pub jobs: Option<NonZeroUsize>,
+    /// Time on the clock between checkpoints; the case's where nothing is said.
+    pub checkpoint_every: Option<Duration>,
+    /// Whether to write the tables as CSV too.
+    pub csv: bool,
+}
+
+impl<'a> Request<'a> {
+    /// The case with nothing said beside it.
+    pub fn new(case: &'a Case) -> Self {
+        Self {
+            case,
+            output: Output::default(),
+            units: None,
+            jobs: None,
+            checkpoint_every: None,
+            csv: false,
+        }
+    }
+}
+
+/// How a run ended.
+#[derive(Debug)]
+#[must_use = "the run may have stopped before its end"]
+pub struct Outcome {
+    /// What it computed, as `summary.json` has it.
+    pub summary: Summary,
+    /// Where the results are.
+    pub folder: PathBuf,
+    /// Whether a checkpoint lies there from which it can be resumed.
+    pub is_resumable: bool,
+    /// Why it stopped before its end; nothing where it has come to it.
+    pub stopped: Option<Stop>,
+}
+
+impl Outcome {
+    /// The outcome of a run that has come to its end.
+    ///
+    /// # Errors
+    /// Why it has not.
+    pub fn finished(mut self) -> Result<Self, Error> {
+        match self.stopped.take() {
+            None => Ok(self),
+            Some(stop) => Err(stop.into()),
+        }
+    }
+}
+
+/// Solves a case, and writes its results, its picture and its page.
+///
+/// # Errors
+/// A folder that the results cannot go to, or a run that cannot be resumed. What stops the run later is told by its
+/// outcome, for what was computed until then is kept.
+pub fn run(
+    request: &Request<'_>,
+    observer: &dyn Observer,
+    cancellation: &CancellationToken,
+) -> Result<Outcome, Error> {
+    let case = request.case;
+    let units = request.units.unwrap_or(case.units);
+    let (claimed, mut record, under_way) = begin(request, units, observer)?;
+    let folder = &claimed.folder;
+    let every = request.checkpoint_every;
+    let way = Way {
+        keep: Keep::All,
+        csv: request.csv,
+        checkpoint_every: every.unwrap_or_else(|| checkpoint_every(case)),
+        watch: Watch { observer, case: 0 },
+        cancellation,
+        crew: cores::for_rock(case, request.jobs, cancellation),
+    };
+    let solved = solve(case, &way, &mut record, folder, under_way);
+    // The page is made from the files: of what they hold, only the summary is held beside it.
+    let summary = record.into_summary();
+    let reported = page::write(folder, units);
+    Ok(Outcome {
+        summary,
+        folder: folder.path().to_owned(),
+        is_resumable: folder.has_checkpoint(),
+        stopped: solved.and(reported.map_err(Stop::from)).err(),
+    })
+}
+
+/// The folder of a run, held, with what was solved of it already.
+fn begin(
+    request: &Request<'_>,
+    units: UnitSet,
+    observer: &dyn Observer,
+) -> Result<(Claimed, Record, Option<UnderWay<'static>>), Error> {
+    let case = request.case;
     let occupant = Occupant {
         kind: "run".into(),
         name: case.name.clone(),
         identity: digest(&case.identity()),
     };
-    let (claimed, mut record, under_way) = match &args.resume {
-        Some(path) => {
-            let folder = existing(path)?;
-            let claimed = claim::hold(&folder)?;
-            let laid = laid_aside(&folder, &case)?;
-            let record = Record::resume(&case, units, &folder, laid.solved).map_err(begin_anew)?;
-            (claimed.occupy(&occupant)?, record, laid.under_way)
-        }
-        None => {
-            // Before anything is solved, so that a long run does not end on a folder it may not write to.
-            let claimed = Claim {
-                occupant,
-                output: args.output.as_deref(),
-                default: default_output(&case.name),
-                shared: false,
-                resume: false,
-                overwrite: args.overwrite,
-                quiet: args.quiet || args.json,
-                is_unfinished: &|path| path.join("checkpoint.bin").is_file(),
-                is_part: &|_| false,
-                go_on: &|path| format!("run the case with --resume {}", path.display()),
-                refuse: &|_| Ok(()),
-            }
-            .folder()?;
-            let record = Record::begin(&case, units, &claimed.folder)?;
-            (claimed, record, None)
-        }
-    };
-    let folder = &claimed.folder;
-    let interrupt = Interrupt::listen();
-    let way = Way {
-        keep: Keep::All,
-        csv: args.csv,
-        checkpoint_every: args.checkpoint.unwrap_or_else(|| checkpoint_every(&case)),
-        watch: Watch::Screen { quiet: args.quiet },
-        interrupt: &interrupt,
-        crew: cores::for_rock(&case, args.jobs, &interrupt),
-    };
-    let solved = solve(&case, &way, &mut record, folder, under_way);
-    if args.json {
-        let summary = record.summary.json().map_err(|error| {
-            Failure::Failed(format!("error: the summary cannot be written: {error}"))
-        })?;
-        say(&format!("{summary}\n"))?;
-    } else if !args.quiet && !record.summary.operations.is_empty() {
-        let width = terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
-        let title = format!("{}: {}", case.name, record::subtitle(&case, units));
-        let table = comparison::table(&record.summary, units, width);
-        let notes = comparison::notes(&record.summary, units);
-        let findings = findings::lines(&record.summary, width, screen_color());
-        let place = folder.path().display();
-        say(&format!(
-            "{title}
-
-{table}
-{notes}{findings}Results in {place}
-"
-        ))?;
+    let default = default_output(&case.name);
+    if request.output.existing == Existing::Resume {
+        let folder = existing(request.output.folder.as_ref().unwrap_or(&default))?;
+        let claimed = claim::hold(&folder)?;
+        let laid = laid_aside(&folder, case)?;
+        let record = Record::resume(case, units, &folder, laid.solved).map_err(anew)?;
+        return Ok((claimed.occupy(&occupant)?, record, laid.under_way));
     }
-    let refused = findings::refused(&record.summary).filter(|_| args.strict);
-    // The page is made from the files: what they hold need not be held beside it.
-    drop(record);
-    let reported = report::write(folder, units);
-    solved.map_err(|stop| stop.failure(folder))?;
-    reported?;
-    refused.map_or(Ok(()), Err)
+    // Before anything is solved, so that a long run does not end on a folder it may not write to.
+    let claimed = Claim {
+        occupant,
+        output: &request.output,
+        default,
+        shared: false,
+        observer,
+        is_unfinished: &|path| path.join("checkpoint.bin").is_file(),
+        is_part: &|_| false,
+        refuse: &|_| Ok(()),
+    }
+    .folder()?;
+    let record = Record::begin(case, units, &claimed.folder)?;
+    Ok((claimed, record, None))
 }
 
-fn bad(reason: impl std::fmt::Display) -> Failure {
-    Failure::BadInput(format!("error: {reason}"))
-}
-
-/// Why a run cannot go on, with the way out.
-fn begin_anew(reason: String) -> Failure {
-    bad(format!(
-        "{reason}\nrun the case without --resume to begin anew"
-    ))
+/// Why a run cannot go on.
+fn anew(reason: String) -> Error {
+    let noun = "case";
+    Error::NotResumable { noun, reason }
 }
 
 /// The folder of a run that is to be resumed.
-fn existing(path: &Path) -> Result<ResultsFolder, Failure> {
+fn existing(path: &Path) -> Result<ResultsFolder, Error> {
     if !path.is_dir() {
-        return Err(bad(format!("there is no folder {}", path.display())));
+        let place = path.display();
+        return Err(Error::BadInput(format!("there is no folder {place}")));
     }
     Ok(ResultsFolder::create(path)?)
 }
 
 /// The run that was laid aside in the folder, or why there is none.
-fn laid_aside(folder: &ResultsFolder, case: &Case) -> Result<Laid<'static>, Failure> {
+fn laid_aside(folder: &ResultsFolder, case: &Case) -> Result<Laid<'static>, Error> {
     let place = folder.path().display();
     match Laid::read(folder, case) {
         Ok(Some(laid)) => return Ok(laid),
         Ok(None) => {}
-        Err(reason) => return Err(begin_anew(reason)),
+        Err(reason) => return Err(anew(reason)),
     }
     let Ok(summary) = Summary::read(&folder.path().join("summary.json")) else {
-        return Err(begin_anew(format!("there is no checkpoint in {place}")));
+        return Err(anew(format!("there is no checkpoint in {place}")));
     };
     if let Err(reason) = is_of(&summary, case) {
-        return Err(begin_anew(format!(
+        return Err(anew(format!(
             "there is no checkpoint in {place}, and what lies there cannot be gone on with: {reason}"
         )));
     }
@@ -138,7 +194,7 @@ fn laid_aside(folder: &ResultsFolder, case: &Case) -> Result<Laid<'static>, Fail
         _ => None,
     });
     if let Some(reason) = failed {
-        return Err(bad(format!(
+        return Err(Error::BadInput(format!(
             "the run in {place} failed and would fail again: {reason}"
         )));
     }
@@ -146,11 +202,11 @@ fn laid_aside(folder: &ResultsFolder, case: &Case) -> Result<Laid<'static>, Fail
     let complete = complete.filter(|of| of.status == Status::Complete).count();
     let all = case.operations.len() * case.models.len();
     Err(if complete == all {
-        bad(format!(
+        Error::BadInput(format!(
             "the run in {place} is finished: nothing is left to do"
         ))
     } else {
-        begin_anew(format!(
+        anew(format!(
             "there is no checkpoint in {place}: the run ended before its first one, with {complete} of {all} answers"
         ))
     })

@@ -4,8 +4,8 @@ use std::time::{Duration, Instant};
 
 use wholestring::{
     dynamics::{
-        BitLaw, DynamicsSettings, Effort as Planned, HoistControl, LiftError, MOST_LIFT_RUNS,
-        SetupError, Simulation, TunedLift, tune_lift,
+        BitLaw, DynamicsSettings, Effort as Planned, HoistControl, LiftError, SetupError,
+        Simulation,
     },
     findings,
     operation::Operation,
@@ -15,81 +15,12 @@ use wholestring::{
 use wholestring_case::Case;
 use wholestring_results::{ResultsFolder, Status};
 
+use super::{lift::tune, stop::Stop, way::Way};
 use crate::{
     checkpoint::{self, Keeper, Laid, UnderWay},
-    cores::Lent,
-    failure::Failure,
-    interrupt::Interrupt,
-    keep::Keep,
-    progress::{OwnBar, Watch},
-    record::{Effort, Record},
+    observer::Watch,
+    record::{Record, rows::Effort},
 };
-
-/// How a case is solved, beside what it says itself.
-pub(crate) struct Way<'a> {
-    /// What is kept of it.
-    pub(crate) keep: Keep,
-    /// Whether to write the tables as CSV too.
-    pub(crate) csv: bool,
-    /// Time on the clock between checkpoints.
-    pub(crate) checkpoint_every: Duration,
-    /// Who watches its progress.
-    pub(crate) watch: Watch,
-    pub(crate) interrupt: &'a Interrupt,
-    /// Who works on solid rock.
-    pub(crate) crew: Lent,
-}
-
-/// What the case says about the time between checkpoints.
-pub(crate) fn checkpoint_every(case: &Case) -> Duration {
-    Duration::from_secs_f64(case.checkpoint_interval_s)
-}
-
-/// Why a case was not solved to its end.
-#[derive(Debug)]
-pub(crate) enum Stop {
-    /// The user asked.
-    Interrupted,
-    /// An operation has no answer or diverged: which, and why.
-    Unsolved(String),
-    /// The results could not be written.
-    Unwritten(Failure),
-}
-
-impl Stop {
-    /// Why the case failed; nothing where the user stopped it.
-    pub(crate) fn reason(&self) -> Option<String> {
-        match self {
-            Self::Interrupted => None,
-            Self::Unsolved(reason) => Some(reason.clone()),
-            Self::Unwritten(failure) => Some(failure.to_string()),
-        }
-    }
-
-    pub(crate) fn failure(self, folder: &ResultsFolder) -> Failure {
-        let place = folder.path().display();
-        match self {
-            Self::Interrupted => {
-                let how = if folder.has_checkpoint() {
-                    format!("\nto go on, run the case with --resume {place}")
-                } else {
-                    String::new()
-                };
-                Failure::Interrupted(format!("interrupted: what was computed is in {place}{how}"))
-            }
-            Self::Unsolved(reason) => Failure::Failed(format!(
-                "error: {reason}\nwhat was computed until then is in {place}"
-            )),
-            Self::Unwritten(failure) => failure,
-        }
-    }
-}
-
-impl<E: Into<Failure>> From<E> for Stop {
-    fn from(error: E) -> Self {
-        Self::Unwritten(error.into())
-    }
-}
 
 /// Solves operation after operation, each with every model, and writes after each, so that whatever
 /// comes between keeps what was solved. What the record has is solved already, but for one operation that
@@ -108,7 +39,7 @@ pub(crate) fn solve(
             if record.has(*model, operation) {
                 continue;
             }
-            if way.interrupt.asked() {
+            if way.cancellation.is_cancelled() {
                 lay_aside(&mut keeper, record, under_way, &way.watch);
                 return Err(Stop::Interrupted);
             }
@@ -149,9 +80,15 @@ pub(crate) fn solve(
 
 /// Writes a checkpoint. A run does not end because one cannot be written: the next may, and so may the
 /// results.
-fn lay_aside(keeper: &mut Keeper<'_>, record: &Record, under_way: Option<UnderWay>, watch: &Watch) {
+fn lay_aside(
+    keeper: &mut Keeper<'_>,
+    record: &Record,
+    under_way: Option<UnderWay>,
+    watch: &Watch<'_>,
+) {
     if let Err(error) = keeper.write(&Laid::new(record, under_way)) {
-        watch.tell(&format!("warning: no checkpoint: {error}\n"));
+        let warning = format!("no checkpoint: {error}");
+        watch.observer.warning(&warning);
     }
 }
 
@@ -167,7 +104,7 @@ fn solve_soft(case: &Case, operation: &Operation, record: &mut Record) -> Status
     }
 }
 
-/// Simulated time between two looks at Ctrl-C and two movements of the progress bar, s: a fraction of
+/// Simulated time between two looks at a cancellation and two tellings of the progress, s: a fraction of
 /// a second even where a run is slower than real time.
 const LOOK_INTERVAL_S: f64 = 0.2;
 
@@ -225,7 +162,7 @@ fn solve_dynamic(
                 Ok(simulation) => {
                     let now = simulation.instructions();
                     if let Some(warning) = checkpoint::other_processor(&then, now) {
-                        way.watch.tell(&warning);
+                        way.watch.observer.warning(&warning);
                     }
                     simulation
                 }
@@ -237,7 +174,7 @@ fn solve_dynamic(
     simulation.lend(way.crew.clone());
     let took = || before + start.elapsed();
     // Laying the string takes seconds. Whoever has asked by now has nothing of this operation to keep.
-    if way.interrupt.asked() && simulation.time_s() == 0.0 {
+    if way.cancellation.is_cancelled() && simulation.time_s() == 0.0 {
         lay_aside(keeper, record, None, &way.watch);
         return Status::Interrupted;
     }
@@ -247,7 +184,8 @@ fn solve_dynamic(
         Ok(effort) => effort.end_s,
         Err(_) => simulation.end_time_s(),
     };
-    let progress = way.watch.operation(name, simulation.time_s(), longest_s);
+    let times = [simulation.time_s(), longest_s];
+    let progress = way.watch.simulation(name, None, times);
     // The run goes on by whole samples.
     let sample_s = simulation.sample_interval_s();
     let frame_samples = record
@@ -259,12 +197,11 @@ fn solve_dynamic(
     let mut samples = (simulation.time_s() / sample_s).round() as u64;
     let status = loop {
         let (time_s, end_s) = (simulation.time_s(), simulation.end_time_s());
-        progress.ends(end_s, waits && simulation.is_settling());
-        progress.reach(time_s);
+        progress.reach(time_s, end_s, waits && simulation.is_settling());
         if time_s >= end_s - 0.5 * sample_s {
             break Status::Complete;
         }
-        let interrupted = way.interrupt.asked();
+        let interrupted = way.cancellation.is_cancelled();
         if interrupted || keeper.is_due() {
             let under_way = UnderWay::new(operation, took(), lift, simulation.checkpoint());
             lay_aside(keeper, record, Some(under_way), &way.watch);
@@ -286,7 +223,7 @@ fn solve_dynamic(
             break Status::Failed(error.to_string());
         }
     };
-    progress.finish();
+    drop(progress);
     let effort = Effort {
         took: took(),
         runs: lift.map_or(1, |lift| lift.runs + usize::from(run_again)),
@@ -318,41 +255,6 @@ fn preparation(settings: &DynamicsSettings, operation: &Operation) -> &'static s
     }
 }
 
-/// Finds the lift of an operation, and its run under it.
-fn tune(
-    case: &Case,
-    operation: &Operation,
-    way: &Way<'_>,
-) -> Result<(TunedLift, Simulation), LiftError> {
-    let mut bar: Option<(usize, OwnBar)> = None;
-    let (model, settings) = (&case.model, &case.dynamics);
-    let found = tune_lift(model, operation, settings, &way.crew, |run, simulation| {
-        if bar.as_ref().is_none_or(|(of, _)| *of != run) {
-            let name = format!(
-                "{}, lift {run} of at most {MOST_LIFT_RUNS}",
-                operation.kind.name()
-            );
-            if let Some((_, bar)) = bar.take() {
-                bar.clear();
-            }
-            bar = way
-                .watch
-                .trial(&name, simulation.end_time_s())
-                .map(|own| (run, own));
-        }
-        if let Some((_, bar)) = &bar {
-            let settles = case.dynamics.steady.is_some() && simulation.is_settling();
-            bar.ends(simulation.end_time_s(), settles);
-            bar.reach(simulation.time_s());
-        }
-        !way.interrupt.asked()
-    });
-    if let Some((_, bar)) = bar {
-        bar.clear();
-    }
-    found
-}
-
 fn unsolvable(model: &str, error: &dyn std::error::Error) -> Status {
     Status::Failed(format!("the {model} has no answer: {error}"))
 }
@@ -364,11 +266,11 @@ mod tests {
     use wholestring_units::UnitSet;
 
     use super::*;
-    use crate::cores;
+    use crate::{cancellation::CancellationToken, cores, keep::Keep, observer::Silent};
 
-    /// A model that the CLI's own test data describe.
+    /// A model that the command line's test data describe.
     fn slant() -> Case {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/slant.toml");
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cli/tests/data/slant.toml");
         wholestring_case::load(&path, &[]).expect("a sound case")
     }
 
@@ -378,7 +280,8 @@ mod tests {
         let place = tempfile::tempdir().expect("a folder");
         let folder = ResultsFolder::create(place.path()).expect("a folder");
         let mut record = Record::begin(&case, UnitSet::Si, &folder).expect("a record");
-        let asked = Interrupt::already_asked();
+        let asked = CancellationToken::new();
+        asked.cancel();
         let status = solve_dynamic(
             &case,
             &case.operations[0],
@@ -402,8 +305,7 @@ mod tests {
         assert!(said.ends_with("running the bit in on the rock"), "{said}");
     }
 
-    /// An operation without an answer ends like one that diverged: what was solved before is kept, and
-    /// the message says where.
+    /// An operation without an answer ends like one that diverged: what was solved before is kept.
     #[test]
     fn an_operation_without_answer_keeps_what_was_solved() {
         let mut case = slant();
@@ -418,31 +320,29 @@ mod tests {
                 case.operations.remove(0);
             }
             let mut record = Record::begin(&case, UnitSet::Si, &folder).expect("a record");
-            let asked = Interrupt::never();
+            let asked = CancellationToken::new();
             let stop = solve(&case, &way(&asked), &mut record, &folder, None).unwrap_err();
-            let failure = stop.failure(&folder);
-            assert_eq!(failure.status(), 3);
-            let message = failure.to_string();
+            let Stop::Unsolved(message) = stop else {
+                panic!("{stop:?}");
+            };
             assert!(message.contains("has no answer: "), "{message}");
-            let end = format!(
-                "what was computed until then is in {}",
-                place.path().display()
-            );
-            assert!(message.ends_with(&end), "{message}");
             let summary = place.path().join("summary.json");
             let summary = wholestring_results::Summary::read(&summary).expect("a summary");
             assert_eq!(summary.operations.len(), kept);
         }
     }
 
-    fn way(interrupt: &Interrupt) -> Way<'_> {
+    fn way(cancellation: &CancellationToken) -> Way<'_> {
         Way {
             keep: Keep::All,
             csv: false,
             checkpoint_every: Duration::MAX,
-            watch: Watch::Screen { quiet: true },
-            interrupt,
-            crew: cores::alone(interrupt),
+            watch: Watch {
+                observer: &Silent,
+                case: 0,
+            },
+            cancellation,
+            crew: cores::alone(cancellation),
         }
     }
 }

@@ -12,7 +12,7 @@ use wholestring_results::{Level, OperationSummary, ResultsError, Status, Summary
 use crate::{
     column::{numbers, words},
     findings,
-    report::well::WellBore,
+    page::well::WellBore,
 };
 
 /// One operation of one case, as one model solved it to its end.

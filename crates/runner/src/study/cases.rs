@@ -8,8 +8,7 @@ use wholestring_case::{
 };
 
 use crate::{
-    color,
-    failure::Failure,
+    error::Error,
     sweep::{Point, points},
 };
 
@@ -17,14 +16,12 @@ use crate::{
 pub(super) struct Templates(BTreeMap<String, Template>);
 
 impl Templates {
-    /// Reads every case file that the study names; paths are as seen from its folder.
-    pub(super) fn read(study: &Study, path: &Path) -> Result<Self, Failure> {
-        let folder = path.parent().unwrap_or(Path::new(""));
+    /// Reads every case file that the study names, as seen from the folder.
+    pub(super) fn read(study: &Study, folder: &Path) -> Result<Self, Error> {
         let mut templates = BTreeMap::new();
         for name in study.sweeps.iter().flat_map(files) {
             if !templates.contains_key(name) {
-                let template = Template::read(&folder.join(name))
-                    .map_err(|report| Failure::BadInput(report.render(color())))?;
+                let template = Template::read(&folder.join(name))?;
                 templates.insert(name.to_owned(), template);
             }
         }
@@ -36,13 +33,13 @@ impl Templates {
         &self,
         study: &Study,
         overrides: &[Override],
-    ) -> Result<Vec<Point<'_>>, Failure> {
+    ) -> Result<Vec<Point<'_>>, Error> {
         let mut all = Vec::new();
         for (set, sweep) in study.sweeps.iter().enumerate() {
             for change in overrides {
                 if sweep.keys().any(|key| key == change.key) {
-                    return Err(Failure::BadInput(format!(
-                        "error: `{}` cannot be set, sweep `{}` varies it",
+                    return Err(Error::BadInput(format!(
+                        "`{}` cannot be set, sweep `{}` varies it",
                         change.key, sweep.name
                     )));
                 }

@@ -6,7 +6,7 @@ use wholestring_results::{CONTACT, ColumnSpec, FRAMES, NODES, TIME, WEAR};
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::{
-    report::{
+    page::{
         dimensions::{of_key, pretty},
         well::WellBore,
     },

@@ -1,13 +1,13 @@
 //! How curves of a study look, and what tells them apart.
 
-use wholestring_case::study::{Figure, FigureData, Source};
-use wholestring_report::figure::{Ink, Key, Sample, Stroke};
+use wholestring_case::study::{Figure, FigureData, Level, Source};
+use wholestring_report::figure::{Ink, Key, Mark, Sample, Stroke};
 use wholestring_units::{Dimension, UnitSet};
 
 use super::{
     answers::{Series, names},
     columns::title,
-    figure::{Curve, rank},
+    curve::{Curve, rank},
 };
 
 /// Curves differ by colour in what they show, and by stroke in who says it.
@@ -151,6 +151,16 @@ fn stroke_of(series: &Series) -> Stroke {
         0 => Stroke::Solid,
         _ => Stroke::Dashed,
     }
+}
+
+/// Lines at the levels of the vertical axis, in a unit worth so much.
+pub(super) fn levels(figure: &Figure, worth: f64) -> Vec<Mark> {
+    let levels = figure.levels.iter();
+    let rule = |level: &Level| Mark::OwnRule {
+        at: level.value / worth,
+        label: level.label.clone(),
+    };
+    levels.map(rule).collect()
 }
 
 /// A value with a blank before its unit: `300m` as `300 m`.

@@ -11,22 +11,9 @@ use wholestring_units::{Dimension, UnitSet};
 use super::{
     answers::Answer,
     columns::{label, title, unit},
-    figure::{Curve, signed},
-    looks::Looks,
-    picture::levels,
+    curve::{Curve, MapData, signed},
+    looks::{Looks, levels},
 };
-
-/// Beside the points of a map, which are times and values, row after row in time.
-pub(super) struct MapData {
-    /// Depth of each point, m.
-    pub(super) depths_m: Vec<f64>,
-    /// When the first row begins, s.
-    pub(super) from_s: f64,
-    /// When the window of the statistics begins, s.
-    pub(super) window_from_s: f64,
-    /// Where the shoes of the casing stand, m.
-    pub(super) shoes_m: Vec<f64>,
-}
 
 /// Times and values of a map.
 pub(super) fn read(

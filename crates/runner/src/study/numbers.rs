@@ -6,7 +6,7 @@ use wholestring_results::ResultsError;
 
 use super::{
     answers::{Answer, Answers, Series},
-    figure::{at_depth, at_times},
+    frames::{at_depth, at_times},
 };
 
 /// A table with what was computed.

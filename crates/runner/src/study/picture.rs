@@ -1,6 +1,6 @@
 //! A figure of a study as a picture.
 
-use wholestring_case::study::{Figure, FigureData, Level, Pointing, Quantity, Source};
+use wholestring_case::study::{Figure, FigureData, Pointing, Quantity, Source};
 use wholestring_report::{
     Level as Grave,
     figure::{
@@ -11,8 +11,8 @@ use wholestring_units::UnitSet;
 
 use super::{
     columns::{is_depth, label, title, unit},
-    figure::Curve,
-    looks::Looks,
+    curve::Curve,
+    looks::{Looks, levels},
     map,
 };
 
@@ -155,16 +155,6 @@ pub(super) fn picture(
 /// Whether a column says where the path is in space: two of them share one scale.
 fn is_position(quantity: &Quantity) -> bool {
     quantity.column.source == Source::Path && POSITIONS.contains(&quantity.column.name)
-}
-
-/// Lines at the levels of the vertical axis, in a unit worth so much.
-pub(super) fn levels(figure: &Figure, worth: f64) -> Vec<Mark> {
-    let levels = figure.levels.iter();
-    let rule = |level: &Level| Mark::OwnRule {
-        at: level.value / worth,
-        label: level.label.clone(),
-    };
-    levels.map(rule).collect()
 }
 
 /// Depth reaches as far as it goes, time over all that is asked for, all else to zero.

@@ -1,4 +1,4 @@
-//! Sets of cases that are solved together: all cores, one progress bar.
+//! Sets of cases that are solved together, on all cores.
 
 use std::{
     path::{Path, PathBuf},
@@ -6,65 +6,42 @@ use std::{
     time::{Duration, Instant},
 };
 
-use indicatif::ProgressBar;
 use wholestring_case::Case;
 use wholestring_contain::{Panicked, contain};
-use wholestring_results::{Occupant, OperationSummary, ResultsFolder, Status, Summary, digest};
+use wholestring_results::{OperationSummary, ResultsError, ResultsFolder, Status, Summary};
 
 use super::{
-    checked::{Checked, check},
+    checked::Checked,
+    page as sweep_page,
     points::Point,
-    report,
+    set::Set,
+    sound::Sound,
     table::{FILE, SweepTable},
 };
 use crate::{
-    args::{BatchArgs, Shard},
+    batch::{BatchOptions, BatchOutcome, CaseWithErrors, FailedCase},
+    cancellation::CancellationToken,
     checkpoint::{Laid, UnderWay, is_of},
-    claim::{Claim, Claimed},
-    conclusion::Conclusion,
-    cores,
-    failure::Failure,
-    findings,
-    folder_name::default_output,
-    interrupt::Interrupt,
+    cores, findings,
     keep::Keep,
-    pace::pace,
+    observer::{BatchSize, CaseEnded, Observer, Watch},
+    output::Existing,
+    page,
     parallel::{in_parallel, lock},
-    progress::{self, Watch, milliseconds},
     record::Record,
-    report as page, say,
-    solve::{Stop, Way, checkpoint_every, solve},
+    run::{Stop, Way, checkpoint_every, solve},
 };
 
 /// Time between two writings of a `sweep.csv` while its cases are solved.
 const WRITE_INTERVAL: Duration = Duration::from_secs(5);
 
-/// Cases with a folder and a table of their own.
-pub(crate) struct Set {
-    /// What stands before the names of its cases in messages.
-    pub(crate) prefix: String,
-    pub(crate) folder: ResultsFolder,
-    /// The keys that are varied.
-    pub(crate) keys: Vec<String>,
-    /// What the user asks to keep of each case.
-    pub(crate) keep: Option<Keep>,
-    /// What at least is read again.
-    pub(crate) needs: Keep,
-}
-
-impl Set {
-    /// What is kept of a case.
-    fn keep(&self, case: &Case, csv: bool) -> Keep {
-        let keep = self.keep.unwrap_or_else(|| Keep::of_itself(case, csv));
-        keep.max(self.needs)
-    }
-}
-
 /// How a case ended.
 pub(crate) struct Ending {
     pub(crate) solved: Vec<OperationSummary>,
     /// Nothing where it is finished.
-    pub(crate) why: Option<Stop>,
+    why: Option<Stop>,
+    /// Simulated time that an earlier batch had solved, s.
+    reused_s: f64,
 }
 
 /// How far a batch has come.
@@ -78,106 +55,35 @@ struct Reached {
 
 /// Sets of cases that are solved together.
 pub(crate) struct Batch<'a> {
-    /// What it is called on the bar and in messages: `sweep`.
-    noun: &'static str,
-    args: &'a BatchArgs,
+    options: &'a BatchOptions,
     sets: Vec<Set>,
     points: Vec<Point<'a>>,
     checked: Vec<Checked>,
-    interrupt: Interrupt,
-    bar: ProgressBar,
+    observer: &'a dyn Observer,
+    cancellation: &'a CancellationToken,
     /// The cases of this shard.
     mine: Vec<usize>,
     progress: Mutex<Reached>,
     start: Instant,
 }
 
-/// The cases of a batch, read and checked, with the name of the first.
-pub(crate) struct Sound<'a> {
-    points: Vec<Point<'a>>,
-    checked: Vec<Checked>,
-}
-
-impl<'a> Sound<'a> {
-    /// Reads and checks every case, so that no batch ends on a mistake in its last.
-    pub(crate) fn check(points: Vec<Point<'a>>, args: &BatchArgs) -> Result<Self, Failure> {
-        let checked = check(&points, args.jobs(), args.quiet)?;
-        Ok(Self { points, checked })
-    }
-
-    /// What the first case is called.
-    pub(crate) fn first_name(&self) -> &str {
-        self.checked.first().map_or("", |case| &case.name)
-    }
-
-    /// Digest of all that the answers depend on: those of all cases, by set and name.
-    fn identity(&self) -> String {
-        let cases = self.points.iter().zip(&self.checked);
-        let cases = cases.map(|(point, case)| (point.set, &point.name, &case.identity));
-        digest(&cases.collect::<Vec<_>>())
-    }
-
-    /// The folder for a batch, which is called so; a case of the numbered set goes to what `within` makes of the batch's folder.
-    pub(crate) fn claim(
-        &self,
-        kind: &str,
-        name: &str,
-        args: &BatchArgs,
-        within: &dyn Fn(&Path, usize) -> PathBuf,
-    ) -> Result<Claimed, Failure> {
-        let shard = args.shard.unwrap_or(Shard::ALL);
-        let mine = || {
-            let cases = self.points.iter().enumerate();
-            cases.filter_map(|(case, point)| shard.has(case).then_some(point))
-        };
-        let case = |path: &Path, point: &Point<'_>| within(path, point.set).join(&point.name);
-        Claim {
-            occupant: Occupant {
-                kind: kind.to_owned(),
-                name: name.to_owned(),
-                identity: self.identity(),
-            },
-            output: args.output.as_deref(),
-            default: default_output(name),
-            shared: shard != Shard::ALL,
-            resume: args.resume,
-            overwrite: args.overwrite,
-            quiet: args.quiet,
-            is_unfinished: &|path| {
-                mine().any(|point| case(path, point).join("checkpoint.bin").is_file())
-            },
-            is_part: &|path| self.points.iter().any(|point| case(path, point).is_dir()),
-            go_on: &|_| "add --resume".to_owned(),
-            refuse: &|_| Ok(()),
-        }
-        .folder()
-    }
-}
-
 impl<'a> Batch<'a> {
     /// A batch of sound cases that belong to these sets.
     pub(crate) fn new(
-        noun: &'static str,
-        args: &'a BatchArgs,
+        options: &'a BatchOptions,
         sets: Vec<Set>,
         sound: Sound<'a>,
+        observer: &'a dyn Observer,
+        cancellation: &'a CancellationToken,
     ) -> Self {
         let Sound { points, checked } = sound;
-        let shard = args.shard.unwrap_or(Shard::ALL);
+        let shard = options.shard;
         let mine: Vec<usize> = (0..points.len()).filter(|case| shard.has(*case)).collect();
-        // Besides its simulated time, a case counts as one millisecond on the bar, so that soft strings move
-        // it too.
-        let lengths = mine
-            .iter()
-            .map(|case| 1 + milliseconds(checked[*case].simulated_s));
-        let bar = progress::bar(lengths.sum(), args.quiet);
-        bar.set_prefix(noun);
         Self {
-            noun,
-            args,
+            options,
             sets,
-            interrupt: Interrupt::listen(),
-            bar,
+            observer,
+            cancellation,
             mine,
             progress: Mutex::new(Reached {
                 endings: points.iter().map(|_| None).collect(),
@@ -191,16 +97,22 @@ impl<'a> Batch<'a> {
     }
 
     /// Solves the cases of this shard, and writes table and page of each set.
-    pub(crate) fn solve_all(&mut self) -> Result<(), Failure> {
+    pub(crate) fn solve_all(&mut self) -> Result<(), ResultsError> {
+        let simulated_s = self.mine.iter().map(|case| self.checked[*case].simulated_s);
+        self.observer.batch_started(&BatchSize {
+            cases: self.mine.len(),
+            finished: 0,
+            simulated_s: simulated_s.sum(),
+        });
         // The longest first: what is left at the end is short, and no thread waits long for the others.
         let mut order = self.mine.clone();
         order.sort_by(|a, b| self.checked[*b].cost.total_cmp(&self.checked[*a].cost));
-        in_parallel(self.args.jobs(), &order, |case| self.solve(case));
-        self.bar.finish_and_clear();
+        in_parallel(self.options.jobs(), &order, |case| self.solve(case));
+        self.observer.batch_ended();
         let reached = lock(&self.progress);
         (0..self.sets.len()).try_for_each(|set| {
             self.write(set, &reached.endings)?;
-            Ok(report::write(&self.sets[set].folder, None)?)
+            sweep_page::write(&self.sets[set].folder, None)
         })
     }
 
@@ -214,9 +126,9 @@ impl<'a> Batch<'a> {
             .map(move |(point, ending)| (&sets[point.set], point, ending.as_ref()))
     }
 
-    /// Solves one case, unless the user asked to stop.
+    /// Solves one case, unless it is cancelled.
     fn solve(&self, case: usize) {
-        if self.interrupt.asked() {
+        if self.cancellation.is_cancelled() {
             return;
         }
         // A mistake of the program in one case is no reason to lose the others.
@@ -229,19 +141,17 @@ impl<'a> Batch<'a> {
             .unwrap_or_else(|why| Ending {
                 solved: Vec::new(),
                 why: Some(why),
+                reused_s: 0.0,
             });
+        let reused_s = ending.reused_s;
         let mut reached = lock(&self.progress);
         reached.endings[case] = Some(ending);
         reached.count += 1;
-        self.bar.inc(1);
-        let simulated_s = self.bar.position() as f64 * 1e-3;
-        let speed = simulated_s / self.start.elapsed().as_secs_f64();
-        self.bar.set_message(format!(
-            "{} of {} cases, {}",
-            reached.count,
-            self.mine.len(),
-            pace(speed)
-        ));
+        self.observer.case_ended(&CaseEnded {
+            ended: reached.count,
+            of: self.mine.len(),
+            reused_s,
+        });
         if reached.written.elapsed() >= WRITE_INTERVAL {
             // What cannot be written now is told at the end.
             let _ = self.write(self.points[case].set, &reached.endings);
@@ -249,8 +159,8 @@ impl<'a> Batch<'a> {
         }
     }
 
-    fn ending(&self, case: usize) -> Result<Ending, Stop> {
-        let (point, checked) = (&self.points[case], &self.checked[case]);
+    fn ending(&self, number: usize) -> Result<Ending, Stop> {
+        let (point, checked) = (&self.points[number], &self.checked[number]);
         let case = match checked.take() {
             Some(case) => case,
             None => point
@@ -259,9 +169,9 @@ impl<'a> Batch<'a> {
                 .map_err(|report| Stop::Unsolved(report.render(false)))?,
         };
         let folder = ResultsFolder::create(self.folder(point))?;
-        let keep = self.sets[point.set].keep(&case, self.args.csv);
+        let keep = self.sets[point.set].keep(&case, self.options.csv);
         let mut begun = None;
-        if self.args.resume {
+        if self.options.output.existing == Existing::Resume {
             match finished(folder.path(), &case, keep) {
                 Ok(Some(solved)) => {
                     // Killed between its last result and its end, a run may leave one.
@@ -269,8 +179,11 @@ impl<'a> Batch<'a> {
                     if keep == Keep::All {
                         page::complete(&folder, case.units)?;
                     }
-                    self.bar.inc(milliseconds(checked.simulated_s));
-                    return Ok(Ending { solved, why: None });
+                    return Ok(Ending {
+                        solved,
+                        why: None,
+                        reused_s: checked.simulated_s,
+                    });
                 }
                 Ok(None) => begun = self.begun(point, &case, &folder),
                 Err(reason) => self.warn_of(point, &reason),
@@ -282,23 +195,27 @@ impl<'a> Batch<'a> {
         };
         let way = Way {
             keep,
-            csv: self.args.csv,
+            csv: self.options.csv,
             checkpoint_every: self
-                .args
-                .checkpoint
+                .options
+                .checkpoint_every
                 .unwrap_or_else(|| checkpoint_every(&case)),
-            watch: Watch::Sweep(self.bar.clone()),
-            interrupt: &self.interrupt,
+            watch: Watch {
+                observer: self.observer,
+                case: number,
+            },
+            cancellation: self.cancellation,
             // Cases are what the cores share.
-            crew: cores::alone(&self.interrupt),
+            crew: cores::alone(self.cancellation),
         };
         let why = solve(&case, &way, &mut record, &folder, under_way).err();
         if keep == Keep::All {
             page::write(&folder, case.units)?;
         }
         Ok(Ending {
-            solved: record.summary.operations,
+            solved: record.into_summary().operations,
             why,
+            reused_s: 0.0,
         })
     }
 
@@ -323,12 +240,12 @@ impl<'a> Batch<'a> {
     /// Tells why a case does not go on from what lies in its folder.
     fn warn_of(&self, point: &Point<'_>, reason: &str) {
         let label = self.label(point);
-        let warning = format!("warning: {label}: {reason}; it begins anew\n");
-        Watch::Sweep(self.bar.clone()).tell(&warning);
+        let warning = format!("{label}: {reason}; it begins anew");
+        self.observer.warning(&warning);
     }
 
     /// The folder of a case.
-    pub(crate) fn folder(&self, point: &Point<'_>) -> PathBuf {
+    fn folder(&self, point: &Point<'_>) -> PathBuf {
         self.sets[point.set].folder.path().join(&point.name)
     }
 
@@ -338,73 +255,56 @@ impl<'a> Batch<'a> {
     }
 
     /// Writes a set's `sweep.csv`: its cases in their order, as far as they have ended.
-    fn write(&self, set: usize, endings: &[Option<Ending>]) -> Result<(), Failure> {
+    fn write(&self, set: usize, endings: &[Option<Ending>]) -> Result<(), ResultsError> {
         let of_set = |case: &usize| self.points[*case].set == set;
         let cases = || (0..self.points.len()).filter(of_set);
         let dynamic = cases().any(|case| self.checked[case].simulated_s > 0.0);
         let lift = cases().any(|case| self.checked[case].lift);
         let mut table = SweepTable::new(self.sets[set].keys.clone(), dynamic, lift);
         for case in cases() {
-            if let Some(Ending { solved, why }) = &endings[case] {
+            if let Some(Ending { solved, why, .. }) = &endings[case] {
                 let failure = why.as_ref().and_then(Stop::reason);
                 let point = &self.points[case];
                 table.add(&point.values, &point.name, solved, failure.as_deref());
             }
         }
         let path = self.sets[set].folder.path().join(FILE);
-        Ok(table.table().write_csv(&path)?)
+        table.table().write_csv(&path)
     }
 
-    /// Says how it went; its results are in `place`. If it is strict, no error may have been found.
-    pub(crate) fn conclude(self, place: &Path, strict: bool) -> Result<(), Failure> {
+    /// How it went; its results are in `place`.
+    pub(crate) fn outcome(self, place: &Path) -> BatchOutcome {
         let endings = std::mem::take(&mut lock(&self.progress).endings);
-        let (noun, cases) = (self.noun, self.mine.len());
-        let mut finished = 0;
-        let mut failed = Vec::new();
-        let mut wrong = Vec::new();
-        for (point, ending) in self.points.iter().zip(&endings) {
-            match ending {
-                Some(Ending { why: None, .. }) => finished += 1,
-                Some(Ending { why: Some(why), .. }) => failed.extend(
-                    why.reason()
-                        .map(|reason| format!("  {}: {reason}", self.label(point))),
-                ),
-                None => {}
-            }
-            let solved = ending.iter().flat_map(|ending| &ending.solved);
-            let found = solved.filter(|of| findings::is_wrong(of));
-            let found: Vec<String> = found.map(findings::name).collect();
-            if !found.is_empty() {
-                wrong.push(format!("  {}: {}", self.label(point), found.join(", ")));
-            }
-        }
-        Conclusion {
-            noun,
-            items: "cases",
-            all: cases,
-            finished,
-            failed,
-            interrupted: self.interrupt.asked(),
-            place,
+        let mut outcome = BatchOutcome {
+            folder: place.to_owned(),
+            all: self.mine.len(),
+            finished: 0,
+            failed: Vec::new(),
+            with_errors: Vec::new(),
+            cancelled: self.cancellation.is_cancelled(),
             took: self.start.elapsed(),
+        };
+        for (point, ending) in self.points.iter().zip(&endings) {
+            let Some(Ending { solved, why, .. }) = ending else {
+                continue;
+            };
+            match why.as_ref().map(Stop::reason) {
+                None => outcome.finished += 1,
+                Some(reason) => outcome.failed.extend(reason.map(|reason| FailedCase {
+                    name: self.label(point),
+                    reason,
+                })),
+            }
+            let wrong = solved.iter().filter(|of| findings::is_wrong(of));
+            let operations: Vec<String> = wrong.map(findings::name).collect();
+            if !operations.is_empty() {
+                outcome.with_errors.push(CaseWithErrors {
+                    name: self.label(point),
+                    operations,
+                });
+            }
         }
-        .tell(self.args.quiet)?;
-        if wrong.is_empty() {
-            return Ok(());
-        }
-        let found = wrong.len();
-        if strict {
-            let wrong = wrong.join("\n");
-            return Err(Failure::Refused(format!(
-                "error: errors were found in {found} of {cases} cases\n{wrong}"
-            )));
-        }
-        if self.args.quiet {
-            return Ok(());
-        }
-        say(&format!(
-            "Errors were found in {found} of {cases} cases: see {FILE}\n"
-        ))
+        outcome
     }
 }
 

@@ -1,7 +1,7 @@
 //! The cases of a sweep before they are solved.
 
 use std::{
-    collections::BTreeSet,
+    collections::{BTreeMap, BTreeSet},
     sync::{Mutex, PoisonError},
 };
 
@@ -11,10 +11,10 @@ use wholestring_results::digest;
 
 use super::points::Point;
 use crate::{
-    color,
-    failure::Failure,
+    cancellation::CancellationToken,
+    error::{Error, Unsound},
+    observer::Observer,
     parallel::{in_parallel, lock},
-    tell,
 };
 
 /// What is known of a case before it is solved.
@@ -28,7 +28,6 @@ pub(super) struct Checked {
     pub(super) simulated_s: f64,
     /// Whether its lift is tuned.
     pub(super) lift: bool,
-    warnings: String,
     /// The case itself, until it is solved, where reading it again would take as long as solving it.
     case: Mutex<Option<Case>>,
 }
@@ -53,7 +52,6 @@ impl Checked {
             cost: cost.sum(),
             lift: dynamic && case.tunes_lift,
             simulated_s: efforts.iter().map(|effort| effort.end_s).sum(),
-            warnings: case.warnings.render(color()),
             case: Mutex::new((holds && !dynamic).then_some(case)),
         }
     }
@@ -64,53 +62,71 @@ impl Checked {
     }
 }
 
+/// Mistakes or warnings that are told; the same is told once.
+const SHOWN: usize = 5;
+
 /// Reads and checks every case, so that no sweep ends on a mistake in its last.
 pub(super) fn check(
     points: &[Point<'_>],
     jobs: usize,
-    quiet: bool,
-) -> Result<Vec<Checked>, Failure> {
-    /// Mistakes that are told; the same is told once.
-    const SHOWN: usize = 5;
+    observer: &dyn Observer,
+    cancellation: &CancellationToken,
+) -> Result<Vec<Checked>, Error> {
     let all: Vec<usize> = (0..points.len()).collect();
     let answers: Vec<Mutex<Option<Result<Checked, Report>>>> =
         points.iter().map(|_| Mutex::default()).collect();
+    // The first in the order of their texts.
+    let warnings: Mutex<BTreeMap<String, Report>> = Mutex::default();
     in_parallel(jobs, &all, |i| {
+        if cancellation.is_cancelled() {
+            return;
+        }
         let answer = points[i].template.case(&points[i].changes);
+        if let Ok(case) = &answer
+            && !case.warnings.is_empty()
+        {
+            let mut warnings = lock(&warnings);
+            warnings.insert(case.warnings.render(false), case.warnings.clone());
+            if warnings.len() > SHOWN {
+                warnings.pop_last();
+            }
+        }
         *lock(&answers[i]) = Some(answer.map(|case| Checked::of(case, points.len() <= MOST_HELD)));
     });
     let mut checked = Vec::new();
-    let mut unsound: Vec<(&Point<'_>, String)> = Vec::new();
+    let mut unsound: Vec<(&Point<'_>, Report)> = Vec::new();
     for (point, answer) in points.iter().zip(answers) {
-        let answer = answer.into_inner().unwrap_or_else(PoisonError::into_inner);
-        match answer.expect("every case is checked") {
-            Ok(case) => checked.push(case),
-            Err(report) => unsound.push((point, report.render(color()))),
+        match answer.into_inner().unwrap_or_else(PoisonError::into_inner) {
+            Some(Ok(case)) => checked.push(case),
+            Some(Err(report)) => unsound.push((point, report)),
+            None => return Err(Error::Interrupted),
         }
     }
     if let Some((first, _)) = unsound.first() {
-        let mut told: Vec<&str> = Vec::new();
-        for (_, report) in &unsound {
-            if told.len() < SHOWN && !told.contains(&report.as_str()) {
-                told.push(report);
+        let summary = match (unsound.len(), points.len()) {
+            (_, 1) => None,
+            (1, all) => Some(format!(
+                "1 of {all} cases is not sound, {}: nothing was run",
+                first.name
+            )),
+            (some, all) => Some(format!(
+                "{some} of {all} cases are not sound, the first is {}: nothing was run",
+                first.name
+            )),
+        };
+        let mut told: BTreeSet<String> = BTreeSet::new();
+        let mut reports: Vec<Report> = Vec::new();
+        for (_, report) in unsound {
+            if reports.len() < SHOWN && told.insert(report.render(false)) {
+                reports.push(report);
             }
         }
-        let end = match (unsound.len(), points.len()) {
-            (_, 1) => String::new(),
-            (1, all) => format!(
-                "\n1 of {all} cases is not sound, {}: nothing was run",
-                first.name
-            ),
-            (some, all) => format!(
-                "\n{some} of {all} cases are not sound, the first is {}: nothing was run",
-                first.name
-            ),
-        };
-        return Err(Failure::BadInput(format!("{}{end}", told.join("\n"))));
+        return Err(Error::Unsound(Unsound { reports, summary }));
     }
-    if !quiet {
-        let warnings: BTreeSet<&str> = checked.iter().map(|case| &*case.warnings).collect();
-        warnings.into_iter().take(SHOWN).for_each(tell);
+    let warnings = warnings.into_inner();
+    let warnings = warnings.unwrap_or_else(PoisonError::into_inner);
+    for report in warnings.values() {
+        observer.diagnostics(report);
     }
     Ok(checked)
 }

@@ -7,7 +7,7 @@ use wholestring_results::{Column, Data, ResultsError, ResultsFolder, Summary, Ta
 use wholestring_units::UnitSet;
 
 use super::table::{FILE, SCALARS};
-use crate::report::{self, asked, dimensions};
+use crate::page::{self, asked, dimensions};
 
 /// Whether a folder is one that a sweep wrote to.
 pub(crate) fn is_sweep(folder: &Path) -> bool {
@@ -18,9 +18,9 @@ pub(crate) fn is_sweep(folder: &Path) -> bool {
 pub(crate) fn write(folder: &ResultsFolder, units: Option<UnitSet>) -> Result<(), ResultsError> {
     let sweep = gather(folder.path(), units)?;
     if sweep.rows.is_empty() {
-        return folder.remove(report::FILE);
+        return folder.remove(page::FILE);
     }
-    folder.write_file(report::FILE, sweep_html(&sweep).as_bytes())
+    folder.write_file(page::FILE, sweep_html(&sweep).as_bytes())
 }
 
 /// Everything that is told of a sweep.
@@ -66,8 +66,8 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, Res
     };
     // Cases that keep no page of their own have none to lead to.
     let page = |case: &str| {
-        let there = !case.is_empty() && folder.join(case).join(report::FILE).is_file();
-        there.then(|| format!("{}/{}", address(case), report::FILE))
+        let there = !case.is_empty() && folder.join(case).join(page::FILE).is_file();
+        there.then(|| format!("{}/{}", address(case), page::FILE))
     };
     let rows = table.rows();
     let rows: Vec<SweepRow> = (0..rows)
@@ -98,7 +98,7 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, Res
     asked.retain(|fact| others.contains(fact));
     let settings = first.as_ref().map(|first| &first.settings);
     Ok(Sweep {
-        program: report::PROGRAM.into(),
+        program: page::PROGRAM.into(),
         title: first
             .as_ref()
             .map_or_else(|| "Sweep".into(), |first| first.case.clone()),

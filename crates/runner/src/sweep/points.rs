@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use wholestring_case::{Override, Template, Variation};
 
-use crate::{failure::Failure, folder_name::file_name};
+use crate::{error::Error, folder_name::file_name};
 
 /// More cases than this make no sense in one sweep.
 const MOST_CASES: usize = 100_000;
@@ -28,13 +28,13 @@ pub(crate) fn points<'a>(
     template: &'a Template,
     common: &[Override],
     variations: &[Variation],
-) -> Result<Vec<Point<'a>>, Failure> {
+) -> Result<Vec<Point<'a>>, Error> {
     let counts = variations.iter().map(|of| of.values.len());
     let count = counts.clone().try_fold(1_usize, usize::checked_mul);
     let Some(count) = count.filter(|count| *count <= MOST_CASES) else {
         let counts: Vec<String> = counts.map(|count| count.to_string()).collect();
-        return Err(Failure::BadInput(format!(
-            "error: a sweep of {} cases, expected at most {MOST_CASES}",
+        return Err(Error::BadInput(format!(
+            "a sweep of {} cases, expected at most {MOST_CASES}",
             counts.join(" × ")
         )));
     };

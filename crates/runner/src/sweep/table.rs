@@ -5,10 +5,10 @@ use wholestring::dynamics::DynamicOutcome;
 use wholestring_results::{Column, Data, Level, OperationSummary, Table};
 
 /// Name of the file.
-pub(super) const FILE: &str = "sweep.csv";
+pub const FILE: &str = "sweep.csv";
 
 /// The scalars of an operation, as `summary.json` names them, in the order of the columns.
-pub(crate) const SCALARS: [&str; 12] = [
+pub const SCALARS: [&str; 12] = [
     "bit_depth_m",
     "weight_on_bit_N",
     "bit_torque_N_m",

@@ -1,0 +1,27 @@
+//! `wholestring bit-test`: the bit alone on its rock, under every weight at every speed.
+
+mod screen;
+
+use wholestring_runner::bit_test::{self, Request};
+
+use crate::{
+    args::BitTestArgs, conclusion::conclude, failure::Failure, input::load, interrupt,
+    progress::BatchScreen, terminal::say,
+};
+
+pub(crate) fn bit_test(args: &BitTestArgs) -> Result<(), Failure> {
+    let quiet = args.batch.quiet;
+    let case = load(&args.case, quiet)?;
+    let units = args.units.unwrap_or(case.units);
+    let request = Request {
+        case: &case,
+        units: Some(units),
+        batch: args.batch.options(),
+    };
+    let screen = BatchScreen::bit_test(quiet);
+    let outcome = bit_test::run(&request, &screen, &interrupt::listen())?;
+    if !quiet {
+        say(&screen::text(&outcome.summary, units))?;
+    }
+    conclude(&outcome.batch, "bit test", "points", quiet)
+}

@@ -1,0 +1,114 @@
+//! `wholestring run`: solves a case, prints one table and writes the results.
+
+use wholestring_case::Case;
+use wholestring_results::{Friction, Summary};
+use wholestring_runner::{
+    findings::{is_wrong, name},
+    run::{self, Outcome, Request, Stop},
+};
+use wholestring_units::{Dimension, UnitSet};
+
+use crate::{
+    args::RunArgs, color::screen_color, comparison, failure::Failure, findings, input::load,
+    interrupt, progress::RunScreen, terminal::say,
+};
+
+pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
+    let case = load(&args.case, args.quiet)?;
+    let units = args.units.unwrap_or(case.units);
+    let request = Request {
+        case: &case,
+        output: args.output(),
+        units: Some(units),
+        jobs: args.jobs,
+        checkpoint_every: args.checkpoint,
+        csv: args.csv,
+    };
+    let screen = RunScreen::new(args.quiet, args.quiet || args.json);
+    let mut outcome = run::run(&request, &screen, &interrupt::listen())?;
+    if args.json {
+        let summary = outcome.summary.json().map_err(|error| {
+            Failure::Failed(format!("error: the summary cannot be written: {error}"))
+        })?;
+        say(&format!("{summary}\n"))?;
+    } else if !args.quiet && !outcome.summary.operations.is_empty() {
+        show(&case, &outcome, units)?;
+    }
+    match outcome.stopped.take() {
+        Some(stop) => Err(stopped(stop, &outcome)),
+        None if args.strict => refuse(&outcome.summary),
+        None => Ok(()),
+    }
+}
+
+/// Prints the table and what is to be known about it.
+fn show(case: &Case, outcome: &Outcome, units: UnitSet) -> Result<(), Failure> {
+    let summary = &outcome.summary;
+    let width = terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
+    let title = format!("{}: {}", case.name, subtitle(case, summary, units));
+    let table = comparison::table(summary, units, width);
+    let notes = comparison::notes(summary, units);
+    let findings = findings::lines(summary, width, screen_color());
+    let place = outcome.folder.display();
+    say(&format!(
+        "{title}
+
+{table}
+{notes}{findings}Results in {place}
+"
+    ))
+}
+
+/// `bit at 4305 m, friction 0.3, mud 1200 kg/m3`
+fn subtitle(case: &Case, summary: &Summary, units: UnitSet) -> String {
+    let depth = case
+        .operations
+        .first()
+        .map_or(0.0, |operation| operation.bit_depth_m);
+    let friction = match summary.operations.first().map(|of| &of.friction) {
+        Some(Friction::Uniform(value)) => value.to_string(),
+        Some(Friction::BySection(values)) => values
+            .iter()
+            .map(f64::to_string)
+            .collect::<Vec<_>>()
+            .join(", "),
+        None => String::new(),
+    };
+    format!(
+        "bit at {}, friction {friction}, mud {}",
+        Dimension::Length.format(depth, units),
+        Dimension::Density.format(case.model.mud.density_kg_per_m3, units),
+    )
+}
+
+/// Why the run did not come to its end, and where what it computed lies.
+fn stopped(stop: Stop, outcome: &Outcome) -> Failure {
+    let place = outcome.folder.display();
+    match stop {
+        Stop::Interrupted => {
+            let how = if outcome.is_resumable {
+                format!("\nto go on, run the case with --resume {place}")
+            } else {
+                String::new()
+            };
+            Failure::Interrupted(format!("interrupted: what was computed is in {place}{how}"))
+        }
+        Stop::Unsolved(reason) => Failure::Failed(format!(
+            "error: {reason}\nwhat was computed until then is in {place}"
+        )),
+        Stop::Unwritten(error) => error.into(),
+    }
+}
+
+/// Why `--strict` does not let a run pass, if it does not.
+fn refuse(summary: &Summary) -> Result<(), Failure> {
+    let wrong = summary.operations.iter().filter(|of| is_wrong(of));
+    let wrong: Vec<String> = wrong.map(name).collect();
+    match wrong.is_empty() {
+        true => Ok(()),
+        false => Err(Failure::Refused(format!(
+            "error: errors were found: {}",
+            wrong.join(", ")
+        ))),
+    }
+}
