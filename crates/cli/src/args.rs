@@ -1,13 +1,14 @@
 //! The command line as the user writes it.
 
-use std::{num::NonZeroUsize, path::PathBuf, str::FromStr, thread, time::Duration};
+use std::{num::NonZeroUsize, path::PathBuf, time::Duration};
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use wholestring::well::Interpolation;
 use wholestring_case::Override;
+use wholestring_runner::{BatchOptions, Existing, Keep, Output, Shard};
 use wholestring_units::{Dimension, Unit, UnitSet};
 
-use crate::{failure::Failure, keep::Keep};
+use crate::failure::Failure;
 
 /// Torque, drag and dynamics of a whole drill string in a deviated well.
 #[derive(Debug, Parser)]
@@ -121,6 +122,16 @@ pub(crate) struct RunArgs {
     pub(crate) quiet: bool,
 }
 
+impl RunArgs {
+    /// Where the results go.
+    pub(crate) fn output(&self) -> Output {
+        Output {
+            folder: self.resume.clone().or_else(|| self.output.clone()),
+            existing: existing(self.resume.is_some(), self.overwrite),
+        }
+    }
+}
+
 #[derive(Debug, Args)]
 pub(crate) struct ReportArgs {
     /// Folder that a run, a sweep or a bit test wrote to
@@ -178,13 +189,33 @@ pub(crate) struct KeptArgs {
     /// What is kept of each case [default: tables where dynamics solve it, --csv or a figure needs them, else its
     /// summary]
     #[arg(long, value_enum, value_name = "WHAT")]
-    pub(crate) keep: Option<Keep>,
+    keep: Option<KeepArg>,
+}
+
+/// What is kept of a case, each with what stands before it.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum KeepArg {
+    /// Its `summary.json`
+    Summary,
+    /// Its tables too
+    Tables,
+    /// All that a run leaves: its page and its picture too
+    All,
 }
 
 impl KeptArgs {
+    /// What they ask for, if they ask for anything.
+    pub(crate) fn keep(&self) -> Option<Keep> {
+        self.keep.map(|keep| match keep {
+            KeepArg::Summary => Keep::Summary,
+            KeepArg::Tables => Keep::Tables,
+            KeepArg::All => Keep::All,
+        })
+    }
+
     /// Refuses tables as CSV where none are kept.
     pub(crate) fn check(&self, batch: &BatchArgs) -> Result<(), Failure> {
-        if batch.csv && self.keep == Some(Keep::Summary) {
+        if batch.csv && self.keep() == Some(Keep::Summary) {
             return Err(Failure::BadInput(
                 "error: --csv writes tables, --keep summary keeps none: leave out one of them"
                     .into(),
@@ -275,39 +306,27 @@ pub(crate) struct BatchArgs {
 }
 
 impl BatchArgs {
-    /// Cases that are solved side by side.
-    pub(crate) fn jobs(&self) -> usize {
-        let jobs = self.jobs.or_else(|| thread::available_parallelism().ok());
-        jobs.map_or(1, NonZeroUsize::get)
-    }
-}
-
-/// One share of the cases: every `of`-th, beginning with the `index`-th, counted from one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Shard {
-    index: usize,
-    of: usize,
-}
-
-impl Shard {
-    pub(crate) const ALL: Self = Self { index: 1, of: 1 };
-
-    /// Whether it has the case of that number, counted from zero.
-    pub(crate) fn has(self, case: usize) -> bool {
-        case % self.of == self.index - 1
-    }
-}
-
-impl FromStr for Shard {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let parts = text.split_once('/');
-        let parts = parts.and_then(|(index, of)| Some((index.parse().ok()?, of.parse().ok()?)));
-        match parts {
-            Some((index, of)) if (1..=of).contains(&index) => Ok(Self { index, of }),
-            _ => Err("expected such as 1/4, from 1/4 to 4/4".to_owned()),
+    /// What they ask for.
+    pub(crate) fn options(&self) -> BatchOptions {
+        BatchOptions {
+            output: Output {
+                folder: self.output.clone(),
+                existing: existing(self.resume, self.overwrite),
+            },
+            jobs: self.jobs,
+            shard: self.shard.unwrap_or_default(),
+            checkpoint_every: self.checkpoint,
+            csv: self.csv,
         }
+    }
+}
+
+/// What becomes of what lies in the folder.
+fn existing(resume: bool, overwrite: bool) -> Existing {
+    match (resume, overwrite) {
+        (true, _) => Existing::Resume,
+        (_, true) => Existing::Overwrite,
+        _ => Existing::Protect,
     }
 }
 

@@ -7,7 +7,7 @@ use wholestring::{
 use wholestring_case::STEEL_DENSITY_KG_PER_M3;
 use wholestring_units::{Dimension, Unit, UnitSet};
 
-use crate::{args::CatalogueArgs, failure::Failure, say, screen_table::Table};
+use crate::{args::CatalogueArgs, failure::Failure, screen_table::Table, terminal::say};
 
 /// The kinds of tubulars of a string: their heading, and the words by which they are found.
 const KINDS: [(TubularKind, &str, &str); 3] = [

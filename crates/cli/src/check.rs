@@ -10,7 +10,7 @@ use wholestring::{
 use wholestring_case::{BitTest, Case};
 use wholestring_units::Dimension;
 
-use crate::{args::CheckArgs, failure::Failure, load, say};
+use crate::{args::CheckArgs, failure::Failure, input::load, terminal::say};
 
 pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     let case = load(&args.case, false)?;

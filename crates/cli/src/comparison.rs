@@ -1,122 +1,13 @@
 //! The table at the end of a run: models and operations side by side, in the user's units.
 
-use std::f64::consts::TAU;
-
-use wholestring::outcome::{ModelKind, Scalars};
+use wholestring::outcome::ModelKind;
 use wholestring_results::{Numerics, OperationSummary, Status, Summary};
+use wholestring_runner::findings::quantities::{QUANTITIES, deviation};
 use wholestring_units::{Dimension, UnitSet};
 
-pub(crate) mod drift;
+mod drift;
 
 use crate::pace::pace;
-
-/// A row: what people call the quantity, how it is read, and its key in the statistics.
-struct Quantity {
-    label: &'static str,
-    unit: Unit,
-    key: &'static str,
-    value: fn(&Scalars) -> Option<f64>,
-}
-
-/// Rows of one unit show the same decimals, so that they can be added up.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Unit {
-    Of(Dimension),
-    /// A length, but thousands of times longer than a stretch.
-    Depth,
-    /// Turns of the string say more than radians.
-    Turns,
-}
-
-impl Unit {
-    fn symbol(&self, units: UnitSet) -> &'static str {
-        match self {
-            Self::Of(dimension) => dimension.unit_in(units).symbol,
-            Self::Depth => Dimension::Length.unit_in(units).symbol,
-            Self::Turns => "rev",
-        }
-    }
-
-    fn shown(&self, si: f64, units: UnitSet) -> f64 {
-        match self {
-            Self::Of(dimension) => dimension.unit_in(units).from_si(si),
-            Self::Depth => Dimension::Length.unit_in(units).from_si(si),
-            Self::Turns => si / TAU,
-        }
-    }
-}
-
-const FORCE: Unit = Unit::Of(Dimension::Force);
-const TORQUE: Unit = Unit::Of(Dimension::Torque);
-
-const QUANTITIES: &[Quantity] = &[
-    Quantity {
-        label: "Hook load without block",
-        unit: FORCE,
-        key: "hook_load_N",
-        value: |of| Some(of.hook_load_N),
-    },
-    Quantity {
-        label: "Axial friction",
-        unit: FORCE,
-        key: "axial_friction_N",
-        value: |of| Some(of.axial_friction_N),
-    },
-    Quantity {
-        label: "Weight on bit",
-        unit: FORCE,
-        key: "weight_on_bit_N",
-        value: |of| Some(of.weight_on_bit_N),
-    },
-    Quantity {
-        label: "Side force, total",
-        unit: FORCE,
-        key: "side_force_total_N",
-        value: |of| Some(of.side_force_total_N),
-    },
-    Quantity {
-        label: "Surface torque",
-        unit: TORQUE,
-        key: "surface_torque_N_m",
-        value: |of| Some(of.surface_torque_N_m),
-    },
-    Quantity {
-        label: "Friction torque",
-        unit: TORQUE,
-        key: "friction_torque_N_m",
-        value: |of| Some(of.friction_torque_N_m),
-    },
-    Quantity {
-        label: "Bit torque",
-        unit: TORQUE,
-        key: "bit_torque_N_m",
-        value: |of| Some(of.bit_torque_N_m),
-    },
-    Quantity {
-        label: "Twist",
-        unit: Unit::Turns,
-        key: "twist_rad",
-        value: |of| Some(of.twist_rad),
-    },
-    Quantity {
-        label: "Stretch",
-        unit: Unit::Of(Dimension::Length),
-        key: "stretch_m",
-        value: |of| Some(of.stretch_m),
-    },
-    Quantity {
-        label: "Neutral point",
-        unit: Unit::Depth,
-        key: "neutral_point_m",
-        value: |of| of.neutral_point_m,
-    },
-    Quantity {
-        label: "Cut-off depth",
-        unit: Unit::Depth,
-        key: "cutoff_depth_m",
-        value: |of| of.cutoff_depth_m,
-    },
-];
 
 /// Space between columns of one operation, and before the first of the next.
 const NARROW: usize = 2;
@@ -301,18 +192,6 @@ fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
         }
     }
     columns
-}
-
-/// A deviation with the two digits that it deserves; `0` where it is less than anybody measures.
-fn deviation(shown: f64) -> String {
-    if !shown.is_finite() {
-        return "–".to_owned();
-    }
-    if shown < 1e-4 {
-        return "0".to_owned();
-    }
-    let decimals = (1.0 - shown.log10().floor()).clamp(0.0, 4.0) as usize;
-    format!("{shown:.decimals$}")
 }
 
 fn heading_width(heading: &str) -> usize {

@@ -1,66 +1,72 @@
 //! What is told at the end of many cases or points.
 
-use std::{path::Path, time::Duration};
+use wholestring_runner::{BatchOutcome, sweep};
 
-use crate::{failure::Failure, say};
+use crate::{failure::Failure, terminal::say};
 
-/// How many of them were finished, and why the others were not.
-pub(crate) struct Conclusion<'a> {
-    /// What they are together, as in the command: `sweep`.
-    pub(crate) noun: &'static str,
-    /// What they are one by one: `cases`.
-    pub(crate) items: &'static str,
-    pub(crate) all: usize,
-    pub(crate) finished: usize,
-    /// A line for each that failed.
-    pub(crate) failed: Vec<String>,
-    /// Whether the user asked to stop.
-    pub(crate) interrupted: bool,
-    /// Where the results are.
-    pub(crate) place: &'a Path,
-    pub(crate) took: Duration,
+/// Says how many were finished, of `items` that are together a `noun`, as in the command.
+///
+/// # Errors
+/// Some failed, or the user stopped it.
+pub(crate) fn conclude(
+    outcome: &BatchOutcome,
+    noun: &str,
+    items: &str,
+    quiet: bool,
+) -> Result<(), Failure> {
+    let place = outcome.folder.display();
+    let (all, finished) = (outcome.all, outcome.finished);
+    if !quiet {
+        let took_s = outcome.took.as_secs_f64();
+        say(&format!(
+            "{finished} of {all} {items} finished in {took_s:.1} s\nResults in {place}\n",
+        ))?;
+    }
+    let failed = outcome.failed.iter();
+    let failed: Vec<String> = failed
+        .map(|of| format!("  {}: {}", of.name, of.reason))
+        .collect();
+    let failures = failed.join("\n");
+    if outcome.is_interrupted() {
+        let failures = if failed.is_empty() {
+            failures
+        } else {
+            failures + "\n"
+        };
+        return Err(Failure::Interrupted(format!(
+            "{failures}interrupted: what was computed is in {place}\nto go on, run the {noun} again with --resume"
+        )));
+    }
+    if failed.is_empty() {
+        return Ok(());
+    }
+    Err(Failure::Failed(format!(
+        "error: {} of {all} {items} failed\n{failures}\nwhat was computed is in {place}",
+        failed.len(),
+    )))
 }
 
-impl Conclusion<'_> {
-    /// Says how it went.
-    ///
-    /// # Errors
-    /// Some failed, or the user stopped it.
-    pub(crate) fn tell(self, quiet: bool) -> Result<(), Failure> {
-        let Self {
-            noun,
-            items,
-            all,
-            finished,
-            failed,
-            interrupted,
-            place,
-            took,
-        } = self;
-        let place = place.display();
-        if !quiet {
-            let took_s = took.as_secs_f64();
-            say(&format!(
-                "{finished} of {all} {items} finished in {took_s:.1} s\nResults in {place}\n",
-            ))?;
-        }
-        let failures = failed.join("\n");
-        if interrupted && finished + failed.len() < all {
-            let failures = if failed.is_empty() {
-                failures
-            } else {
-                failures + "\n"
-            };
-            return Err(Failure::Interrupted(format!(
-                "{failures}interrupted: what was computed is in {place}\nto go on, run the {noun} again with --resume"
-            )));
-        }
-        if failed.is_empty() {
-            return Ok(());
-        }
-        Err(Failure::Failed(format!(
-            "error: {} of {all} {items} failed\n{failures}\nwhat was computed is in {place}",
-            failed.len(),
-        )))
+/// Says in which cases errors were found; none may have been, if it is strict.
+pub(crate) fn judge(outcome: &BatchOutcome, strict: bool, quiet: bool) -> Result<(), Failure> {
+    let (found, cases) = (outcome.with_errors.len(), outcome.all);
+    if found == 0 {
+        return Ok(());
     }
+    if strict {
+        let wrong = outcome.with_errors.iter();
+        let wrong: Vec<String> = wrong
+            .map(|of| format!("  {}: {}", of.name, of.operations.join(", ")))
+            .collect();
+        return Err(Failure::Refused(format!(
+            "error: errors were found in {found} of {cases} cases\n{}",
+            wrong.join("\n")
+        )));
+    }
+    if quiet {
+        return Ok(());
+    }
+    let file = sweep::FILE;
+    say(&format!(
+        "Errors were found in {found} of {cases} cases: see {file}\n"
+    ))
 }

@@ -2,7 +2,11 @@
 
 use std::fmt;
 
+use wholestring_case::Report;
 use wholestring_results::ResultsError;
+use wholestring_runner::{Error, FolderRefused};
+
+use crate::color::color;
 
 /// A command that did not end well.
 #[derive(Debug)]
@@ -45,5 +49,47 @@ impl fmt::Display for Failure {
 impl From<ResultsError> for Failure {
     fn from(error: ResultsError) -> Self {
         Self::Failed(format!("error: {error}"))
+    }
+}
+
+impl From<Report> for Failure {
+    fn from(report: Report) -> Self {
+        Self::BadInput(report.render(color()))
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        let told = format!("error: {error}");
+        match error {
+            Error::Unsound(unsound) => Self::BadInput(unsound.render(color())),
+            Error::BadInput(_) => Self::BadInput(told),
+            Error::NotResumable { noun, .. } => Self::BadInput(format!(
+                "{told}\nrun the {noun} without --resume to begin anew"
+            )),
+            Error::Folder(refused) => Self::BadInput(format!("{told}\n{}", way_out(&refused))),
+            Error::Results(_) | Error::Failed(_) => Self::Failed(told),
+            Error::Interrupted => Self::Interrupted("interrupted: nothing was run".to_owned()),
+        }
+    }
+}
+
+/// What to do about a folder that results cannot go to.
+fn way_out(refused: &FolderRefused) -> String {
+    match refused {
+        FolderRefused::Occupied { .. } => {
+            "name another folder with -o, or add --overwrite to replace what lies there".to_owned()
+        }
+        FolderRefused::Unfinished { path, kind } => {
+            let go_on = match kind.as_str() {
+                "run" => format!("run the case with --resume {}", path.display()),
+                _ => "add --resume".to_owned(),
+            };
+            format!("to go on with it, {go_on}; to begin anew, add --overwrite")
+        }
+        FolderRefused::Busy { .. } => {
+            "wait until it has ended, or name another folder with -o".to_owned()
+        }
+        FolderRefused::AllOccupied { .. } => "name another folder with -o".to_owned(),
     }
 }

@@ -5,43 +5,33 @@ mod bench;
 mod bit_test;
 mod catalogue;
 mod check;
-mod checkpoint;
-mod claim;
-mod column;
+mod color;
 mod comparison;
 mod conclusion;
-mod cores;
 mod failure;
 mod findings;
-mod folder_name;
-mod frames;
+mod input;
 mod interrupt;
-mod keep;
 mod new_case;
 mod pace;
-mod parallel;
 mod plot;
 mod progress;
-mod record;
 mod report;
 mod run;
 mod screen_table;
 mod shell;
-mod solve;
 mod study;
 mod survey;
 mod sweep;
+mod terminal;
 
-use std::{
-    env,
-    io::{self, IsTerminal, Write},
-    process::ExitCode,
-};
+use std::process::ExitCode;
 
 use clap::Parser;
 
-use args::{CaseArgs, Cli, Command};
+use args::{Cli, Command};
 use failure::Failure;
+use terminal::{say, tell};
 
 fn main() -> ExitCode {
     let done = match Cli::parse().command {
@@ -72,40 +62,4 @@ fn main() -> ExitCode {
 fn schema() -> Result<(), Failure> {
     let schema = wholestring_case::schema();
     say(&format!("{schema:#}\n"))
-}
-
-/// Reads the case with its overrides, and tells its warnings.
-fn load(args: &CaseArgs, quiet: bool) -> Result<wholestring_case::Case, Failure> {
-    let case = wholestring_case::load(&args.case, &args.overrides)
-        .map_err(|report| Failure::BadInput(report.render(color())))?;
-    if !quiet && !case.warnings.is_empty() {
-        tell(&case.warnings.render(color()));
-    }
-    Ok(case)
-}
-
-/// Whether diagnostics are coloured: on a terminal whose user has not said no.
-fn color() -> bool {
-    io::stderr().is_terminal() && env::var_os("NO_COLOR").is_none_or(|no| no.is_empty())
-}
-
-/// Whether what is printed to standard output is coloured.
-fn screen_color() -> bool {
-    io::stdout().is_terminal() && env::var_os("NO_COLOR").is_none_or(|no| no.is_empty())
-}
-
-/// Prints to standard error. Where that is closed or full there is nobody left to tell.
-fn tell(text: &str) {
-    let _ = io::stderr().lock().write_all(text.as_bytes());
-}
-
-/// Prints to standard output. A reader that has seen enough (`| head`) is no failure.
-fn say(text: &str) -> Result<(), Failure> {
-    let mut out = io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Failed(format!(
-            "error: cannot write to standard output: {error}"
-        ))),
-        _ => Ok(()),
-    }
 }

@@ -6,7 +6,7 @@ use std::{
     path::PathBuf,
 };
 
-use crate::{args::NewArgs, failure::Failure, say};
+use crate::{args::NewArgs, failure::Failure, terminal::say};
 
 /// The case. Its name is filled in.
 const TEMPLATE: &str = include_str!("new_case.toml");

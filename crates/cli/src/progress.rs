@@ -1,110 +1,244 @@
-//! The progress of dynamic runs on the terminal.
+//! The progress of what is solved, on the terminal.
 
 use std::{
-    cell::Cell,
+    collections::HashMap,
     fmt,
+    sync::{Mutex, MutexGuard, PoisonError},
     time::{Duration, Instant},
 };
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+use wholestring_case::Report;
+use wholestring_runner::{BatchSize, CaseEnded, Observer, Progress, Task};
 
-use crate::pace::{duration, pace};
+use crate::{
+    color::color,
+    pace::{duration, pace},
+    terminal::tell,
+};
 
-/// Who watches a run.
-#[derive(Debug, Clone)]
-pub(crate) enum Watch {
-    /// The user: a bar for each operation, unless nothing is to be shown.
-    Screen {
-        /// Show nothing.
-        quiet: bool,
-    },
-    /// The bar of a sweep, of which this run is a part.
-    Sweep(ProgressBar),
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-impl Watch {
-    /// The progress of one operation that goes on at `from_s` of simulated time and ends at `end_s`.
-    pub(crate) fn operation(&self, name: &str, from_s: f64, end_s: f64) -> Progress {
+/// Shows a run: a bar for each operation.
+pub(crate) struct RunScreen {
+    /// Show no bars.
+    quiet: bool,
+    /// Tell no notes.
+    without_notes: bool,
+    shown: Mutex<Shown>,
+}
+
+/// What stands on the screen.
+enum Shown {
+    Nothing,
+    Preparing(ProgressBar),
+    Operation(OwnBar),
+}
+
+impl Drop for Shown {
+    fn drop(&mut self) {
         match self {
-            Self::Screen { quiet } => Progress::Own(OwnBar::new(name, from_s, end_s, *quiet)),
-            Self::Sweep(bar) => Progress::Part {
-                bar: bar.clone(),
-                reached: Cell::new(0),
-                end: Cell::new(milliseconds(end_s)),
-            },
+            Self::Nothing => {}
+            Self::Preparing(bar) | Self::Operation(OwnBar { bar, .. }) => bar.finish_and_clear(),
+        }
+    }
+}
+
+impl RunScreen {
+    pub(crate) fn new(quiet: bool, without_notes: bool) -> Self {
+        Self {
+            quiet,
+            without_notes,
+            shown: Mutex::new(Shown::Nothing),
         }
     }
 
-    /// The progress of a run that only serves to find a setting; a sweep shows none, for nobody knows how many there will be.
-    pub(crate) fn trial(&self, name: &str, end_s: f64) -> Option<OwnBar> {
-        match self {
-            Self::Screen { quiet } => Some(OwnBar::new(name, 0.0, end_s, *quiet)),
-            Self::Sweep(_) => None,
+    /// Shows this in place of what stood there.
+    fn show(&self, new: Shown) {
+        let mut shown = lock(&self.shown);
+        // The old is taken away before the new is drawn again.
+        *shown = Shown::Nothing;
+        *shown = new;
+    }
+}
+
+impl Observer for RunScreen {
+    fn note(&self, text: &str) {
+        if !self.without_notes {
+            tell(&format!("note: {text}\n"));
         }
     }
 
-    /// Shows what is done before an operation's time begins, which takes seconds, or minutes on rock, and counts nothing, until what it gives is
-    /// dropped. A sweep goes on showing its bar.
-    pub(crate) fn preparing(&self, name: &str, what: &'static str) -> Option<Preparing> {
-        match self {
-            Self::Screen { quiet } => Some(Preparing::new(name, what, *quiet)),
-            Self::Sweep(_) => None,
+    fn warning(&self, text: &str) {
+        tell(&format!("warning: {text}\n"));
+    }
+
+    fn preparing(&self, task: &Task<'_>, what: &str) {
+        self.show(Shown::Preparing(preparation(task.name, what, self.quiet)));
+    }
+
+    fn prepared(&self, _: &Task<'_>) {
+        self.show(Shown::Nothing);
+    }
+
+    fn started(&self, task: &Task<'_>, from_s: f64, end_s: f64) {
+        let name = match task.trial {
+            None => task.name.to_owned(),
+            Some(trial) => {
+                let (number, most) = (trial.number, trial.most);
+                format!("{}, lift {number} of at most {most}", task.name)
+            }
+        };
+        self.show(Shown::Operation(OwnBar::new(
+            &name, from_s, end_s, self.quiet,
+        )));
+    }
+
+    fn reached(&self, _: &Task<'_>, progress: &Progress) {
+        if let Shown::Operation(bar) = &*lock(&self.shown) {
+            bar.reach(progress);
         }
     }
 
-    /// Says something on standard error, beside the bar.
-    pub(crate) fn tell(&self, text: &str) {
-        match self {
-            Self::Screen { .. } => crate::tell(text),
-            Self::Sweep(bar) => bar.suspend(|| crate::tell(text)),
+    fn ended(&self, _: &Task<'_>) {
+        self.show(Shown::Nothing);
+    }
+}
+
+/// Shows a batch: one bar for all of its cases.
+pub(crate) struct BatchScreen {
+    /// What it is called: `sweep`.
+    noun: &'static str,
+    /// What its cases are called.
+    items: &'static str,
+    /// Whether it tells how fast it is.
+    with_pace: bool,
+    quiet: bool,
+    shown: Mutex<Option<BatchBar>>,
+}
+
+struct BatchBar {
+    bar: ProgressBar,
+    start: Instant,
+    /// Milliseconds of the operation of each case that is solved now: reached, and where it ends.
+    operations: HashMap<usize, (u64, u64)>,
+}
+
+impl BatchScreen {
+    /// The screen of a sweep, or of several that are a study.
+    pub(crate) fn sweep(noun: &'static str, quiet: bool) -> Self {
+        Self {
+            noun,
+            items: "cases",
+            with_pace: true,
+            quiet,
+            shown: Mutex::new(None),
+        }
+    }
+
+    /// The screen of a bit test.
+    pub(crate) fn bit_test(quiet: bool) -> Self {
+        Self {
+            noun: "bit test",
+            items: "points",
+            with_pace: false,
+            ..Self::sweep("", quiet)
+        }
+    }
+
+    fn count(&self, ended: usize, of: usize) -> String {
+        format!("{ended} of {of} {}", self.items)
+    }
+}
+
+impl Observer for BatchScreen {
+    fn diagnostics(&self, report: &Report) {
+        if !self.quiet {
+            tell(&report.render(color()));
+        }
+    }
+
+    fn note(&self, text: &str) {
+        if !self.quiet {
+            tell(&format!("note: {text}\n"));
+        }
+    }
+
+    fn warning(&self, text: &str) {
+        let warning = format!("warning: {text}\n");
+        match &*lock(&self.shown) {
+            Some(shown) => shown.bar.suspend(|| tell(&warning)),
+            None => tell(&warning),
+        }
+    }
+
+    fn batch_started(&self, size: &BatchSize) {
+        // Besides its simulated time, a case counts as one millisecond, so that soft strings move the bar too.
+        let length = size.cases as u64 + milliseconds(size.simulated_s);
+        let bar = bar(length, self.quiet);
+        bar.set_prefix(self.noun);
+        if !self.with_pace {
+            bar.set_message(self.count(size.finished, size.cases));
+        }
+        *lock(&self.shown) = Some(BatchBar {
+            bar,
+            start: Instant::now(),
+            operations: HashMap::new(),
+        });
+    }
+
+    fn started(&self, task: &Task<'_>, _: f64, end_s: f64) {
+        // Nobody knows how many trials there will be.
+        if task.trial.is_none()
+            && let Some(shown) = &mut *lock(&self.shown)
+        {
+            let end = milliseconds(end_s);
+            shown.operations.insert(task.case, (0, end));
+        }
+    }
+
+    fn reached(&self, task: &Task<'_>, progress: &Progress) {
+        if task.trial.is_none()
+            && let Some(BatchBar {
+                bar, operations, ..
+            }) = &mut *lock(&self.shown)
+            && let Some((reached, end)) = operations.get_mut(&task.case)
+        {
+            let (now, ends) = (milliseconds(progress.time_s), milliseconds(progress.end_s));
+            // It is shorter than it was thought to be.
+            bar.dec_length(end.saturating_sub(ends));
+            bar.inc(now.saturating_sub(*reached));
+            (*reached, *end) = (now, ends);
+        }
+    }
+
+    fn case_ended(&self, of: &CaseEnded) {
+        let Some(BatchBar { bar, start, .. }) = &*lock(&self.shown) else {
+            return;
+        };
+        bar.inc(1 + milliseconds(of.reused_s));
+        let count = self.count(of.ended, of.of);
+        bar.set_message(if self.with_pace {
+            let simulated_s = bar.position() as f64 * 1e-3;
+            let speed = simulated_s / start.elapsed().as_secs_f64();
+            format!("{count}, {}", pace(speed))
+        } else {
+            count
+        });
+    }
+
+    fn batch_ended(&self) {
+        if let Some(shown) = lock(&self.shown).take() {
+            shown.bar.finish_and_clear();
         }
     }
 }
 
 /// Bars count whole milliseconds of simulated time.
-pub(crate) fn milliseconds(seconds: f64) -> u64 {
+fn milliseconds(seconds: f64) -> u64 {
     (seconds * 1e3).round() as u64
-}
-
-/// The progress of one operation.
-pub(crate) enum Progress {
-    Own(OwnBar),
-    Part {
-        bar: ProgressBar,
-        reached: Cell<u64>,
-        end: Cell<u64>,
-    },
-}
-
-impl Progress {
-    /// Says when the operation ends now; at the latest while it `settles`. Of the bar of a sweep that is what it is shorter by.
-    pub(crate) fn ends(&self, end_s: f64, settles: bool) {
-        match self {
-            Self::Own(own) => own.ends(end_s, settles),
-            Self::Part { bar, end, .. } => {
-                let now = milliseconds(end_s);
-                bar.dec_length(end.replace(now).saturating_sub(now));
-            }
-        }
-    }
-
-    /// Shows the simulated time reached.
-    pub(crate) fn reach(&self, time_s: f64) {
-        match self {
-            Self::Own(own) => own.reach(time_s),
-            Self::Part { bar, reached, .. } => {
-                let now = milliseconds(time_s);
-                bar.inc(now.saturating_sub(reached.replace(now)));
-            }
-        }
-    }
-
-    /// Takes the operation's own bar from the screen.
-    pub(crate) fn finish(self) {
-        if let Self::Own(own) = self {
-            own.clear();
-        }
-    }
 }
 
 /// Where progress is shown: on standard error, unless that is no terminal or nothing is to be shown.
@@ -140,34 +274,22 @@ fn title(operation: &str) -> String {
 /// Time on the clock between two movements of what shows that something is done.
 const TICK: Duration = Duration::from_millis(100);
 
-/// What is done before an operation's time begins, and for how long already.
-pub(crate) struct Preparing(ProgressBar);
-
-impl Preparing {
-    fn new(operation: &str, what: &'static str, quiet: bool) -> Self {
-        let bar = ProgressBar::with_draw_target(None, screen(quiet));
-        let style = ProgressStyle::with_template("{prefix} {spinner} {msg}, {elapsed}");
-        bar.set_style(style.expect("the template is sound"));
-        bar.set_prefix(title(operation));
-        bar.set_message(what);
-        bar.enable_steady_tick(TICK);
-        Self(bar)
-    }
-}
-
-impl Drop for Preparing {
-    fn drop(&mut self) {
-        self.0.finish_and_clear();
-    }
+/// Shows what is done before an operation's time begins, and for how long already.
+fn preparation(operation: &str, what: &str, quiet: bool) -> ProgressBar {
+    let bar = ProgressBar::with_draw_target(None, screen(quiet));
+    let style = ProgressStyle::with_template("{prefix} {spinner} {msg}, {elapsed}");
+    bar.set_style(style.expect("the template is sound"));
+    bar.set_prefix(title(operation));
+    bar.set_message(what.to_owned());
+    bar.enable_steady_tick(TICK);
+    bar
 }
 
 /// A bar with the simulated time and the speed against real time.
-pub(crate) struct OwnBar {
+struct OwnBar {
     bar: ProgressBar,
     start: Instant,
     from_s: f64,
-    end_s: Cell<f64>,
-    settles: Cell<bool>,
 }
 
 impl OwnBar {
@@ -178,29 +300,17 @@ impl OwnBar {
             bar,
             start: Instant::now(),
             from_s,
-            end_s: Cell::new(end_s),
-            settles: Cell::new(false),
         }
     }
 
-    /// Says when it ends now; at the latest while it `settles`.
-    pub(crate) fn ends(&self, end_s: f64, settles: bool) {
+    /// Shows how far it has come.
+    fn reach(&self, progress: &Progress) {
+        let (time_s, end_s) = (progress.time_s, progress.end_s);
         self.bar.set_length(milliseconds(end_s));
-        self.end_s.set(end_s);
-        self.settles.set(settles);
-    }
-
-    /// Takes the bar from the screen.
-    pub(crate) fn clear(self) {
-        self.bar.finish_and_clear();
-    }
-
-    /// Shows the simulated time reached.
-    pub(crate) fn reach(&self, time_s: f64) {
         let speed = (time_s - self.from_s) / self.start.elapsed().as_secs_f64();
         self.bar.set_position(milliseconds(time_s));
-        let (end_s, pace) = (self.end_s.get(), pace(speed));
-        self.bar.set_message(match self.settles.get() {
+        let pace = pace(speed);
+        self.bar.set_message(match progress.settling {
             true => format!("{time_s:.1} of at most {end_s:.0} s, settling, {pace}"),
             false => format!("{time_s:.1} of {end_s:.0} s, {pace}"),
         });

@@ -1,157 +1,114 @@
 //! `wholestring run`: solves a case, prints one table and writes the results.
 
-use std::path::Path;
-
 use wholestring_case::Case;
-use wholestring_results::{Occupant, ResultsFolder, Status, Summary, digest};
+use wholestring_results::{Friction, Summary};
+use wholestring_runner::{
+    findings::{is_wrong, name},
+    run::{self, Outcome, Request, Stop},
+};
+use wholestring_units::{Dimension, UnitSet};
 
 use crate::{
-    args::RunArgs,
-    checkpoint::{Laid, is_of},
-    claim::{self, Claim},
-    comparison, cores,
-    failure::Failure,
-    findings,
-    folder_name::default_output,
-    interrupt::Interrupt,
-    keep::Keep,
-    load,
-    progress::Watch,
-    record::{self, Record},
-    report, say, screen_color,
-    solve::{Way, checkpoint_every, solve},
+    args::RunArgs, color::screen_color, comparison, failure::Failure, findings, input::load,
+    interrupt, progress::RunScreen, terminal::say,
 };
 
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let case = load(&args.case, args.quiet)?;
     let units = args.units.unwrap_or(case.units);
-    let occupant = Occupant {
-        kind: "run".into(),
-        name: case.name.clone(),
-        identity: digest(&case.identity()),
-    };
-    let (claimed, mut record, under_way) = match &args.resume {
-        Some(path) => {
-            let folder = existing(path)?;
-            let claimed = claim::hold(&folder)?;
-            let laid = laid_aside(&folder, &case)?;
-            let record = Record::resume(&case, units, &folder, laid.solved).map_err(begin_anew)?;
-            (claimed.occupy(&occupant)?, record, laid.under_way)
-        }
-        None => {
-            // Before anything is solved, so that a long run does not end on a folder it may not write to.
-            let claimed = Claim {
-                occupant,
-                output: args.output.as_deref(),
-                default: default_output(&case.name),
-                shared: false,
-                resume: false,
-                overwrite: args.overwrite,
-                quiet: args.quiet || args.json,
-                is_unfinished: &|path| path.join("checkpoint.bin").is_file(),
-                is_part: &|_| false,
-                go_on: &|path| format!("run the case with --resume {}", path.display()),
-                refuse: &|_| Ok(()),
-            }
-            .folder()?;
-            let record = Record::begin(&case, units, &claimed.folder)?;
-            (claimed, record, None)
-        }
-    };
-    let folder = &claimed.folder;
-    let interrupt = Interrupt::listen();
-    let way = Way {
-        keep: Keep::All,
+    let request = Request {
+        case: &case,
+        output: args.output(),
+        units: Some(units),
+        jobs: args.jobs,
+        checkpoint_every: args.checkpoint,
         csv: args.csv,
-        checkpoint_every: args.checkpoint.unwrap_or_else(|| checkpoint_every(&case)),
-        watch: Watch::Screen { quiet: args.quiet },
-        interrupt: &interrupt,
-        crew: cores::for_rock(&case, args.jobs, &interrupt),
     };
-    let solved = solve(&case, &way, &mut record, folder, under_way);
+    let screen = RunScreen::new(args.quiet, args.quiet || args.json);
+    let mut outcome = run::run(&request, &screen, &interrupt::listen())?;
     if args.json {
-        let summary = record.summary.json().map_err(|error| {
+        let summary = outcome.summary.json().map_err(|error| {
             Failure::Failed(format!("error: the summary cannot be written: {error}"))
         })?;
         say(&format!("{summary}\n"))?;
-    } else if !args.quiet && !record.summary.operations.is_empty() {
-        let width = terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
-        let title = format!("{}: {}", case.name, record::subtitle(&case, units));
-        let table = comparison::table(&record.summary, units, width);
-        let notes = comparison::notes(&record.summary, units);
-        let findings = findings::lines(&record.summary, width, screen_color());
-        let place = folder.path().display();
-        say(&format!(
-            "{title}
+    } else if !args.quiet && !outcome.summary.operations.is_empty() {
+        show(&case, &outcome, units)?;
+    }
+    match outcome.stopped.take() {
+        Some(stop) => Err(stopped(stop, &outcome)),
+        None if args.strict => refuse(&outcome.summary),
+        None => Ok(()),
+    }
+}
+
+/// Prints the table and what is to be known about it.
+fn show(case: &Case, outcome: &Outcome, units: UnitSet) -> Result<(), Failure> {
+    let summary = &outcome.summary;
+    let width = terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
+    let title = format!("{}: {}", case.name, subtitle(case, summary, units));
+    let table = comparison::table(summary, units, width);
+    let notes = comparison::notes(summary, units);
+    let findings = findings::lines(summary, width, screen_color());
+    let place = outcome.folder.display();
+    say(&format!(
+        "{title}
 
 {table}
 {notes}{findings}Results in {place}
 "
-        ))?;
-    }
-    let refused = findings::refused(&record.summary).filter(|_| args.strict);
-    // The page is made from the files: what they hold need not be held beside it.
-    drop(record);
-    let reported = report::write(folder, units);
-    solved.map_err(|stop| stop.failure(folder))?;
-    reported?;
-    refused.map_or(Ok(()), Err)
-}
-
-fn bad(reason: impl std::fmt::Display) -> Failure {
-    Failure::BadInput(format!("error: {reason}"))
-}
-
-/// Why a run cannot go on, with the way out.
-fn begin_anew(reason: String) -> Failure {
-    bad(format!(
-        "{reason}\nrun the case without --resume to begin anew"
     ))
 }
 
-/// The folder of a run that is to be resumed.
-fn existing(path: &Path) -> Result<ResultsFolder, Failure> {
-    if !path.is_dir() {
-        return Err(bad(format!("there is no folder {}", path.display())));
-    }
-    Ok(ResultsFolder::create(path)?)
+/// `bit at 4305 m, friction 0.3, mud 1200 kg/m3`
+fn subtitle(case: &Case, summary: &Summary, units: UnitSet) -> String {
+    let depth = case
+        .operations
+        .first()
+        .map_or(0.0, |operation| operation.bit_depth_m);
+    let friction = match summary.operations.first().map(|of| &of.friction) {
+        Some(Friction::Uniform(value)) => value.to_string(),
+        Some(Friction::BySection(values)) => values
+            .iter()
+            .map(f64::to_string)
+            .collect::<Vec<_>>()
+            .join(", "),
+        None => String::new(),
+    };
+    format!(
+        "bit at {}, friction {friction}, mud {}",
+        Dimension::Length.format(depth, units),
+        Dimension::Density.format(case.model.mud.density_kg_per_m3, units),
+    )
 }
 
-/// The run that was laid aside in the folder, or why there is none.
-fn laid_aside(folder: &ResultsFolder, case: &Case) -> Result<Laid<'static>, Failure> {
-    let place = folder.path().display();
-    match Laid::read(folder, case) {
-        Ok(Some(laid)) => return Ok(laid),
-        Ok(None) => {}
-        Err(reason) => return Err(begin_anew(reason)),
+/// Why the run did not come to its end, and where what it computed lies.
+fn stopped(stop: Stop, outcome: &Outcome) -> Failure {
+    let place = outcome.folder.display();
+    match stop {
+        Stop::Interrupted => {
+            let how = if outcome.is_resumable {
+                format!("\nto go on, run the case with --resume {place}")
+            } else {
+                String::new()
+            };
+            Failure::Interrupted(format!("interrupted: what was computed is in {place}{how}"))
+        }
+        Stop::Unsolved(reason) => Failure::Failed(format!(
+            "error: {reason}\nwhat was computed until then is in {place}"
+        )),
+        Stop::Unwritten(error) => error.into(),
     }
-    let Ok(summary) = Summary::read(&folder.path().join("summary.json")) else {
-        return Err(begin_anew(format!("there is no checkpoint in {place}")));
-    };
-    if let Err(reason) = is_of(&summary, case) {
-        return Err(begin_anew(format!(
-            "there is no checkpoint in {place}, and what lies there cannot be gone on with: {reason}"
-        )));
+}
+
+/// Why `--strict` does not let a run pass, if it does not.
+fn refuse(summary: &Summary) -> Result<(), Failure> {
+    let wrong = summary.operations.iter().filter(|of| is_wrong(of));
+    let wrong: Vec<String> = wrong.map(name).collect();
+    match wrong.is_empty() {
+        true => Ok(()),
+        false => Err(Failure::Refused(format!(
+            "error: errors were found: {}",
+            wrong.join(", ")
+        ))),
     }
-    let failed = summary.operations.iter().find_map(|of| match &of.status {
-        Status::Failed(reason) => Some(reason),
-        _ => None,
-    });
-    if let Some(reason) = failed {
-        return Err(bad(format!(
-            "the run in {place} failed and would fail again: {reason}"
-        )));
-    }
-    let complete = summary.operations.iter();
-    let complete = complete.filter(|of| of.status == Status::Complete).count();
-    let all = case.operations.len() * case.models.len();
-    Err(if complete == all {
-        bad(format!(
-            "the run in {place} is finished: nothing is left to do"
-        ))
-    } else {
-        begin_anew(format!(
-            "there is no checkpoint in {place}: the run ended before its first one, with {complete} of {all} answers"
-        ))
-    })
 }

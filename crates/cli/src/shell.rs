@@ -8,7 +8,7 @@ use clap::{Command, CommandFactory};
 use crate::{
     args::{Cli, CompletionsArgs},
     failure::Failure,
-    say,
+    terminal::say,
 };
 
 /// Prints the script that completes commands and options in a shell.

@@ -6,7 +6,12 @@ use wholestring::well::{Interpolation, Path as WellPath};
 use wholestring_case::{Diagnostic, Label, Place, Report, Severity, Source, read_file};
 use wholestring_survey::{ImportedSurvey, Said, SurveyError, read_as};
 
-use crate::{args::SurveyArgs, color, failure::Failure, say, tell};
+use crate::{
+    args::SurveyArgs,
+    color::color,
+    failure::Failure,
+    terminal::{say, tell},
+};
 
 /// Columns of the result. Surveys are in degrees everywhere, so that this one is too; `survey` reads
 /// its own result.

@@ -16,11 +16,13 @@ use std::{fs, path::Path};
 use indicatif::ProgressBar;
 use serde::Serialize;
 
+use wholestring_runner::CancellationToken;
+
 use crate::{
     args::{BenchArgs, BenchPart},
     failure::Failure,
-    interrupt::Interrupt,
-    progress, say,
+    interrupt, progress,
+    terminal::say,
 };
 use clock::Spread;
 use well::Well;
@@ -51,17 +53,17 @@ struct Bench {
     well: Well,
     /// How often each is repeated.
     count: usize,
-    interrupt: Interrupt,
+    cancellation: CancellationToken,
     bar: ProgressBar,
 }
 
 pub(crate) fn bench(args: &BenchArgs) -> Result<(), Failure> {
-    let interrupt = Interrupt::listen();
+    let cancellation = interrupt::listen();
     let well = Well::new(&args.overrides)?;
     let bench = Bench {
         well,
         count: args.repeat.get(),
-        interrupt,
+        cancellation,
         bar: progress::bar(0, false),
     };
     bench.bar.set_prefix("bench");
@@ -143,7 +145,7 @@ impl Bench {
     fn next(&self, what: &str) -> Result<(), Failure> {
         self.bar.set_message(what.to_owned());
         self.bar.inc(1);
-        if self.interrupt.asked() {
+        if self.cancellation.is_cancelled() {
             return Err(Failure::Interrupted("interrupted".to_owned()));
         }
         Ok(())

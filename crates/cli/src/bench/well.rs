@@ -8,7 +8,7 @@ use wholestring_case::{Case, Override, Template};
 use wholestring_results::ResultsFolder;
 
 use super::{clock, clock::Clock, failed, scratch::Scratch};
-use crate::{color, failure::Failure, frames::Frames};
+use crate::{color::color, failure::Failure};
 
 const CASE: (&str, &str) = (
     "np13-x1042.toml",
@@ -102,18 +102,19 @@ impl Well {
         let folder = ResultsFolder::create(self.folder())?;
         let begin_s = simulation.time_s();
         let clock = Clock::begin();
-        match Frames::begin(case, &folder, None)? {
+        match case.records.frame_interval_s {
             None => simulation
                 .advance(TIMED_S)
                 .map_err(|error| failed(&error))?,
-            Some(mut frames) => {
+            Some(interval_s) => {
+                let mut frames = folder.frames(&case.records.channels)?;
                 let sample_s = simulation.sample_interval_s();
-                let every_s = frames.samples(sample_s) as f64 * sample_s;
+                let every_s = (interval_s / sample_s).round().max(1.0) * sample_s;
                 while simulation.time_s() - begin_s < TIMED_S - 0.5 * every_s {
                     simulation
                         .advance(every_s)
                         .map_err(|error| failed(&error))?;
-                    frames.take(&case.operations[0], &simulation)?;
+                    frames.push(case.operations[0].kind.name(), &simulation.frame())?;
                 }
                 frames.write()?;
             }

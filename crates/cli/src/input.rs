@@ -1,0 +1,15 @@
+//! Case files as a command names them.
+
+use wholestring_case::Case;
+
+use crate::{args::CaseArgs, color::color, failure::Failure, terminal::tell};
+
+/// Reads the case with its overrides, and tells its warnings.
+pub(crate) fn load(args: &CaseArgs, quiet: bool) -> Result<Case, Failure> {
+    let case = wholestring_case::load(&args.case, &args.overrides)
+        .map_err(|report| Failure::BadInput(report.render(color())))?;
+    if !quiet && !case.warnings.is_empty() {
+        tell(&case.warnings.render(color()));
+    }
+    Ok(case)
+}

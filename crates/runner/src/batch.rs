@@ -1,0 +1,91 @@
+//! What all cases of a sweep or a study, and all points of a bit test, have in common.
+
+use std::{num::NonZeroUsize, path::PathBuf, thread, time::Duration};
+
+use crate::{error::Error, output::Output, shard::Shard};
+
+/// How many cases are solved.
+#[derive(Debug, Clone, Default)]
+pub struct BatchOptions {
+    /// Where results go.
+    pub output: Output,
+    /// Cases that are solved side by side; one per core where nothing is said.
+    pub jobs: Option<NonZeroUsize>,
+    /// The share of the cases that is solved.
+    pub shard: Shard,
+    /// Time on the clock between checkpoints; the case's where nothing is said.
+    pub checkpoint_every: Option<Duration>,
+    /// Whether to write the tables that are kept as CSV too.
+    pub csv: bool,
+}
+
+impl BatchOptions {
+    /// Cases that are solved side by side.
+    pub(crate) fn jobs(&self) -> usize {
+        let jobs = self.jobs.or_else(|| thread::available_parallelism().ok());
+        jobs.map_or(1, NonZeroUsize::get)
+    }
+}
+
+/// How a batch ended.
+#[derive(Debug)]
+#[must_use = "cases of a batch may have failed, or not have been solved"]
+pub struct BatchOutcome {
+    /// Where the results are.
+    pub folder: PathBuf,
+    /// Cases or points of this share.
+    pub all: usize,
+    /// Those of them that are finished.
+    pub finished: usize,
+    /// Those of them that failed.
+    pub failed: Vec<FailedCase>,
+    /// Those of all shares in whose answers errors were found.
+    pub with_errors: Vec<CaseWithErrors>,
+    /// Whether it was cancelled.
+    pub cancelled: bool,
+    /// Time on the clock.
+    pub took: Duration,
+}
+
+/// A case that failed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FailedCase {
+    /// Name of its folder, as seen from the batch's.
+    pub name: String,
+    /// Why it failed.
+    pub reason: String,
+}
+
+/// A case in whose answers errors were found.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CaseWithErrors {
+    /// Name of its folder, as seen from the batch's.
+    pub name: String,
+    /// The operations that have errors: `trip in (soft)`.
+    pub operations: Vec<String>,
+}
+
+impl BatchOutcome {
+    /// Whether cases were left out because it was cancelled.
+    pub fn is_interrupted(&self) -> bool {
+        self.cancelled && self.finished + self.failed.len() < self.all
+    }
+
+    /// The outcome of a batch whose cases are all finished.
+    ///
+    /// # Errors
+    /// [`Error::Interrupted`] where cases were left out, [`Error::Failed`] where some failed.
+    pub fn finished(self) -> Result<Self, Error> {
+        if self.is_interrupted() {
+            return Err(Error::Interrupted);
+        }
+        let reasons = self.failed.iter();
+        let reasons: Vec<String> = reasons
+            .map(|of| format!("{}: {}", of.name, of.reason))
+            .collect();
+        match reasons.is_empty() {
+            true => Ok(self),
+            false => Err(Error::Failed(reasons.join("\n"))),
+        }
+    }
+}

@@ -1,0 +1,10 @@
+//! A bit test: the bit alone on its rock, under every weight at every speed.
+
+mod laid;
+pub(crate) mod page;
+mod points;
+mod request;
+mod tables;
+mod trials;
+
+pub use request::{Outcome, Request, run};

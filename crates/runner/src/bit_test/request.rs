@@ -1,0 +1,121 @@
+//! A bit test that is asked for, and how it ended.
+
+use std::path::Path;
+
+use wholestring_case::Case;
+use wholestring_results::{BitTestSummary, Occupant, digest};
+use wholestring_units::UnitSet;
+
+use super::{
+    page,
+    points::{common, points},
+    trials::Trials,
+};
+use crate::{
+    batch::{BatchOptions, BatchOutcome},
+    cancellation::CancellationToken,
+    checkpoint::difference,
+    claim::Claim,
+    error::Error,
+    folder_name::default_output,
+    observer::Observer,
+    output::Existing,
+    shard::Shard,
+};
+
+/// A case whose bit is to be tried on its rock.
+#[derive(Debug)]
+pub struct Request<'a> {
+    /// The case.
+    pub case: &'a Case,
+    /// Units of the picture and the page; the case's where nothing is said.
+    pub units: Option<UnitSet>,
+    /// How the points are drilled.
+    pub batch: BatchOptions,
+}
+
+/// How a bit test ended.
+#[derive(Debug)]
+pub struct Outcome {
+    /// What was found, as `summary.json` has it.
+    pub summary: BitTestSummary,
+    /// How many points are finished.
+    pub batch: BatchOutcome,
+}
+
+/// Drills every point of a case's bit test, and writes its tables, its picture and its page.
+///
+/// # Errors
+/// A case without a rock, or a folder that the results cannot go to. What becomes of the points is told by the outcome.
+pub fn run(
+    request: &Request<'_>,
+    observer: &dyn Observer,
+    cancellation: &CancellationToken,
+) -> Result<Outcome, Error> {
+    let (case, options) = (request.case, &request.batch);
+    let Some(test) = &case.bit_test else {
+        return Err(Error::BadInput(
+            "the case has no rock to try its bit on: give it [rock] and [bit_test]".to_owned(),
+        ));
+    };
+    let points = points(test, &case.settings)?;
+    let name = format!("{} bit test", case.name);
+    let parts: Vec<_> = points.iter().map(|of| (&of.name, &of.settings)).collect();
+    // Before anything is drilled, so that a long test does not end on a folder it may not write to.
+    let claimed = Claim {
+        occupant: Occupant {
+            kind: "bit test".into(),
+            name: name.clone(),
+            identity: digest(&parts),
+        },
+        output: &options.output,
+        default: default_output(&name),
+        shared: options.shard != Shard::ALL,
+        observer,
+        is_unfinished: &|path| {
+            let mine = (0..points.len()).filter(|point| options.shard.has(*point));
+            let mut places = mine.map(|point| path.join(&points[point].name));
+            places.any(|place| place.join("checkpoint.bin").is_file())
+        },
+        is_part: &|_| true,
+        refuse: &|path| match options.output.existing {
+            Existing::Resume => check_same(path, case),
+            Existing::Protect | Existing::Overwrite => Ok(()),
+        },
+    }
+    .folder()?;
+    let folder = &claimed.folder;
+    let trials = Trials::new(
+        options,
+        case,
+        test,
+        points,
+        folder.clone(),
+        observer,
+        cancellation,
+    )?;
+    trials.solve_all()?;
+    let units = request.units.unwrap_or(case.units);
+    let summary = trials.summary();
+    page::write(folder, &page::gather(folder.path(), Some(units))?)?;
+    let batch = trials.outcome();
+    Ok(Outcome { summary, batch })
+}
+
+/// Refuses to go on in a folder with another test's points.
+fn check_same(folder: &Path, case: &Case) -> Result<(), Error> {
+    let path = folder.join("summary.json");
+    if !path.is_file() {
+        return Ok(());
+    }
+    let place = folder.display();
+    let there = BitTestSummary::read(&path)
+        .map_err(|error| Error::BadInput(format!("{place} is no folder of a bit test: {error}")))?;
+    match difference(&common(&there.settings), &common(&case.settings)) {
+        None => Ok(()),
+        Some(difference) => Err(Error::NotResumable {
+            noun: "test",
+            reason: format!("the points in {place} are of another test: {difference}"),
+        }),
+    }
+}

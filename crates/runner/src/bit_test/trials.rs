@@ -1,0 +1,293 @@
+//! The trials of a bit test, on all cores.
+
+use std::{sync::Mutex, time::Instant};
+
+use wholestring::rock::{Alone, DrillingResponse, Stepper, Trial, TrialOutcome};
+use wholestring_case::{BitTest, Case};
+use wholestring_results::{
+    BIT_TEST_VERSION, BitTestPoint, BitTestSummary, ResultsError, ResultsFolder, Status,
+};
+
+use super::{
+    laid::{self, Laid},
+    points::Point,
+    tables,
+};
+use crate::{
+    batch::{BatchOptions, BatchOutcome, FailedCase},
+    cancellation::CancellationToken,
+    checkpoint::{Keeper, other_processor},
+    observer::{BatchSize, CaseEnded, Observer, Watch},
+    output::Existing,
+    parallel::{in_parallel, lock},
+    run::{Stop, checkpoint_every},
+};
+
+/// How a point ended.
+type Ending = Result<TrialOutcome, Stop>;
+
+/// Points that are drilled together.
+pub(super) struct Trials<'a> {
+    options: &'a BatchOptions,
+    case: &'a Case,
+    test: &'a BitTest,
+    points: Vec<Point>,
+    /// The points of this shard.
+    mine: Vec<usize>,
+    folder: ResultsFolder,
+    stepper: Stepper,
+    observer: &'a dyn Observer,
+    cancellation: &'a CancellationToken,
+    /// How each point ended, none where it has not.
+    endings: Mutex<Vec<Option<Ending>>>,
+    /// Held by who writes the tables.
+    writing: Mutex<()>,
+    start: Instant,
+}
+
+impl<'a> Trials<'a> {
+    /// Trials of these points, with results in the folder; the tables of an earlier test go.
+    pub(super) fn new(
+        options: &'a BatchOptions,
+        case: &'a Case,
+        test: &'a BitTest,
+        points: Vec<Point>,
+        folder: ResultsFolder,
+        observer: &'a dyn Observer,
+        cancellation: &'a CancellationToken,
+    ) -> Result<Self, ResultsError> {
+        let shard = options.shard;
+        let mine: Vec<usize> = (0..points.len())
+            .filter(|point| shard.has(*point))
+            .collect();
+        let trials = Self {
+            options,
+            case,
+            test,
+            endings: Mutex::new(points.iter().map(|_| None).collect()),
+            points,
+            mine,
+            folder,
+            stepper: Stepper::default(),
+            observer,
+            cancellation,
+            writing: Mutex::default(),
+            start: Instant::now(),
+        };
+        if options.output.existing == Existing::Resume {
+            trials.find_finished()?;
+        }
+        trials.write()?;
+        Ok(trials)
+    }
+
+    /// Takes up the points that an earlier test finished, those of other shards too: the tables show all there is.
+    fn find_finished(&self) -> Result<(), ResultsError> {
+        let mut endings = lock(&self.endings);
+        for (index, point) in self.points.iter().enumerate() {
+            let place = self.folder.path().join(&point.name);
+            endings[index] = laid::finished(&place, point).map(Ok);
+            if endings[index].is_some() && self.mine.contains(&index) {
+                // Killed as soon as the point was finished, the earlier test left this.
+                ResultsFolder::create(place)?.remove_checkpoint()?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Drills the points of this shard.
+    pub(super) fn solve_all(&self) -> Result<(), ResultsError> {
+        let durations_s = self.mine.iter();
+        let durations_s = durations_s.map(|point| self.points[*point].spec.duration_s());
+        self.observer.batch_started(&BatchSize {
+            cases: self.mine.len(),
+            finished: self.ended(),
+            simulated_s: durations_s.sum(),
+        });
+        // The slowest turn longest: what is left at the end is short.
+        let mut order = self.mine.clone();
+        let duration_s = |point: &usize| self.points[*point].spec.duration_s();
+        order.sort_by(|a, b| duration_s(b).total_cmp(&duration_s(a)));
+        in_parallel(self.options.jobs(), &order, |point| self.solve(point));
+        self.observer.batch_ended();
+        self.write()
+    }
+
+    /// Drills one point, unless it is finished or the test is cancelled.
+    fn solve(&self, index: usize) {
+        let point = &self.points[index];
+        if lock(&self.endings)[index].is_some() {
+            self.tell_end(point.spec.duration_s());
+            return;
+        }
+        if self.cancellation.is_cancelled() {
+            return;
+        }
+        let ending = self.ending(index);
+        lock(&self.endings)[index] = Some(ending);
+        self.tell_end(0.0);
+        // What cannot be written now is told at the end.
+        let _ = self.write();
+    }
+
+    fn ending(&self, index: usize) -> Ending {
+        let point = &self.points[index];
+        let folder = ResultsFolder::create(self.folder.path().join(&point.name))?;
+        let begun = match self.options.output.existing {
+            Existing::Resume => self.begun(point, &folder),
+            Existing::Protect | Existing::Overwrite => None,
+        };
+        let unsolved = |error: &dyn std::error::Error| Stop::Unsolved(error.to_string());
+        let mut trial = match begun {
+            Some(trial) => trial,
+            None => {
+                laid::begin(&folder)?;
+                Trial::new(&point.spec, &self.test.drilling).map_err(|error| unsolved(&error))?
+            }
+        };
+        let every = self.options.checkpoint_every;
+        let every = every.unwrap_or_else(|| checkpoint_every(self.case));
+        let mut keeper = Keeper::new(&folder, every);
+        let watch = Watch {
+            observer: self.observer,
+            case: index,
+        };
+        let duration_s = point.spec.duration_s();
+        let progress = watch.simulation(&point.name, None, [trial.time_s(), duration_s]);
+        while !trial.is_finished() {
+            progress.reach(trial.time_s(), duration_s, false);
+            let interrupted = self.cancellation.is_cancelled();
+            if interrupted || keeper.is_due() {
+                let laid = Laid::new(point, &self.stepper, &trial);
+                // A point does not end because one checkpoint cannot be written: the next may.
+                if let Err(error) = keeper.write(&laid) {
+                    self.observer.warning(&format!("no checkpoint: {error}"));
+                }
+            }
+            if interrupted {
+                return Err(Stop::Interrupted);
+            }
+            if let Err(error) = trial.advance(1, &self.stepper, &Alone) {
+                keeper.finish()?;
+                return Err(unsolved(&error));
+            }
+        }
+        progress.reach(trial.time_s(), duration_s, false);
+        let outcome = trial.outcome().expect("a finished trial has an outcome");
+        let bottom = tables::bottom(&trial.drilling().bottom_hole());
+        folder.write_table(tables::BOTTOM, &bottom, self.options.csv)?;
+        // With this the point is finished.
+        laid::finish(&folder, point, outcome)?;
+        keeper.finish()?;
+        Ok(outcome)
+    }
+
+    /// What an earlier test began of the point; nothing where it left none to go on with, or none that one can.
+    fn begun(&self, point: &Point, folder: &ResultsFolder) -> Option<Trial> {
+        match Laid::read(folder, point, &self.test.drilling) {
+            Ok(laid) => laid.map(|laid| {
+                let now = self.stepper.instructions;
+                if let Some(warning) = other_processor(&laid.instructions, now) {
+                    self.observer.warning(&warning);
+                }
+                laid.trial.into_owned()
+            }),
+            Err(reason) => {
+                let name = &point.name;
+                let warning = format!("{name}: {reason}; it begins anew");
+                self.observer.warning(&warning);
+                None
+            }
+        }
+    }
+
+    /// Points of this shard that have ended.
+    fn ended(&self) -> usize {
+        let endings = lock(&self.endings);
+        let done = self.mine.iter().filter(|point| endings[**point].is_some());
+        done.count()
+    }
+
+    /// Tells that a point has ended, of which so much was not drilled now.
+    fn tell_end(&self, reused_s: f64) {
+        self.observer.case_ended(&CaseEnded {
+            ended: self.ended(),
+            of: self.mine.len(),
+            reused_s,
+        });
+    }
+
+    /// How far the test has come.
+    pub(super) fn summary(&self) -> BitTestSummary {
+        let endings = lock(&self.endings);
+        let points = self.points.iter().zip(endings.iter());
+        let points: Vec<BitTestPoint> = points
+            .map(|(point, ending)| BitTestPoint {
+                point: point.name.clone(),
+                status: match ending {
+                    Some(Ok(_)) => Status::Complete,
+                    Some(Err(why)) => why.reason().map_or(Status::Interrupted, Status::Failed),
+                    None => Status::Interrupted,
+                },
+                weight_on_bit_N: point.spec.weight_N,
+                rotary_speed_rad_per_s: point.spec.rotary_rad_per_s,
+                outcome: match ending {
+                    Some(Ok(outcome)) => Some(*outcome),
+                    _ => None,
+                },
+            })
+            .collect();
+        let outcomes: Vec<TrialOutcome> = points.iter().filter_map(|point| point.outcome).collect();
+        let drilling = &self.test.drilling;
+        let bit_radius_m = 0.5 * drilling.bit.diameter_m();
+        let rock_strength_Pa = drilling.block.rock.ucs_Pa();
+        BitTestSummary {
+            schema_version: BIT_TEST_VERSION,
+            case: self.case.name.clone(),
+            settings: self.case.settings.clone(),
+            rock_strength_Pa,
+            bit_radius_m,
+            response: DrillingResponse::of(&outcomes, &drilling.bit, rock_strength_Pa),
+            points,
+        }
+    }
+
+    /// Writes the summary and the tables of what there is.
+    fn write(&self) -> Result<(), ResultsError> {
+        let _alone = lock(&self.writing);
+        let summary = self.summary();
+        let points = &summary.points;
+        self.folder
+            .write_table(tables::POINTS, &tables::points(points), self.options.csv)?;
+        tables::write_law(&self.folder, points)?;
+        summary.write(&self.folder.path().join("summary.json"))
+    }
+
+    /// How it went.
+    pub(super) fn outcome(self) -> BatchOutcome {
+        let endings = std::mem::take(&mut *lock(&self.endings));
+        let mut outcome = BatchOutcome {
+            folder: self.folder.path().to_owned(),
+            all: self.mine.len(),
+            finished: 0,
+            failed: Vec::new(),
+            with_errors: Vec::new(),
+            cancelled: self.cancellation.is_cancelled(),
+            took: self.start.elapsed(),
+        };
+        for point in &self.mine {
+            match &endings[*point] {
+                Some(Ok(_)) => outcome.finished += 1,
+                Some(Err(why)) => {
+                    let failed = why.reason().map(|reason| FailedCase {
+                        name: self.points[*point].name.clone(),
+                        reason,
+                    });
+                    outcome.failed.extend(failed);
+                }
+                None => {}
+            }
+        }
+        outcome
+    }
+}

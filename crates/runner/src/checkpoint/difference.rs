@@ -1,0 +1,121 @@
+//! Whether what was computed is what would be computed now.
+
+use serde_json::Value;
+use wholestring_case::Case;
+use wholestring_results::{ENGINE_VERSION, Summary, digest};
+
+/// Whether a summary's answers are those of the case.
+///
+/// # Errors
+/// Why they are not: of another case, of another version of the program, or of one that did not say of which case.
+pub(crate) fn is_of(summary: &Summary, case: &Case) -> Result<(), String> {
+    match &summary.identity {
+        None => Err("it is of an earlier version, which did not say of which case".to_owned()),
+        Some(identity) if *identity != digest(&case.identity()) => Err(format!(
+            "it is of another case: {}",
+            difference(&summary.settings, &case.settings)
+                .unwrap_or_else(|| "it differs in what its settings do not tell".to_owned())
+        )),
+        Some(_) => match summary.engine_version.as_deref() {
+            Some(ENGINE_VERSION) => Ok(()),
+            version => Err(format!(
+                "wholestring {} computed it, this is {ENGINE_VERSION}",
+                version.unwrap_or("of an unknown version")
+            )),
+        },
+    }
+}
+
+/// Settings that leave the answer as it is.
+const WITHOUT_EFFECT: &[&str] = &[
+    "name",
+    "units",
+    "well.survey",
+    "dynamics.checkpoint_interval_s",
+];
+
+/// The first difference between the settings of the run in a folder and those of the case.
+pub(crate) fn difference(there: &Value, here: &Value) -> Option<String> {
+    let (path, there, here) = first_difference(String::new(), Some(there), Some(here))?;
+    let tell = |value: Option<&Value>| value.map_or("not given".to_owned(), Value::to_string);
+    Some(format!(
+        "`{path}` is {} there and {} here",
+        tell(there),
+        tell(here)
+    ))
+}
+
+type Difference<'a> = (String, Option<&'a Value>, Option<&'a Value>);
+
+fn first_difference<'a>(
+    path: String,
+    there: Option<&'a Value>,
+    here: Option<&'a Value>,
+) -> Option<Difference<'a>> {
+    let below = |key: &str| match path.as_str() {
+        "" => key.to_owned(),
+        path => format!("{path}.{key}"),
+    };
+    match (there, here) {
+        (Some(Value::Object(a)), Some(Value::Object(b))) => a
+            .keys()
+            .chain(b.keys().filter(|key| !a.contains_key(*key)))
+            .find_map(|key| first_difference(below(key), a.get(key), b.get(key))),
+        (Some(Value::Array(a)), Some(Value::Array(b))) => (0..a.len().max(b.len()))
+            .find_map(|i| first_difference(below(&i.to_string()), a.get(i), b.get(i))),
+        // What is left out and what is null are the same: earlier versions wrote null.
+        (None, Some(Value::Null)) | (Some(Value::Null), None) => None,
+        (a, b) => (a != b && !WITHOUT_EFFECT.contains(&path.as_str())).then_some((path, a, b)),
+    }
+}
+
+/// What to tell whoever goes on with a run on a processor of another kind.
+pub(crate) fn other_processor(then: &str, now: &str) -> Option<String> {
+    (then != now).then(|| {
+        format!(
+            "the run was computed with {then} until now and goes on with {now}: as good, but not the same to the last bit"
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn the_first_difference_is_named() {
+        let there = json!({"a": {"b": [1, 2.5]}, "dynamics": {"checkpoint_interval_s": 30.0}});
+        assert_eq!(difference(&there, &there), None);
+        let here = json!({"a": {"b": [1, 2.5]}, "dynamics": {"checkpoint_interval_s": 1.0}});
+        assert_eq!(difference(&there, &here), None);
+        let null =
+            json!({"a": {"b": [1, 2.5], "c": null}, "dynamics": {"checkpoint_interval_s": 30.0}});
+        assert_eq!(difference(&there, &null), None);
+        assert_eq!(difference(&null, &there), None);
+        let tell = |here: Value| difference(&there, &here).unwrap();
+        assert_eq!(
+            tell(json!({"a": {"b": [1, 3]}})),
+            "`a.b.1` is 2.5 there and 3 here"
+        );
+        assert_eq!(
+            tell(json!({"a": {"b": [1, 2.5, "x"]}})),
+            "`a.b.2` is not given there and \"x\" here"
+        );
+        assert_eq!(
+            tell(json!({"a": {}})),
+            "`a.b` is [1,2.5] there and not given here"
+        );
+    }
+
+    #[test]
+    fn another_processor_is_told() {
+        assert_eq!(other_processor("AVX2", "AVX2"), None);
+        let told = other_processor("AVX-512", "baseline").unwrap();
+        assert!(
+            told.contains("AVX-512") && told.contains("baseline"),
+            "{told}"
+        );
+    }
+}

@@ -1,0 +1,106 @@
+//! A run that was laid aside.
+//!
+//! A checkpoint holds all that a run knows: what it has solved, and the operation under way as it
+//! stands. The results in the folder are not read, so that it does not matter what was being written
+//! when the run was killed. Only frames are too many to hold: a checkpoint knows how many parts of them were on
+//! the disk, and holds the rest.
+
+use std::time::Duration;
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use wholestring::{
+    dynamics::{Checkpoint, TunedLift},
+    operation::Operation,
+};
+use wholestring_case::Case;
+use wholestring_results::ResultsFolder;
+
+use super::difference::difference;
+use crate::record::{Record, Solved};
+
+/// An operation that the dynamics were solving.
+#[derive(Serialize, Deserialize)]
+pub(crate) struct UnderWay<'a> {
+    /// Name of the operation.
+    operation: String,
+    /// What it had taken until then, s.
+    pub(crate) wall_time_s: f64,
+    /// The lift that was found for it, where it hangs on one.
+    pub(crate) lift: Option<TunedLift>,
+    pub(crate) simulation: Checkpoint<'a>,
+}
+
+impl<'a> UnderWay<'a> {
+    pub(crate) fn new(
+        operation: &Operation,
+        took: Duration,
+        lift: Option<TunedLift>,
+        simulation: Checkpoint<'a>,
+    ) -> Self {
+        Self {
+            operation: operation.kind.name().to_owned(),
+            wall_time_s: took.as_secs_f64(),
+            lift,
+            simulation,
+        }
+    }
+
+    pub(crate) fn is(&self, operation: &Operation) -> bool {
+        self.operation == operation.kind.name()
+    }
+}
+
+/// A run that was laid aside.
+#[derive(Serialize, Deserialize)]
+pub(crate) struct Laid<'a> {
+    /// All that the case's answers depend on, as JSON.
+    identity: String,
+    /// The case's settings, as JSON: the same in words that people know.
+    settings: String,
+    pub(crate) solved: Solved<'a>,
+    pub(crate) under_way: Option<UnderWay<'a>>,
+}
+
+impl<'a> Laid<'a> {
+    /// What a run knows.
+    pub(crate) fn new(record: &'a Record, under_way: Option<UnderWay<'a>>) -> Self {
+        Self {
+            identity: record.identity.to_string(),
+            settings: record.summary.settings.to_string(),
+            solved: record.solved_so_far(),
+            under_way,
+        }
+    }
+
+    /// The checkpoint in the folder, if there is one.
+    ///
+    /// # Errors
+    /// Why the case cannot go on from it.
+    pub(crate) fn read(folder: &ResultsFolder, case: &Case) -> Result<Option<Self>, String> {
+        let laid: Option<Self> = folder.read_checkpoint().map_err(|e| e.to_string())?;
+        let Some(laid) = laid else { return Ok(None) };
+        let read = |text: &str| serde_json::from_str(text).map_err(|e| e.to_string());
+        let (identity, settings): (Value, Value) = (read(&laid.identity)?, read(&laid.settings)?);
+        let here = case.identity();
+        if let Some(under_way) = &laid.under_way
+            && Duration::try_from_secs_f64(under_way.wall_time_s).is_err()
+        {
+            let place = folder.path().display();
+            return Err(format!(
+                "the checkpoint in {place} is damaged: its time on the clock"
+            ));
+        }
+        if identity == here {
+            return Ok(Some(laid));
+        }
+        // In the words of the settings where they tell it.
+        let difference = difference(&settings, &case.settings);
+        let difference = difference.or_else(|| super::difference::difference(&identity, &here));
+        Err(format!(
+            "the checkpoint in {} is of another case: {}",
+            folder.path().display(),
+            difference.unwrap_or_default()
+        ))
+    }
+}

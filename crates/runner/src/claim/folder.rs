@@ -1,0 +1,237 @@
+//! A folder that is asked for, and held as long as it is written to.
+
+use std::{
+    path::{Path, PathBuf},
+    thread,
+    time::Duration,
+};
+
+use wholestring_results::{Hold, Holding, Occupant, ResultsFolder};
+
+use super::{leftovers, refusal::FolderRefused};
+use crate::{
+    error::Error,
+    observer::Observer,
+    output::{Existing, Output},
+};
+
+/// Who asks for a folder, and what for.
+pub(crate) struct Claim<'a> {
+    /// What will be written.
+    pub(crate) occupant: Occupant,
+    /// The folder that the user named, and what becomes of what lies there.
+    pub(crate) output: &'a Output,
+    /// Where it goes otherwise.
+    pub(crate) default: PathBuf,
+    /// Whether others that do a part of the same work write to the folder too.
+    pub(crate) shared: bool,
+    /// Who is told of another folder than the default one.
+    pub(crate) observer: &'a dyn Observer,
+    /// Whether the work has been begun there, and can be gone on with.
+    pub(crate) is_unfinished: &'a dyn Fn(&Path) -> bool,
+    /// Whether some of the work lies there, of more or less work than this: a sweep may be resumed with other values.
+    pub(crate) is_part: &'a dyn Fn(&Path) -> bool,
+    /// Why the work cannot go to a folder that could be held, if anything else is against it.
+    pub(crate) refuse: &'a dyn Fn(&Path) -> Result<(), Error>,
+}
+
+/// A folder for results, and what keeps others out of it as long as it lives.
+pub(crate) struct Claimed {
+    pub(crate) folder: ResultsFolder,
+    hold: Hold,
+}
+
+/// What comes of a folder that was looked at.
+enum Look {
+    Free(ResultsFolder, Hold),
+    /// A part of the work lies there.
+    Part(ResultsFolder, Hold),
+    /// The same work was begun there.
+    Unfinished,
+    /// It holds other results.
+    Other(Option<Occupant>),
+    /// Another program writes to it.
+    Busy(Option<Occupant>),
+}
+
+/// More folders of one name than this are a mistake.
+const MOST_FOLDERS: usize = 1000;
+
+/// How often, and after which time, a shard asks again for a folder that another shard only looks at.
+const PATIENCE: (usize, Duration) = (50, Duration::from_millis(20));
+
+impl Claim<'_> {
+    /// The folder: the one that was named, or the default one; where that holds other results, the next one that does
+    /// not, with a number after its name.
+    ///
+    /// # Errors
+    /// A named folder with other results, an unfinished run of the same work, or another program that writes there.
+    pub(crate) fn folder(&self) -> Result<Claimed, Error> {
+        if let Some(path) = &self.output.folder {
+            return match self.look(path)? {
+                Look::Free(folder, hold) | Look::Part(folder, hold) => self.take(folder, hold),
+                Look::Unfinished => Err(self.unfinished(path)),
+                Look::Other(there) => {
+                    let path = path.clone();
+                    Err(FolderRefused::Occupied { path, there }.into())
+                }
+                Look::Busy(_) => Err(busy(path)),
+            };
+        }
+        let ours = |there: &Option<Occupant>| {
+            there
+                .as_ref()
+                .is_none_or(|there| self.occupant.is_same(there))
+        };
+        // The same work has the first say, wherever it lies.
+        let mut part = None;
+        for number in 1..=MOST_FOLDERS {
+            let path = numbered(&self.default, number);
+            if !path.exists()
+                && let Some((folder, hold)) = part.take()
+            {
+                return self.take(folder, hold);
+            }
+            match self.look(&path)? {
+                Look::Part(folder, hold) => part = part.or(Some((folder, hold))),
+                Look::Free(folder, hold) => {
+                    if number > 1 {
+                        self.observer.note(&format!(
+                            "{} holds other results, and is left alone: these go to {}",
+                            self.default.display(),
+                            path.display()
+                        ));
+                    }
+                    return self.take(folder, hold);
+                }
+                Look::Unfinished => return Err(self.unfinished(&path)),
+                Look::Busy(there) if ours(&there) => return Err(busy(&path)),
+                Look::Other(_) | Look::Busy(_) => {}
+            }
+        }
+        Err(FolderRefused::AllOccupied {
+            path: self.default.clone(),
+            count: MOST_FOLDERS,
+        }
+        .into())
+    }
+
+    fn look(&self, path: &Path) -> Result<Look, Error> {
+        let folder = ResultsFolder::create(path)?;
+        let (mut tries, pause) = PATIENCE;
+        let hold = loop {
+            tries -= 1;
+            match folder.hold(self.shared)? {
+                Holding::Alone(hold) => break hold,
+                // Nobody shares what is not the same.
+                Holding::Shared(hold)
+                    if hold
+                        .occupant()
+                        .is_some_and(|there| self.occupant.is_same(there)) =>
+                {
+                    break hold;
+                }
+                Holding::Shared(hold) => return Ok(Look::Busy(hold.occupant().cloned())),
+                Holding::Busy(there) => {
+                    let same = there.as_ref();
+                    let same = same.is_none_or(|there| self.occupant.is_same(there));
+                    if !(self.shared && same) || tries == 0 {
+                        return Ok(Look::Busy(there));
+                    }
+                    thread::sleep(pause);
+                }
+            }
+        };
+        let there = if folder.is_used() {
+            leftovers::occupant(&folder, hold.occupant())
+        } else {
+            None
+        };
+        Ok(match there {
+            None => Look::Free(folder, hold),
+            Some(Some(there)) if self.occupant.is_same(&there) => {
+                if self.output.existing == Existing::Protect && (self.is_unfinished)(path) {
+                    Look::Unfinished
+                } else {
+                    Look::Free(folder, hold)
+                }
+            }
+            Some(_) if self.output.existing == Existing::Overwrite => {
+                leftovers::remove(path)?;
+                Look::Free(folder, hold)
+            }
+            // Which of its cases are finished is asked one by one.
+            Some(there)
+                if self.output.existing == Existing::Resume
+                    && there
+                        .as_ref()
+                        .is_none_or(|one| one.kind == self.occupant.kind)
+                    && (self.is_part)(path) =>
+            {
+                Look::Part(folder, hold)
+            }
+            Some(there) => Look::Other(there),
+        })
+    }
+
+    fn take(&self, folder: ResultsFolder, mut hold: Hold) -> Result<Claimed, Error> {
+        (self.refuse)(folder.path())?;
+        hold.occupy(&self.occupant)?;
+        if self.shared {
+            let (mut tries, pause) = PATIENCE;
+            while !hold.share() {
+                tries -= 1;
+                if tries == 0 {
+                    return Err(busy(folder.path()));
+                }
+                thread::sleep(pause);
+            }
+        }
+        Ok(Claimed { folder, hold })
+    }
+
+    fn unfinished(&self, path: &Path) -> Error {
+        let kind = self.occupant.kind.clone();
+        let path = path.to_owned();
+        FolderRefused::Unfinished { path, kind }.into()
+    }
+}
+
+/// Holds a folder whose work is gone on with, whatever it is.
+///
+/// # Errors
+/// Another program that writes there.
+pub(crate) fn hold(folder: &ResultsFolder) -> Result<Claimed, Error> {
+    match folder.hold(false)? {
+        Holding::Alone(hold) => Ok(Claimed {
+            folder: folder.clone(),
+            hold,
+        }),
+        Holding::Shared(_) | Holding::Busy(_) => Err(busy(folder.path())),
+    }
+}
+
+impl Claimed {
+    /// Says what the folder is written for from now on.
+    pub(crate) fn occupy(mut self, occupant: &Occupant) -> Result<Self, Error> {
+        self.hold.occupy(occupant)?;
+        Ok(self)
+    }
+}
+
+/// `out/case`, `out/case-2`, ...
+fn numbered(path: &Path, number: usize) -> PathBuf {
+    if number == 1 {
+        return path.to_owned();
+    }
+    let mut name = path.file_name().unwrap_or_default().to_owned();
+    name.push(format!("-{number}"));
+    path.with_file_name(name)
+}
+
+fn busy(path: &Path) -> Error {
+    FolderRefused::Busy {
+        path: path.to_owned(),
+    }
+    .into()
+}

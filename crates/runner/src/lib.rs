@@ -1,0 +1,73 @@
+//! Carries out what fronts ask for: runs, sweeps, studies and bit tests, with their checkpoints, pages and pictures.
+//!
+//! A front loads a case, makes a request of it and hands it over with an [`Observer`], which is told how far the work has
+//! come, and a [`CancellationToken`], which stops it. It gets an outcome, or an [`Error`]. Nothing here prints, reads
+//! arguments or looks at a terminal; results go to folders, whose files `wholestring-results` describes.
+//!
+//! | module | carries out |
+//! |---|---|
+//! | [`run`] | one case, operation after operation |
+//! | [`sweep`] | a case with all combinations of some values |
+//! | [`study`] | cases and sweeps, with the figures and tables to make of them |
+//! | [`bit_test`] | the bit alone on its rock |
+//!
+//! [`write_report`] and [`pictures()`] make the page and the pictures of what lies in a folder again.
+//!
+//! ```
+//! use wholestring_runner::{CancellationToken, Silent, run};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! # let place = tempfile::tempdir()?;
+//! # let results = place.path().to_owned();
+//! # let file = std::path::Path::new("../../cases/slant.toml");
+//! let case = wholestring_case::load(file, &["model=soft".parse()?]).expect("a sound case");
+//! let mut request = run::Request::new(&case);
+//! request.output.folder = Some(results);
+//!
+//! let outcome = run::run(&request, &Silent, &CancellationToken::new())?.finished()?;
+//! for solved in &outcome.summary.operations {
+//!     println!("{}: {} N", solved.operation, solved.scalars.hook_load_N);
+//!     assert!(solved.scalars.hook_load_N > 0.0);
+//! }
+//! assert!(outcome.folder.join("nodes.parquet").is_file());
+//! # Ok(())
+//! # }
+//! ```
+#![warn(missing_docs)]
+
+mod batch;
+pub mod bit_test;
+mod cancellation;
+mod checkpoint;
+mod claim;
+mod column;
+mod cores;
+mod error;
+pub mod findings;
+mod folder_name;
+mod keep;
+mod observer;
+mod output;
+mod page;
+mod parallel;
+mod pictures;
+mod record;
+mod reports;
+mod results_kind;
+pub mod run;
+mod shard;
+pub mod study;
+pub mod sweep;
+
+pub use batch::{BatchOptions, BatchOutcome, CaseWithErrors, FailedCase};
+pub use cancellation::CancellationToken;
+pub use claim::FolderRefused;
+pub use error::{Error, Unsound};
+pub use keep::Keep;
+pub use observer::{BatchSize, CaseEnded, Observer, Progress, Silent, Task, Trial};
+pub use output::{Existing, Output};
+pub use page::write_picture;
+pub use pictures::{pictures, pictures_folder};
+pub use reports::write_report;
+pub use results_kind::ResultsKind;
+pub use shard::Shard;

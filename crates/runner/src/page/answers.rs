@@ -1,0 +1,174 @@
+//! The five numbers that an engineer looks for first, beside their limits.
+
+use serde_json::Value as Json;
+use wholestring::outcome::ModelKind;
+use wholestring_report::{Answer, Cell, Fact};
+use wholestring_results::{OperationSummary, Table};
+
+use super::rows::rows;
+use crate::column::numbers;
+
+/// Five numbers. Of a dynamic model those that vary are means, and their largest of the window is held against the
+/// limit.
+pub(super) fn answers(solved: &OperationSummary, settings: &Json, nodes: &Table) -> Vec<Answer> {
+    let rig = |key: &str| settings["rig"][key].as_f64();
+    let largest = |key: &str| {
+        let statistics = solved.statistics.as_ref()?;
+        Some(statistics.get(key)?.max)
+    };
+    let scalars = &solved.scalars;
+    let block_N = rig("block_weight_N").filter(|weight| *weight > 0.0);
+    let with_block = |load_N: f64| Cell::quantity(load_N + block_N.unwrap_or(0.0), "force");
+    let more = block_N.map(|_| Fact {
+        label: "with block".into(),
+        value: with_block(scalars.hook_load_N),
+    });
+    let whose = match block_N {
+        Some(_) => "hoist's capacity, for the load with block",
+        None => "hoist's capacity",
+    };
+    let hook = Answer {
+        label: "Hook load without block".into(),
+        value: Cell::quantity(scalars.hook_load_N, "force"),
+        worst: largest("hook_load_N"),
+        // The hoist lifts the block too.
+        held: block_N
+            .map(|block_N| largest("hook_load_N").unwrap_or(scalars.hook_load_N) + block_N),
+        more: more.into_iter().collect(),
+        about: words(&["hook_load", "hoist", "lock_up"]),
+        ..limited(rig("hoist_capacity_N"), whose)
+    };
+    let torque = Answer {
+        label: "Surface torque".into(),
+        value: Cell::quantity(scalars.surface_torque_N_m, "torque"),
+        worst: largest("surface_torque_N_m"),
+        about: words(&["top_drive"]),
+        ..limited(rig("top_drive_torque_N_m"), "top drive's rated torque")
+    };
+    let side = side_force(solved, nodes);
+    match solved.model {
+        ModelKind::Dynamic => vec![
+            hook,
+            torque,
+            stress(solved, nodes),
+            stick_slip(solved).unwrap_or_else(|| drag(solved)),
+            side,
+        ],
+        ModelKind::Soft => vec![
+            hook,
+            torque,
+            drag(solved),
+            Answer {
+                label: "Neutral point".into(),
+                value: scalars.neutral_point_m.map_or_else(
+                    || Cell::Text("none: all in tension".into()),
+                    |md| Cell::quantity(md, "length"),
+                ),
+                ..unlimited("measured depth")
+            },
+            side,
+        ],
+    }
+}
+
+fn words(of: &[&str]) -> Vec<String> {
+    of.iter().map(|word| (*word).to_owned()).collect()
+}
+
+/// An answer with this limit, whose label and value are yet to be given.
+fn limited(limit: Option<f64>, whose: &str) -> Answer {
+    Answer {
+        label: String::new(),
+        value: Cell::Nothing,
+        worst: None,
+        held: None,
+        limit,
+        limit_label: match limit {
+            Some(_) => whose.into(),
+            None => format!("{whose} not given"),
+        },
+        more: Vec::new(),
+        about: Vec::new(),
+    }
+}
+
+fn unlimited(note: &str) -> Answer {
+    Answer {
+        limit_label: note.into(),
+        ..limited(None, "")
+    }
+}
+
+fn drag(solved: &OperationSummary) -> Answer {
+    Answer {
+        label: "Axial friction".into(),
+        about: words(&["lock_up"]),
+        value: Cell::quantity(solved.scalars.axial_friction_N, "force"),
+        ..unlimited("positive adds to hook load")
+    }
+}
+
+/// Severity of stick-slip, where the string turns: at one the bit just stops.
+fn stick_slip(solved: &OperationSummary) -> Option<Answer> {
+    let severity = solved.indicators?.stick_slip?.severity?;
+    Some(Answer {
+        label: "Stick-slip severity".into(),
+        about: words(&["stick_slip", "top_drive_stalled"]),
+        value: Cell::quantity(severity, "ratio"),
+        ..limited(Some(1.0), "at 1 the bit just stops")
+    })
+}
+
+/// Use of the yield strength where it is known, the stress itself where it is not.
+fn stress(solved: &OperationSummary, nodes: &Table) -> Answer {
+    let largest = |name: &str| largest_of(solved, nodes, name, |value| value);
+    match largest("yield_use") {
+        Some(part) => Answer {
+            label: "Use of yield strength".into(),
+            about: words(&["yield_use"]),
+            value: Cell::quantity(part, "percent"),
+            ..limited(Some(1.0), "minimum yield strength, pipe body")
+        },
+        None => Answer {
+            label: "Largest von Mises stress".into(),
+            about: words(&["yield_use"]),
+            value: largest("von_mises_stress_max_Pa")
+                .or_else(|| largest("von_mises_stress_Pa"))
+                .map_or(Cell::Nothing, |stress| Cell::quantity(stress, "pressure")),
+            ..limited(None, "yield strength")
+        },
+    }
+}
+
+/// The largest mean side force: of a joint where the string has joints and the model tells, per length otherwise.
+fn side_force(solved: &OperationSummary, nodes: &Table) -> Answer {
+    match largest_of(solved, nodes, "side_force_per_joint_N", f64::abs) {
+        Some(force) => Answer {
+            label: "Largest side force".into(),
+            value: Cell::quantity(force, "force"),
+            ..unlimited("of a tool joint, mean; no limit in the case")
+        },
+        None => Answer {
+            label: "Largest side force".into(),
+            value: largest_of(solved, nodes, "side_force_N_per_m", f64::abs)
+                .map_or(Cell::Nothing, |force| {
+                    Cell::quantity(force, "force per length")
+                }),
+            ..unlimited("no limit in the case")
+        },
+    }
+}
+
+/// The largest value of a column of the profile.
+fn largest_of(
+    solved: &OperationSummary,
+    nodes: &Table,
+    name: &str,
+    of: fn(f64) -> f64,
+) -> Option<f64> {
+    let values = numbers(nodes, name);
+    rows(nodes, Some(solved.model.name()), &solved.operation)
+        .into_iter()
+        .filter_map(|row| values.get(row).copied().flatten().map(of))
+        .max_by(f64::total_cmp)
+}

@@ -1,0 +1,218 @@
+//! What an operation did in time, as much of it as a page can show.
+
+use std::collections::BTreeMap;
+
+use wholestring_report::{BottomPicture, ContactPicture, DrillOff, Packed, thinned};
+use wholestring_results::Table;
+
+use super::rows::rows;
+use crate::column::{numbers, words};
+
+/// Rows of time histories that a page holds, all operations together.
+const MOST_ROWS: usize = 12_000;
+
+/// Times of a map of contact that a page holds, all operations together.
+const MOST_TIMES: usize = 450;
+
+/// Samples of what the bit does that a page holds, all operations together.
+const MOST_DRILLED: usize = 3000;
+
+/// Time histories of one operation.
+pub(super) struct History {
+    /// Samples that it took.
+    pub(super) samples: usize,
+    /// Columns by their name.
+    pub(super) columns: BTreeMap<String, Packed>,
+    /// When a line of the schedule with a note began, and the note.
+    pub(super) notes: Vec<(f64, String)>,
+}
+
+/// Time histories of an operation that shares the page with `many`, itself included.
+pub(super) fn history(time: &Table, operation: &str, many: usize) -> History {
+    let rows = rows(time, None, operation);
+    let number = |name: &str, row: &usize| {
+        let value = numbers(time, name).get(*row).copied().flatten();
+        value.unwrap_or(f64::NAN)
+    };
+    let times: Vec<f64> = rows.iter().map(|row| number("time_s", row)).collect();
+    let (names, columns): (Vec<&str>, Vec<Vec<f64>>) = time
+        .columns()
+        .iter()
+        .map(|column| column.name.as_str())
+        .filter(|name| *name != "time_s" && !numbers(time, name).is_empty())
+        .map(|name| {
+            (
+                name,
+                rows.iter()
+                    .map(|row| number(name, row))
+                    .collect::<Vec<f64>>(),
+            )
+        })
+        .filter(|(_, values)| values.iter().any(|value| value.is_finite()))
+        .unzip();
+    let slices: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
+    let (times, columns) = thinned(&times, &slices, MOST_ROWS / many.max(1));
+    let names = names.into_iter().map(String::from);
+    let columns = names.zip(columns.into_iter().map(Packed::single));
+    History {
+        samples: rows.len(),
+        columns: columns
+            .chain([("time_s".into(), Packed::single(times))])
+            .collect(),
+        notes: notes(time, &rows),
+    }
+}
+
+/// What the bit takes away in the window for what it is given, of an operation that shares the page with `many`, itself
+/// included; none where no weight is on the bit.
+pub(super) fn drill_off(
+    time: &Table,
+    operation: &str,
+    window_s: f64,
+    many: usize,
+) -> Option<DrillOff> {
+    let rows = rows(time, None, operation);
+    let number = |name: &str, row: &usize| numbers(time, name).get(*row).copied().flatten();
+    let begun = |row: &&usize| number("time_s", row).is_some_and(|time_s| time_s >= window_s);
+    let mut window: Vec<&usize> = rows.iter().filter(begun).collect();
+    if window.is_empty() {
+        // What ended before its window shows what there is.
+        window = rows.iter().collect();
+    }
+    let step = window.len().div_ceil((MOST_DRILLED / many.max(1)).max(1));
+    let column = |name: &str| -> Vec<f64> {
+        let chosen = window.iter().step_by(step.max(1));
+        chosen
+            .map(|row| number(name, row).unwrap_or(f64::NAN))
+            .collect()
+    };
+    let weight_N = column("weight_on_bit_N");
+    let drills = weight_N.iter().any(|weight| *weight > 0.0);
+    drills.then(|| DrillOff {
+        weight_N: Packed::single(weight_N),
+        rate_m_per_s: Packed::single(column("rate_of_penetration_m_per_s")),
+        torque_N_m: Packed::single(column("bit_torque_N_m")),
+    })
+}
+
+/// The bottom of the hole that an operation left; none where its bit did not stand on solid rock.
+pub(crate) fn bottom(table: &Table, operation: &str) -> Option<BottomPicture> {
+    let rows = rows(table, None, operation);
+    let column = |name: &str| -> Vec<f64> {
+        let values = numbers(table, name);
+        let number = |row: &usize| values.get(*row).copied().flatten();
+        rows.iter()
+            .map(|row| number(row).unwrap_or(f64::NAN))
+            .collect()
+    };
+    let mut radius_m = column("radius_m");
+    let mut angle_rad = column("angle_rad");
+    // All sectors of a ring follow each other.
+    let sectors = radius_m.iter().take_while(|of| **of == radius_m[0]).count();
+    if sectors == 0 || radius_m.len() % sectors != 0 {
+        return None;
+    }
+    radius_m = radius_m.into_iter().step_by(sectors).collect();
+    angle_rad.truncate(sectors);
+    BottomPicture::new(&radius_m, &angle_rad, &column("depth_m"))
+}
+
+/// Where the note changes to another one.
+fn notes(time: &Table, rows: &[usize]) -> Vec<(f64, String)> {
+    let (all, times) = (words(time, "note"), numbers(time, "time_s"));
+    let mut last = "";
+    let mut notes = Vec::new();
+    for row in rows {
+        let note = all.get(*row).map_or("", String::as_str);
+        if note != last && !note.is_empty() {
+            notes.push((times[*row].unwrap_or(0.0), note.to_owned()));
+        }
+        last = note;
+    }
+    notes
+}
+
+/// The map of contact of an operation that shares the page with `many`, itself included.
+pub(super) fn contact(table: &Table, operation: &str, many: usize) -> Option<ContactPicture> {
+    let rows = rows(table, None, operation);
+    let number = |name: &str, row: &usize| {
+        let value = numbers(table, name).get(*row).copied().flatten();
+        value.unwrap_or(f64::NAN)
+    };
+    let times: Vec<f64> = rows.iter().map(|row| number("time_s", row)).collect();
+    // All stretches of one time follow each other.
+    let stretches = times.iter().take_while(|time| **time == times[0]).count();
+    let count = times.len().checked_div(stretches)?;
+    // Neighbouring times become one where there are too many.
+    let many = count.div_ceil((MOST_TIMES / many.max(1)).max(1));
+    let groups: Vec<std::ops::Range<usize>> = (0..count)
+        .step_by(many)
+        .map(|first| first..(first + many).min(count))
+        .collect();
+    let mean = |name: &str| -> Vec<f64> {
+        groups
+            .iter()
+            .flat_map(|group| {
+                (0..stretches).map(|stretch| {
+                    let sum: f64 = group
+                        .clone()
+                        .map(|time| number(name, &rows[time * stretches + stretch]))
+                        .sum();
+                    sum / group.len() as f64
+                })
+            })
+            .collect()
+    };
+    let depths = |stretch: usize| {
+        let sum: f64 = (0..count)
+            .map(|time| number("md_m", &rows[time * stretches + stretch]))
+            .sum();
+        sum / count as f64
+    };
+    Some(ContactPicture {
+        from_s: 0.0,
+        time_s: Packed::single(
+            groups
+                .iter()
+                .map(|group| times[(group.end - 1) * stretches]),
+        ),
+        md_m: Packed::single((0..stretches).map(depths)),
+        side_force: Packed::short(&mean("side_force_N_per_m")),
+        contact_force: Packed::short(&mean("contact_force_N_per_m")),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use wholestring_results::BOTTOM_HOLE;
+
+    use super::*;
+
+    /// Of each operation its own, ring after ring, and none of one without rock.
+    #[test]
+    fn a_bottom_is_read_back() {
+        const NAN: f64 = f64::NAN;
+        let mut table = Table::with_columns(BOTTOM_HOLE);
+        for (operation, deep_m) in [("drill", 0.01), ("slide", 0.02)] {
+            table.append(
+                &[("operation", &[operation])],
+                &[
+                    ("radius_m", &[0.03, 0.03, 0.03, 0.05, 0.05, 0.05]),
+                    ("angle_rad", &[1.0, 3.0, 5.0, 1.0, 3.0, 5.0]),
+                    ("depth_m", &[-0.03, NAN, 0.0, 0.0, 0.0, deep_m]),
+                ],
+            );
+        }
+        for (operation, deepest_m) in [("drill", 0.04), ("slide", 0.05)] {
+            let shown = bottom(&table, operation).expect("a bottom");
+            let near = |a: f64, b: f64| (a - b).abs() < 1e-7;
+            let radii = shown.radius_m.values();
+            assert!(radii.len() == 2 && near(radii[1], 0.05), "{radii:?}");
+            assert_eq!(shown.angle_rad.values(), [1.0, 3.0, 5.0]);
+            let depths = shown.depth_m.values();
+            assert!(near(depths[0], 0.0) && depths[1].is_nan() && near(depths[5], deepest_m));
+        }
+        assert_eq!(bottom(&table, "trip_out"), None);
+        assert_eq!(bottom(&Table::new(Vec::new()), "drill"), None);
+    }
+}

@@ -1,0 +1,24 @@
+//! `report.html`: the pages and pictures of what runs left, made from their files.
+
+mod answers;
+pub(crate) mod asked;
+pub(crate) mod dimensions;
+mod file;
+mod findings;
+mod frames;
+pub(crate) mod history;
+pub(crate) mod inputs;
+mod picture;
+mod profile;
+mod rows;
+mod run;
+mod sheets;
+pub(crate) mod spectra;
+mod tables;
+pub(crate) mod well;
+
+pub(crate) use file::{FILE, PROGRAM};
+pub use picture::write_picture;
+pub(crate) use profile::{PROFILE, write_profile};
+pub(crate) use run::{along_the_hole, complete, gather, lacking, page, write};
+pub(crate) use tables::{Tables, table};

@@ -1,0 +1,173 @@
+//! The page of a run, made from the files that it left.
+
+use std::path::Path;
+
+use wholestring_report::{Report, Solved, TimeRun, report_html};
+use wholestring_results::{OperationSummary, ResultsError, ResultsFolder, Status, Summary, Table};
+use wholestring_units::UnitSet;
+
+use super::{
+    answers, asked, dimensions,
+    file::{FILE, PROGRAM},
+    findings, frames, history, inputs,
+    profile::{PROFILE, write_profile},
+    rows::columns,
+    sheets, spectra,
+    tables::{Tables, table},
+    well,
+};
+
+/// Writes the page of the run whose files are in the folder; nothing where nothing was solved.
+pub(crate) fn write(folder: &ResultsFolder, units: UnitSet) -> Result<(), ResultsError> {
+    if !folder.path().join("summary.json").is_file() {
+        return Ok(());
+    }
+    let page = page(folder.path(), Some(units))?;
+    folder.write_file(FILE, page.as_bytes())
+}
+
+/// Makes the page and the picture of a run that is finished where its folder lacks them.
+pub(crate) fn complete(folder: &ResultsFolder, units: UnitSet) -> Result<(), ResultsError> {
+    if !folder.path().join(PROFILE).is_file() {
+        let summary = Summary::read(&folder.path().join("summary.json"))?;
+        let (nodes, wear) = (
+            table(folder.path(), "nodes")?,
+            table(folder.path(), "wear")?,
+        );
+        write_profile(
+            folder,
+            &along_the_hole(&nodes, &wear, &summary, Some(units)),
+        )?;
+    }
+    if !folder.path().join(FILE).is_file() {
+        write(folder, units)?;
+    }
+    Ok(())
+}
+
+/// What is said of a folder with a summary that lacks tables from which pages and pictures are made; nothing where
+/// they are there.
+pub(crate) fn lacking(folder: &Path) -> Result<Option<String>, ResultsError> {
+    let summary = Summary::read(&folder.join("summary.json"))?;
+    let dynamic = summary.operations.iter().any(|of| of.statistics.is_some());
+    let needed = match (summary.operations.is_empty(), dynamic) {
+        (true, _) => &[][..],
+        (_, true) => &["nodes", "time", "wear", "contact"],
+        (_, false) => &["nodes"],
+    };
+    let missing: Vec<String> = needed
+        .iter()
+        .map(|name| format!("{name}.parquet"))
+        .filter(|name| !folder.join(name).is_file())
+        .collect();
+    Ok((!missing.is_empty()).then(|| {
+        format!(
+            "{} lacks {}: run the case again; a sweep keeps them with --keep tables",
+            folder.display(),
+            missing.join(", ")
+        )
+    }))
+}
+
+/// The page of the run in a folder.
+pub(crate) fn page(folder: &Path, units: Option<UnitSet>) -> Result<String, ResultsError> {
+    let summary = Summary::read(&folder.join("summary.json"))?;
+    let mut report = gather(&Tables::read(folder)?, &summary, units)?;
+    let mut frames = frames::read(folder, report.runs.len())?;
+    for run in &mut report.runs {
+        run.frames = frames.remove(&run.operation);
+    }
+    Ok(report_html(&report))
+}
+
+/// What is told of a run; all but the string at moments.
+///
+/// # Errors
+/// Tables that cannot be read.
+pub(crate) fn gather(
+    tables: &Tables,
+    summary: &Summary,
+    units: Option<UnitSet>,
+) -> Result<Report, ResultsError> {
+    let runs: Vec<&OperationSummary> = summary
+        .operations
+        .iter()
+        .filter(|solved| solved.statistics.is_some())
+        .collect();
+    let many = runs.len();
+    let timed = |solved: &&OperationSummary| {
+        let time = tables.of("time", &solved.operation)?;
+        let contact = tables.of("contact", &solved.operation)?;
+        let spectra = tables.of("spectra", &solved.operation)?;
+        let history = history::history(&time, &solved.operation, many);
+        let window_s = solved.window_from_s(&summary.settings);
+        Ok(TimeRun {
+            operation: solved.operation.clone(),
+            window_s,
+            samples: history.samples,
+            history: history.columns,
+            notes: history.notes,
+            contact: history::contact(&contact, &solved.operation, many),
+            frames: None,
+            drill_off: history::drill_off(&time, &solved.operation, window_s, many),
+            bottom: history::bottom(&tables.bottom_hole, &solved.operation),
+            spectra: spectra::pictures(&spectra, &solved.operation),
+        })
+    };
+    Ok(Report {
+        runs: runs
+            .iter()
+            .map(timed)
+            .collect::<Result<_, ResultsError>>()?,
+        ..along_the_hole(&tables.nodes, &tables.wear, summary, units)
+    })
+}
+
+/// What is told of a run along its hole, and nothing of what it did in time.
+pub(crate) fn along_the_hole(
+    nodes: &Table,
+    wear: &Table,
+    summary: &Summary,
+    units: Option<UnitSet>,
+) -> Report {
+    let settings = &summary.settings;
+    let well = well::WellBore::of(settings);
+    Report {
+        program: PROGRAM.into(),
+        title: summary.case.clone(),
+        units: match units {
+            Some(units) => units.name().into(),
+            None => settings["units"].as_str().unwrap_or("si").into(),
+        },
+        told_in: settings["units"].as_str().unwrap_or("si").into(),
+        dimensions: dimensions::all(),
+        asked: asked::asked(summary),
+        solved: summary
+            .operations
+            .iter()
+            .map(|solved| Solved {
+                model: solved.model.name().into(),
+                operation: solved.operation.clone(),
+                message: match &solved.status {
+                    Status::Complete => None,
+                    Status::Interrupted => Some("interrupted: what was computed until then".into()),
+                    Status::Failed(reason) => Some(reason.clone()),
+                },
+                findings: solved.findings.iter().map(findings::told).collect(),
+                answers: answers::answers(solved, settings, nodes),
+                profile: columns(nodes, Some(solved.model.name()), &solved.operation),
+                wear: columns(wear, Some(solved.model.name()), &solved.operation),
+            })
+            .collect(),
+        well: well.path(),
+        hole: well.hole(),
+        string: well.string(),
+        runs: Vec::new(),
+        sheets: [
+            sheets::results(summary),
+            sheets::numerics(summary),
+            inputs::sheets(settings),
+        ]
+        .concat(),
+    }
+}

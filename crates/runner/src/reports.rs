@@ -1,0 +1,43 @@
+//! The page of whatever results a folder holds.
+
+use std::path::{Path, PathBuf};
+
+use wholestring_results::ResultsFolder;
+use wholestring_units::UnitSet;
+
+use crate::{
+    bit_test::page as bit_test,
+    error::Error,
+    page::{FILE, lacking, page},
+    results_kind::ResultsKind,
+    sweep::page as sweep,
+};
+
+/// Makes the page of a run, a sweep or a bit test again, from the files in its folder, and says where it is. It opens with
+/// these units, with the case's where none are given.
+///
+/// # Errors
+/// A folder that holds no results, or whose files do not suffice; a page that cannot be written.
+pub fn write_report(folder: &Path, units: Option<UnitSet>) -> Result<PathBuf, Error> {
+    // Whatever the folder holds is the input here.
+    let bad = |error: &dyn std::fmt::Display| Error::BadInput(error.to_string());
+    let results = || ResultsFolder::create(folder);
+    match ResultsKind::of(folder) {
+        Some(ResultsKind::BitTest) => {
+            let test = bit_test::gather(folder, units).map_err(|error| bad(&error))?;
+            bit_test::write(&results()?, &test)?;
+        }
+        Some(ResultsKind::Run) => {
+            if let Some(lacking) = lacking(folder).map_err(|error| bad(&error))? {
+                return Err(Error::BadInput(lacking));
+            }
+            let page = page(folder, units).map_err(|error| bad(&error))?;
+            results()?.write_file(FILE, page.as_bytes())?;
+        }
+        Some(ResultsKind::Sweep) => {
+            sweep::write(&results()?, units).map_err(|error| bad(&error))?;
+        }
+        None => return Err(ResultsKind::none(folder)),
+    }
+    Ok(folder.join(FILE))
+}

@@ -1,0 +1,39 @@
+//! What wrote to a folder.
+
+use std::path::Path;
+
+use crate::{bit_test::page::is_bit_test, error::Error, sweep::page::is_sweep};
+
+/// What a folder holds the results of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ResultsKind {
+    /// A run.
+    Run,
+    /// A sweep.
+    Sweep,
+    /// A bit test.
+    BitTest,
+}
+
+impl ResultsKind {
+    /// What the folder holds the results of; nothing where it holds none that pages and pictures are made of.
+    pub fn of(folder: &Path) -> Option<Self> {
+        if is_bit_test(folder) {
+            Some(Self::BitTest)
+        } else if folder.join("summary.json").is_file() {
+            Some(Self::Run)
+        } else if is_sweep(folder) {
+            Some(Self::Sweep)
+        } else {
+            None
+        }
+    }
+
+    /// A folder that holds none.
+    pub(crate) fn none(folder: &Path) -> Error {
+        Error::BadInput(format!(
+            "{} is no folder of a run, a sweep or a bit test: it holds neither summary.json nor sweep.csv",
+            folder.display()
+        ))
+    }
+}

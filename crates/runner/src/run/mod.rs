@@ -1,0 +1,12 @@
+//! A run: a case with all of its operations and models, solved one after the other.
+
+mod lift;
+mod request;
+mod solve;
+mod stop;
+mod way;
+
+pub use request::{Outcome, Request, run};
+pub(crate) use solve::solve;
+pub use stop::Stop;
+pub(crate) use way::{Way, checkpoint_every};

@@ -1,0 +1,348 @@
+//! Solving a case, operation by operation, with whatever model it asks for.
+
+use std::time::{Duration, Instant};
+
+use wholestring::{
+    dynamics::{
+        BitLaw, DynamicsSettings, Effort as Planned, HoistControl, LiftError, SetupError,
+        Simulation,
+    },
+    findings,
+    operation::Operation,
+    outcome::ModelKind,
+    statics::soft::{self, SoftSettings},
+};
+use wholestring_case::Case;
+use wholestring_results::{ResultsFolder, Status};
+
+use super::{lift::tune, stop::Stop, way::Way};
+use crate::{
+    checkpoint::{self, Keeper, Laid, UnderWay},
+    observer::Watch,
+    record::{Record, rows::Effort},
+};
+
+/// Solves operation after operation, each with every model, and writes after each, so that whatever
+/// comes between keeps what was solved. What the record has is solved already, but for one operation that
+/// may be under way.
+pub(crate) fn solve(
+    case: &Case,
+    way: &Way<'_>,
+    record: &mut Record,
+    folder: &ResultsFolder,
+    mut under_way: Option<UnderWay>,
+) -> Result<(), Stop> {
+    let mut keeper = Keeper::new(folder, way.checkpoint_every);
+    let mut written = false;
+    for operation in &case.operations {
+        for model in &case.models {
+            if record.has(*model, operation) {
+                continue;
+            }
+            if way.cancellation.is_cancelled() {
+                lay_aside(&mut keeper, record, under_way, &way.watch);
+                return Err(Stop::Interrupted);
+            }
+            let stopped = match model {
+                ModelKind::Soft => solve_soft(case, operation, record),
+                ModelKind::Dynamic => {
+                    let begun = under_way.take_if(|begun| begun.is(operation));
+                    solve_dynamic(case, operation, way, record, &mut keeper, begun)
+                }
+            };
+            record.write(folder, way.keep, way.csv)?;
+            written = true;
+            match stopped {
+                Status::Complete => {}
+                Status::Interrupted => return Err(Stop::Interrupted),
+                Status::Failed(reason) => {
+                    keeper.finish()?;
+                    record.finish(folder, way.keep)?;
+                    return Err(Stop::Unsolved(format!(
+                        "{}: {reason}",
+                        operation.kind.name()
+                    )));
+                }
+            }
+            if keeper.is_due() {
+                lay_aside(&mut keeper, record, None, &way.watch);
+            }
+        }
+    }
+    if !written {
+        // All was solved when the run was laid aside; the folder may not show it.
+        record.write(folder, way.keep, way.csv)?;
+    }
+    keeper.finish()?;
+    record.finish(folder, way.keep)?;
+    Ok(())
+}
+
+/// Writes a checkpoint. A run does not end because one cannot be written: the next may, and so may the
+/// results.
+fn lay_aside(
+    keeper: &mut Keeper<'_>,
+    record: &Record,
+    under_way: Option<UnderWay>,
+    watch: &Watch<'_>,
+) {
+    if let Err(error) = keeper.write(&Laid::new(record, under_way)) {
+        let warning = format!("no checkpoint: {error}");
+        watch.observer.warning(&warning);
+    }
+}
+
+fn solve_soft(case: &Case, operation: &Operation, record: &mut Record) -> Status {
+    match soft::solve(&case.model, operation, &SoftSettings::default()) {
+        Ok(profile) => {
+            record.add_soft(operation, &profile);
+            let found = findings::of_soft(&case.model, operation, &profile);
+            record.judge(&found, &case.model.rig);
+            Status::Complete
+        }
+        Err(error) => unsolvable("soft string", &error),
+    }
+}
+
+/// Simulated time between two looks at a cancellation and two tellings of the progress, s: a fraction of
+/// a second even where a run is slower than real time.
+const LOOK_INTERVAL_S: f64 = 0.2;
+
+fn solve_dynamic(
+    case: &Case,
+    operation: &Operation,
+    way: &Way<'_>,
+    record: &mut Record,
+    keeper: &mut Keeper<'_>,
+    begun: Option<UnderWay>,
+) -> Status {
+    let start = Instant::now();
+    let mut before = Duration::ZERO;
+    let mut lift = begun.as_ref().and_then(|begun| begun.lift);
+    let mut settings = case.dynamics.clone();
+    let mut tuned = None;
+    if case.tunes_lift && lift.is_none() {
+        match tune(case, operation, way) {
+            Ok((found, simulation)) => {
+                lift = Some(found);
+                // Frames are taken as a run goes on: that needs another.
+                tuned = record.frames.is_none().then_some(simulation);
+            }
+            Err(LiftError::Stopped) => {
+                lay_aside(keeper, record, None, &way.watch);
+                return Status::Interrupted;
+            }
+            Err(error) => return unsolvable("dynamic model", &error),
+        }
+    }
+    if let Some(lift) = lift {
+        settings.hoist_control = Some(HoistControl::HookLoad(lift.hook_load_N));
+    }
+    let run_again = lift.is_some() && tuned.is_none();
+    let mut simulation = match (begun, tuned) {
+        (None, Some(tuned)) => tuned,
+        (None, None) => {
+            let what = preparation(&settings, operation);
+            let _shown = way.watch.preparing(operation.kind.name(), what);
+            let crew = way.crew.clone();
+            match Simulation::lent(&case.model, operation, &settings, crew) {
+                Ok(simulation) => simulation,
+                Err(SetupError::Stopped) => {
+                    lay_aside(keeper, record, None, &way.watch);
+                    return Status::Interrupted;
+                }
+                Err(error) => return unsolvable("dynamic model", &error),
+            }
+        }
+        (Some(begun), _) => {
+            before = Duration::from_secs_f64(begun.wall_time_s);
+            let then = begun.simulation.instructions().to_owned();
+            let resumed = Simulation::resume(&case.model, operation, &settings, begun.simulation);
+            match resumed {
+                Ok(simulation) => {
+                    let now = simulation.instructions();
+                    if let Some(warning) = checkpoint::other_processor(&then, now) {
+                        way.watch.observer.warning(&warning);
+                    }
+                    simulation
+                }
+                Err(error) => return unsolvable("dynamic model", &error),
+            }
+        }
+    };
+    // One that was resumed has not got them yet.
+    simulation.lend(way.crew.clone());
+    let took = || before + start.elapsed();
+    // Laying the string takes seconds. Whoever has asked by now has nothing of this operation to keep.
+    if way.cancellation.is_cancelled() && simulation.time_s() == 0.0 {
+        lay_aside(keeper, record, None, &way.watch);
+        return Status::Interrupted;
+    }
+    let waits = settings.steady.is_some();
+    let name = operation.kind.name();
+    let longest_s = match Planned::of(&case.model, operation, &settings) {
+        Ok(effort) => effort.end_s,
+        Err(_) => simulation.end_time_s(),
+    };
+    let times = [simulation.time_s(), longest_s];
+    let progress = way.watch.simulation(name, None, times);
+    // The run goes on by whole samples.
+    let sample_s = simulation.sample_interval_s();
+    let frame_samples = record
+        .frames
+        .as_ref()
+        .map(|frames| frames.samples(sample_s));
+    let look_samples = ((LOOK_INTERVAL_S / sample_s).round() as u64).max(1);
+    // Frames and looks fall on the same samples wherever the run was taken up.
+    let mut samples = (simulation.time_s() / sample_s).round() as u64;
+    let status = loop {
+        let (time_s, end_s) = (simulation.time_s(), simulation.end_time_s());
+        progress.reach(time_s, end_s, waits && simulation.is_settling());
+        if time_s >= end_s - 0.5 * sample_s {
+            break Status::Complete;
+        }
+        let interrupted = way.cancellation.is_cancelled();
+        if interrupted || keeper.is_due() {
+            let under_way = UnderWay::new(operation, took(), lift, simulation.checkpoint());
+            lay_aside(keeper, record, Some(under_way), &way.watch);
+        }
+        if interrupted {
+            break Status::Interrupted;
+        }
+        let missing = ((end_s - time_s) / sample_s).round() as u64;
+        let to_frame = frame_samples.map_or(u64::MAX, |every| every - samples % every);
+        let next = look_samples.min(missing.max(1)).min(to_frame);
+        if let Err(diverged) = simulation.advance(next as f64 * sample_s) {
+            break Status::Failed(diverged.to_string());
+        }
+        samples += next;
+        if next == to_frame
+            && let Some(frames) = &mut record.frames
+            && let Err(error) = frames.take(operation, &simulation)
+        {
+            break Status::Failed(error.to_string());
+        }
+    };
+    drop(progress);
+    let effort = Effort {
+        took: took(),
+        runs: lift.map_or(1, |lift| lift.runs + usize::from(run_again)),
+    };
+    let outcome = simulation.outcome();
+    record.add_dynamic(
+        operation,
+        &outcome,
+        simulation.bottom_hole().as_ref(),
+        lift,
+        status.clone(),
+        effort,
+    );
+    // What was not computed to its end has said so already.
+    if status == Status::Complete {
+        let found = findings::of_dynamic(&case.model, operation, &settings, &outcome);
+        record.judge(&found, &case.model.rig);
+    }
+    status
+}
+
+/// What is done before an operation's first step.
+fn preparation(settings: &DynamicsSettings, operation: &Operation) -> &'static str {
+    match settings.bit.law {
+        BitLaw::Rock(_) if operation.weight_on_bit_now_N() > 0.0 => {
+            "laying the string and running the bit in on the rock"
+        }
+        _ => "laying the string",
+    }
+}
+
+fn unsolvable(model: &str, error: &dyn std::error::Error) -> Status {
+    Status::Failed(format!("the {model} has no answer: {error}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use wholestring_units::UnitSet;
+
+    use super::*;
+    use crate::{cancellation::CancellationToken, cores, keep::Keep, observer::Silent};
+
+    /// A model that the command line's test data describe.
+    fn slant() -> Case {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cli/tests/data/slant.toml");
+        wholestring_case::load(&path, &[]).expect("a sound case")
+    }
+
+    #[test]
+    fn who_interrupts_the_laying_does_not_wait_for_the_run() {
+        let case = slant();
+        let place = tempfile::tempdir().expect("a folder");
+        let folder = ResultsFolder::create(place.path()).expect("a folder");
+        let mut record = Record::begin(&case, UnitSet::Si, &folder).expect("a record");
+        let asked = CancellationToken::new();
+        asked.cancel();
+        let status = solve_dynamic(
+            &case,
+            &case.operations[0],
+            &way(&asked),
+            &mut record,
+            &mut Keeper::new(&folder, Duration::MAX),
+            None,
+        );
+        assert_eq!(status, Status::Interrupted);
+        assert!(record.summary.operations.is_empty());
+    }
+
+    #[test]
+    fn what_comes_before_the_first_step_is_said() {
+        let case = slant();
+        let said = preparation(&case.dynamics, &case.operations[0]);
+        assert_eq!(said, "laying the string");
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/rock-300.toml");
+        let case = wholestring_case::load(&path, &[]).expect("a sound case");
+        let said = preparation(&case.dynamics, &case.operations[0]);
+        assert!(said.ends_with("running the bit in on the rock"), "{said}");
+    }
+
+    /// An operation without an answer ends like one that diverged: what was solved before is kept.
+    #[test]
+    fn an_operation_without_answer_keeps_what_was_solved() {
+        let mut case = slant();
+        // Deeper than the string is long, which no case file gets past its checks.
+        case.operations[1].bit_depth_m += 100.0;
+        let place = tempfile::tempdir().expect("a folder");
+        let folder = ResultsFolder::create(place.path()).expect("a folder");
+        for (model, kept) in [(ModelKind::Soft, 1), (ModelKind::Dynamic, 0)] {
+            case.models = vec![model];
+            // What an earlier run left does not pass for this one's.
+            if model == ModelKind::Dynamic {
+                case.operations.remove(0);
+            }
+            let mut record = Record::begin(&case, UnitSet::Si, &folder).expect("a record");
+            let asked = CancellationToken::new();
+            let stop = solve(&case, &way(&asked), &mut record, &folder, None).unwrap_err();
+            let Stop::Unsolved(message) = stop else {
+                panic!("{stop:?}");
+            };
+            assert!(message.contains("has no answer: "), "{message}");
+            let summary = place.path().join("summary.json");
+            let summary = wholestring_results::Summary::read(&summary).expect("a summary");
+            assert_eq!(summary.operations.len(), kept);
+        }
+    }
+
+    fn way(cancellation: &CancellationToken) -> Way<'_> {
+        Way {
+            keep: Keep::All,
+            csv: false,
+            checkpoint_every: Duration::MAX,
+            watch: Watch {
+                observer: &Silent,
+                case: 0,
+            },
+            cancellation,
+            crew: cores::alone(cancellation),
+        }
+    }
+}

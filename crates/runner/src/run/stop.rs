@@ -1,0 +1,60 @@
+//! Why a case was not solved to its end.
+
+use std::fmt;
+
+use wholestring_results::ResultsError;
+
+use crate::error::Error;
+
+/// Why a case was not solved to its end.
+#[derive(Debug)]
+pub enum Stop {
+    /// It was cancelled.
+    Interrupted,
+    /// An operation has no answer or diverged: which, and why.
+    Unsolved(String),
+    /// The results could not be written.
+    Unwritten(Error),
+}
+
+impl Stop {
+    /// Why the case failed; nothing where it was cancelled.
+    pub fn reason(&self) -> Option<String> {
+        match self {
+            Self::Interrupted => None,
+            Self::Unsolved(_) | Self::Unwritten(_) => Some(self.to_string()),
+        }
+    }
+}
+
+impl fmt::Display for Stop {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Interrupted => write!(to, "interrupted"),
+            Self::Unsolved(reason) => write!(to, "{reason}"),
+            Self::Unwritten(error) => write!(to, "{error}"),
+        }
+    }
+}
+
+impl From<Error> for Stop {
+    fn from(error: Error) -> Self {
+        Self::Unwritten(error)
+    }
+}
+
+impl From<ResultsError> for Stop {
+    fn from(error: ResultsError) -> Self {
+        Self::Unwritten(error.into())
+    }
+}
+
+impl From<Stop> for Error {
+    fn from(stop: Stop) -> Self {
+        match stop {
+            Stop::Interrupted => Self::Interrupted,
+            Stop::Unsolved(reason) => Self::Failed(reason),
+            Stop::Unwritten(error) => error,
+        }
+    }
+}

@@ -1,0 +1,27 @@
+//! How a case is solved, beside what it says itself.
+
+use std::time::Duration;
+
+use wholestring_case::Case;
+
+use crate::{cancellation::CancellationToken, cores::Lent, keep::Keep, observer::Watch};
+
+/// How a case is solved, beside what it says itself.
+pub(crate) struct Way<'a> {
+    /// What is kept of it.
+    pub(crate) keep: Keep,
+    /// Whether to write the tables as CSV too.
+    pub(crate) csv: bool,
+    /// Time on the clock between checkpoints.
+    pub(crate) checkpoint_every: Duration,
+    /// Who watches its progress.
+    pub(crate) watch: Watch<'a>,
+    pub(crate) cancellation: &'a CancellationToken,
+    /// Who works on solid rock.
+    pub(crate) crew: Lent,
+}
+
+/// What the case says about the time between checkpoints.
+pub(crate) fn checkpoint_every(case: &Case) -> Duration {
+    Duration::from_secs_f64(case.checkpoint_interval_s)
+}

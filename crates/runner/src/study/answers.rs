@@ -1,0 +1,269 @@
+//! What the cases of a study answered, and the rows of what they left.
+
+use std::{
+    collections::BTreeMap,
+    path::{Path, PathBuf},
+};
+
+use wholestring::outcome::ModelKind;
+use wholestring_results::{Level, OperationSummary, ResultsError, Status, Summary, Table};
+use wholestring_study::{Chosen, Quantity, Selection, Source, Statistic};
+
+use crate::{
+    column::{numbers, words},
+    findings,
+    page::well::WellBore,
+};
+
+/// One operation of one case, as one model solved it to its end.
+pub(super) struct Answer {
+    /// Index of the sweep.
+    pub(super) sweep: usize,
+    /// Varied keys and their values, as written.
+    pub(super) keys: Vec<String>,
+    pub(super) values: Vec<String>,
+    pub(super) solved: OperationSummary,
+    /// Where the tables lie.
+    pub(super) folder: PathBuf,
+}
+
+/// Whose answer it is, whatever the case: a column of a table, a stroke of a figure.
+pub(super) type Series = (usize, ModelKind, String);
+
+impl Answer {
+    pub(super) fn series(&self) -> Series {
+        (self.sweep, self.solved.model, self.solved.operation.clone())
+    }
+
+    /// Whether it is among those, but for the cases that are chosen.
+    fn is_of(&self, chosen: &Chosen) -> bool {
+        let (models, operations) = (&chosen.models, &chosen.operations);
+        chosen.sweeps.contains(&self.sweep)
+            && (models.is_empty() || models.contains(&self.solved.model))
+            && (operations.is_empty()
+                || operations
+                    .iter()
+                    .any(|kind| kind.name() == self.solved.operation))
+    }
+
+    /// Whether an error was found in it.
+    pub(super) fn has_error(&self) -> bool {
+        findings::count(&self.solved, Level::Error) > 0
+    }
+
+    /// The value of a varied key.
+    pub(super) fn value(&self, key: &str) -> Option<&str> {
+        let place = self.keys.iter().position(|name| name == key)?;
+        Some(&self.values[place])
+    }
+
+    /// A number of the summary; none where the model does not know it.
+    pub(super) fn summary(&self, quantity: &Quantity, statistic: Statistic) -> Option<f64> {
+        let name = quantity.column.name;
+        let statistics = self.solved.statistics.as_ref();
+        let of = statistics.and_then(|statistics| statistics.get(name));
+        let value = match statistic {
+            // The cut-off depth and what does not vary have no statistics, but a mean.
+            Statistic::Mean => of.map(|of| of.mean).or_else(|| self.scalar(name)),
+            Statistic::Std => of.map(|of| of.std),
+            Statistic::MeanPlusStd => of.map(|of| of.mean + of.std),
+            Statistic::Min => of.map(|of| of.min),
+            Statistic::Max => of.map(|of| of.max),
+            Statistic::Percentile(percent) => of.map(|of| match percent < 50.0 {
+                true => of.p05,
+                false => of.p95,
+            }),
+        };
+        let value = value.filter(|value| value.is_finite())?;
+        Some(if quantity.magnitude {
+            value.abs()
+        } else {
+            value
+        })
+    }
+
+    fn scalar(&self, name: &str) -> Option<f64> {
+        for level in [Level::Error, Level::Warning, Level::Note] {
+            if name.strip_suffix('s') == Some(level.name()) {
+                return Some(findings::count(&self.solved, level) as f64);
+            }
+        }
+        let solved = serde_json::to_value(&self.solved).ok()?;
+        solved.get(name)?.as_f64()
+    }
+
+    /// The rows of these columns; a number that does not apply is NaN.
+    pub(super) fn rows<const N: usize>(
+        &self,
+        source: Source,
+        names: [&str; N],
+    ) -> Result<Vec<[f64; N]>, ResultsError> {
+        let mut rows = Vec::new();
+        self.each_row(source, names, |row| rows.push(row))?;
+        Ok(rows)
+    }
+
+    /// Visits the rows of these columns in their order.
+    pub(super) fn each_row<const N: usize>(
+        &self,
+        source: Source,
+        names: [&str; N],
+        mut visit: impl FnMut([f64; N]),
+    ) -> Result<(), ResultsError> {
+        let file = match source {
+            Source::Summary => return Ok(()),
+            Source::Path => {
+                let settings = self.settings()?;
+                let well = WellBore::of(&settings);
+                let columns = names.map(|name| well.column_named(name));
+                (0..columns[0].len()).for_each(|row| visit(columns.each_ref().map(|of| of[row])));
+                return Ok(());
+            }
+            Source::Nodes => "nodes.parquet",
+            Source::Wear => "wear.parquet",
+            Source::Time => "time.parquet",
+            Source::Frames => "frames.parquet",
+            Source::Contact => "contact.parquet",
+        };
+        let path = self.folder.join(file);
+        // Only the dynamics tell of time, and frames are kept where they are asked for.
+        let timeless = matches!(source, Source::Nodes | Source::Wear);
+        if !timeless && self.solved.model != ModelKind::Dynamic || !path.is_file() {
+            return Ok(());
+        }
+        let read = [&["model", "operation"][..], &names].concat();
+        Table::read_parquet_pieces(&path, &read, |piece| self.visit(&piece, names, &mut visit))
+    }
+
+    fn visit<const N: usize>(
+        &self,
+        piece: &Table,
+        names: [&str; N],
+        visit: &mut impl FnMut([f64; N]),
+    ) {
+        let columns = names.map(|name| numbers(piece, name));
+        let models = words(piece, "model");
+        for (row, operation) in words(piece, "operation").iter().enumerate() {
+            // A table that does not tell models apart is the dynamics'.
+            let model = models.get(row).map_or("dynamic", String::as_str);
+            let model = model == self.solved.model.name();
+            if model && *operation == self.solved.operation {
+                visit(columns.map(|of| of.get(row).copied().flatten().unwrap_or(f64::NAN)));
+            }
+        }
+    }
+
+    /// When the window of its statistics begins, s.
+    pub(super) fn window_from_s(&self) -> Result<f64, ResultsError> {
+        Ok(self.solved.window_from_s(&self.settings()?))
+    }
+
+    /// Where the shoes of its casing stand, m.
+    pub(super) fn shoes_m(&self) -> Result<Vec<f64>, ResultsError> {
+        let settings = self.settings()?;
+        let hole = WellBore::of(&settings).hole().into_iter();
+        let cased = hole.filter(|section| section.kind == "casing");
+        Ok(cased.map(|section| section.to_m).collect())
+    }
+
+    /// All keys of the case with their values.
+    fn settings(&self) -> Result<serde_json::Value, ResultsError> {
+        Ok(Summary::read(&self.folder.join("summary.json"))?.settings)
+    }
+}
+
+/// All answers of a study, sweep by sweep.
+pub(super) struct Answers(pub(super) Vec<Answer>);
+
+impl Answers {
+    /// Adds what was solved of a case to its end.
+    pub(super) fn add(
+        &mut self,
+        sweep: usize,
+        (keys, values): (&[String], &[String]),
+        solved: &[OperationSummary],
+        folder: &Path,
+    ) {
+        let complete = solved.iter().filter(|of| of.status == Status::Complete);
+        self.0.extend(complete.map(|solved| Answer {
+            sweep,
+            keys: keys.to_vec(),
+            values: values.to_vec(),
+            solved: solved.clone(),
+            folder: folder.to_owned(),
+        }));
+    }
+
+    /// Those that a figure shows.
+    pub(super) fn chosen<'a>(&'a self, chosen: &'a Chosen) -> impl Iterator<Item = &'a Answer> {
+        let is = |of: &&Answer| of.is_of(chosen) && chosen.only.has(&of.keys, &of.values);
+        self.0.iter().filter(is)
+    }
+
+    /// Those of a series with these values, by their cases.
+    pub(super) fn of<'a>(
+        &'a self,
+        series: &'a Series,
+        only: &'a Selection,
+    ) -> impl Iterator<Item = &'a Answer> {
+        let is = |of: &&Answer| of.series() == *series && only.has(&of.keys, &of.values);
+        self.0.iter().filter(is)
+    }
+
+    /// Whose answers there are among those chosen, in their order.
+    pub(super) fn series(&self, chosen: &Chosen) -> Vec<Series> {
+        let mut all = Vec::new();
+        for answer in self.0.iter().filter(|answer| answer.is_of(chosen)) {
+            let series = answer.series();
+            if !all.contains(&series) {
+                all.push(series);
+            }
+        }
+        all
+    }
+}
+
+/// What series are called: by what tells them apart.
+pub(super) fn names(series: &[Series], sweeps: &[String]) -> Vec<String> {
+    let differ = |of: &dyn Fn(&Series) -> String| {
+        let mut all: Vec<String> = series.iter().map(of).collect();
+        all.sort();
+        all.dedup();
+        all.len() > 1
+    };
+    let parts: [&dyn Fn(&Series) -> String; 3] = [
+        &|(sweep, _, _)| sweeps[*sweep].clone(),
+        &|(_, model, _)| match model {
+            ModelKind::Soft => "soft string".into(),
+            ModelKind::Dynamic => "dynamics".into(),
+        },
+        &|(_, _, operation)| operation.replace('_', " "),
+    ];
+    let mut told: Vec<_> = parts.iter().filter(|part| differ(part)).collect();
+    if told.is_empty() {
+        told.push(&parts[1]);
+    }
+    let name = |of: &Series| {
+        told.iter()
+            .map(|part| part(of))
+            .collect::<Vec<_>>()
+            .join(", ")
+    };
+    series.iter().map(name).collect()
+}
+
+/// Unordered names of columns with their values, for data files.
+pub(super) fn keys_of<'a>(answers: impl Iterator<Item = &'a Answer>) -> Vec<String> {
+    let mut keys: BTreeMap<usize, Vec<String>> = BTreeMap::new();
+    for answer in answers {
+        keys.entry(answer.sweep)
+            .or_insert_with(|| answer.keys.clone());
+    }
+    let mut all: Vec<String> = Vec::new();
+    for key in keys.into_values().flatten() {
+        if !all.contains(&key) {
+            all.push(key);
+        }
+    }
+    all
+}

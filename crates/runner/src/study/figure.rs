@@ -1,0 +1,146 @@
+//! Curves of a figure: what they show.
+
+use wholestring_study::{Figure, FigureData, Quantity, Source, Statistic};
+use wholestring_results::ResultsError;
+
+use super::{
+    answers::{Answer, Answers},
+    curve::{Curve, signed, within},
+    frames::{at_depth, at_times},
+    map,
+};
+
+/// All curves of a figure.
+pub(super) fn curves(figure: &Figure, answers: &Answers) -> Result<Vec<Curve>, ResultsError> {
+    let chosen: Vec<&Answer> = answers.chosen(&figure.chosen).collect();
+    let mut curves = Vec::new();
+    for quantity in &figure.y {
+        match &figure.data {
+            FigureData::Summary { x, statistics } => {
+                for statistic in statistics {
+                    for answer in &chosen {
+                        let place = answer.value(&x.key).and_then(|value| x.number(value));
+                        let value = answer.summary(quantity, *statistic);
+                        // A soft string has no spread: its curve is left out, not empty.
+                        if let (Some(place), Some(value)) = (place, value) {
+                            let mut curve = blank(answer, Some(&x.key), quantity, Some(*statistic));
+                            curve.points.push((place, value));
+                            if answer.has_error() {
+                                curve.errors.push((place, value));
+                            }
+                            put(&mut curves, curve);
+                        }
+                    }
+                }
+            }
+            FigureData::Rows { x, window_s } => {
+                for answer in &chosen {
+                    let mut curve = blank(answer, None, quantity, None);
+                    curve.points = rows(answer, x, quantity, *window_s)?;
+                    // Most cases lie in the same well: it is drawn once.
+                    let again =
+                        |other: &Curve| other.quantity == *quantity && other.points == curve.points;
+                    if quantity.column.source != Source::Path || !curves.iter().any(again) {
+                        curves.push(curve);
+                    }
+                }
+            }
+            FigureData::Times { x, times_s } => {
+                for answer in &chosen {
+                    for (at, points) in at_times(answer, x, quantity, times_s)? {
+                        let mut curve = blank(answer, None, quantity, None);
+                        (curve.at, curve.points) = (Some(at), points);
+                        curves.push(curve);
+                    }
+                }
+            }
+            FigureData::Map { colour, window_s } => {
+                for answer in &chosen {
+                    let mut curve = blank(answer, None, colour, None);
+                    let (points, map) = map::read(answer, colour, *window_s)?;
+                    (curve.points, curve.map) = (points, Some(map));
+                    curves.push(curve);
+                }
+            }
+            FigureData::Depths {
+                x,
+                depths_m,
+                window_s,
+            } => {
+                for answer in &chosen {
+                    for depth_m in depths_m {
+                        let mut curve = blank(answer, None, quantity, None);
+                        curve.at = Some(*depth_m);
+                        let rows = at_depth(answer, *depth_m, *window_s, [x, quantity])?;
+                        curve.points = rows.iter().map(|(_, [x, y])| (*x, *y)).collect();
+                        curves.push(curve);
+                    }
+                }
+            }
+        }
+    }
+    curves.retain(|curve| !curve.points.is_empty());
+    Ok(curves)
+}
+
+fn blank(
+    answer: &Answer,
+    axis: Option<&str>,
+    quantity: &Quantity,
+    statistic: Option<Statistic>,
+) -> Curve {
+    let all = answer.keys.iter().zip(&answer.values);
+    let others = all.filter(|(key, _)| axis != Some(key.as_str()));
+    Curve {
+        series: answer.series(),
+        values: others
+            .map(|(key, value)| (key.clone(), value.clone()))
+            .collect(),
+        quantity: *quantity,
+        statistic,
+        at: None,
+        points: Vec::new(),
+        errors: Vec::new(),
+        map: None,
+    }
+}
+
+/// Puts the points of a curve at the end of the one that is alike, or begins it.
+fn put(curves: &mut Vec<Curve>, like: Curve) {
+    let alike = |curve: &&mut Curve| {
+        curve.series == like.series
+            && curve.values == like.values
+            && curve.quantity == like.quantity
+            && curve.statistic == like.statistic
+    };
+    match curves.iter_mut().find(alike) {
+        Some(curve) => {
+            curve.points.extend(like.points);
+            curve.errors.extend(like.errors);
+        }
+        None => curves.push(like),
+    }
+}
+
+fn rows(
+    answer: &Answer,
+    x: &Quantity,
+    y: &Quantity,
+    window_s: Option<[f64; 2]>,
+) -> Result<Vec<(f64, f64)>, ResultsError> {
+    let (source, columns) = (y.column.source, [x.column.name, y.column.name]);
+    if source == Source::Time {
+        let rows = answer.rows(source, [columns[0], columns[1], "time_s"])?;
+        let kept = rows
+            .iter()
+            .filter(|[_, _, time_s]| within(window_s, *time_s));
+        return Ok(kept
+            .map(|[a, b, _]| (signed(x, *a), signed(y, *b)))
+            .collect());
+    }
+    let rows = answer.rows(source, columns)?;
+    Ok(rows
+        .iter()
+        .map(|[a, b]| (signed(x, *a), signed(y, *b)))
+        .collect())
+}

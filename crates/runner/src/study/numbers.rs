@@ -1,0 +1,271 @@
+//! The numbers of a table.
+
+use wholestring::dynamics::Statistic as Distribution;
+use wholestring_results::ResultsError;
+use wholestring_study::{Number, NumberTable, Row, Selection, Shape, Source, Statistic};
+
+use super::{
+    answers::{Answer, Answers, Series},
+    frames::{at_depth, at_times},
+};
+
+/// A table with what was computed.
+pub(super) struct Computed<'a> {
+    pub(super) table: &'a NumberTable,
+    /// Whose answers its columns are.
+    pub(super) series: Vec<Series>,
+    /// By row and series; none where there is no answer, or none was asked.
+    pub(super) numbers: Vec<Vec<Option<f64>>>,
+}
+
+impl<'a> Computed<'a> {
+    pub(super) fn of(table: &'a NumberTable, answers: &Answers) -> Result<Self, ResultsError> {
+        let mut series = Vec::new();
+        for of in table
+            .rows
+            .iter()
+            .flat_map(|row| answers.series(&row.chosen))
+        {
+            if !series.contains(&of) {
+                series.push(of);
+            }
+        }
+        series.sort_by_key(|(sweep, ..)| *sweep);
+        let numbers = table.rows.iter().map(|row| {
+            let asked = answers.series(&row.chosen);
+            let number = |of: &Series| match asked.contains(of) {
+                true => computed(row, of, answers),
+                false => Ok(None),
+            };
+            series.iter().map(number).collect()
+        });
+        let numbers = numbers.collect::<Result<_, _>>()?;
+        Ok(Self {
+            table,
+            series,
+            numbers,
+        })
+    }
+}
+
+/// Whether a computed number agrees with what was given; none where nothing was.
+pub(super) fn agrees(row: &Row, computed: f64) -> Option<bool> {
+    let wanted = &row.wanted;
+    let any = wanted.least.is_some() || wanted.most.is_some();
+    any.then(|| {
+        wanted.least.is_none_or(|least| computed >= least)
+            && wanted.most.is_none_or(|most| computed <= most)
+    })
+}
+
+/// The number of a row as a series has it.
+fn computed(row: &Row, series: &Series, answers: &Answers) -> Result<Option<f64>, ResultsError> {
+    let only = &row.chosen.only;
+    let Some(mut value) = of_cases(row, series, answers, only)? else {
+        return Ok(None);
+    };
+    for (other, divide) in [(&row.less, false), (&row.over, true)] {
+        let Some(other) = other else { continue };
+        let Some(other) = of_cases(row, series, answers, &only.narrowed(other))? else {
+            return Ok(None);
+        };
+        value = if divide { value / other } else { value - other };
+    }
+    Ok(Some(value).filter(|value| value.is_finite()))
+}
+
+/// The number of one case, or what is told of those along a key.
+fn of_cases(
+    row: &Row,
+    series: &Series,
+    answers: &Answers,
+    only: &Selection,
+) -> Result<Option<f64>, ResultsError> {
+    let mut cases = answers.of(series, only);
+    let Some((key, shape)) = &row.along else {
+        return match cases.next() {
+            Some(answer) => number(&row.number, answer),
+            None => Ok(None),
+        };
+    };
+    let mut points = Vec::new();
+    for answer in cases {
+        let place = answer.value(key).and_then(quantity);
+        if let (Some(place), Some(value)) = (place, number(&row.number, answer)?) {
+            points.push((place, value));
+        }
+    }
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    Ok(shape_of(*shape, &points))
+}
+
+/// The number that a value of a key begins with: the values of one key have one unit.
+fn quantity(value: &str) -> Option<f64> {
+    let ends = value
+        .char_indices()
+        .map(|(at, letter)| at + letter.len_utf8());
+    let number = |end: usize| value[..end].trim().parse::<f64>().ok();
+    ends.rev().find_map(number)
+}
+
+fn shape_of(shape: Shape, points: &[(f64, f64)]) -> Option<f64> {
+    let values: Vec<f64> = points.iter().map(|(_, value)| *value).collect();
+    match shape {
+        Shape::Least => values.into_iter().reduce(f64::min),
+        Shape::Most => values.into_iter().reduce(f64::max),
+        Shape::Growth => {
+            let steps = values.windows(2);
+            let count = steps.len();
+            let up = steps.filter(|pair| pair[1] > pair[0]).count();
+            (count > 0).then(|| up as f64 / count as f64)
+        }
+        Shape::Linearity => {
+            let n = points.len() as f64;
+            let mean = |of: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / n;
+            let (x, y) = (mean(&|of| of.0), mean(&|of| of.1));
+            let xy = mean(&|of| (of.0 - x) * (of.1 - y));
+            let (xx, yy) = (
+                mean(&|of| (of.0 - x).powi(2)),
+                mean(&|of| (of.1 - y).powi(2)),
+            );
+            (points.len() > 2 && xx * yy > 0.0).then(|| xy * xy / (xx * yy))
+        }
+    }
+}
+
+/// The number as one answer has it.
+fn number(number: &Number, answer: &Answer) -> Result<Option<f64>, ResultsError> {
+    let quantity = &number.quantity;
+    let source = quantity.column.source;
+    let name = quantity.column.name;
+    let window_s = || -> Result<[f64; 2], ResultsError> {
+        match number.window_s {
+            Some(window_s) => Ok(window_s),
+            None => Ok([answer.window_from_s()?, f64::INFINITY]),
+        }
+    };
+    let values: Vec<f64> = match source {
+        Source::Summary => return Ok(answer.summary(quantity, number.statistic)),
+        Source::Nodes | Source::Wear | Source::Path => {
+            let rows = answer.rows(source, ["md_m", name])?;
+            match number.depth_m {
+                Some(depth_m) => nearest(rows.into_iter().map(|[md, value]| (md, value)), depth_m),
+                None => rows.into_iter().map(|[_, value]| value).collect(),
+            }
+        }
+        Source::Time => {
+            let rows = answer.rows(source, ["time_s", name])?.into_iter();
+            match number.time_s {
+                Some(time_s) => nearest(rows.map(|[at, value]| (at, value)), time_s),
+                None => {
+                    let [from, to] = window_s()?;
+                    rows.filter(|[at, _]| (from..=to).contains(at))
+                        .map(|[_, value]| value)
+                        .collect()
+                }
+            }
+        }
+        Source::Contact => {
+            let rows = answer.rows(source, ["time_s", "md_m", name])?;
+            let rows = match number.time_s {
+                Some(time_s) => nearest_by(rows, time_s, |[at, ..]| *at),
+                None => {
+                    let [from, to] = window_s()?;
+                    // A row is an average since the one before: one that ends where the window begins is not of it.
+                    let mut rows = rows;
+                    rows.retain(|[at, ..]| *at > from && *at <= to);
+                    rows
+                }
+            };
+            let rows = match number.depth_m {
+                Some(depth_m) => rows
+                    .chunk_by(|a, b| a[0] == b[0])
+                    .flat_map(|row| nearest_by(row.to_vec(), depth_m, |[_, md, _]| *md))
+                    .collect(),
+                None => rows,
+            };
+            rows.into_iter().map(|[.., value]| value).collect()
+        }
+        Source::Frames => match (number.depth_m, number.time_s) {
+            (Some(depth_m), None) => {
+                let rows = at_depth(answer, depth_m, Some(window_s()?), [quantity])?;
+                rows.into_iter().map(|(_, [value])| value).collect()
+            }
+            (Some(depth_m), Some(time_s)) => {
+                let rows = at_depth(answer, depth_m, None, [quantity])?;
+                nearest(rows.into_iter().map(|(at, [value])| (at, value)), time_s)
+            }
+            (None, time_s) => {
+                let times = [time_s.unwrap_or_default()];
+                let frames = at_times(answer, quantity, quantity, &times)?;
+                let points = frames.into_iter().flat_map(|(_, points)| points);
+                points.map(|(_, value)| value).collect()
+            }
+        },
+    };
+    let finite = values.into_iter().filter(|value| value.is_finite());
+    let values: Vec<f64> = match quantity.magnitude {
+        true => finite.map(f64::abs).collect(),
+        false => finite.collect(),
+    };
+    Ok(statistic(number.statistic, &values))
+}
+
+/// The value whose place is the nearest.
+fn nearest(rows: impl Iterator<Item = (f64, f64)>, wanted: f64) -> Vec<f64> {
+    let sound = rows.filter(|(_, value)| value.is_finite());
+    let best = sound.min_by(|a, b| (a.0 - wanted).abs().total_cmp(&(b.0 - wanted).abs()));
+    best.into_iter().map(|(_, value)| value).collect()
+}
+
+/// The rows whose place is the nearest.
+fn nearest_by(
+    mut rows: Vec<[f64; 3]>,
+    wanted: f64,
+    place: impl Fn(&[f64; 3]) -> f64,
+) -> Vec<[f64; 3]> {
+    let off = |row: &[f64; 3]| (place(row) - wanted).abs();
+    let least = rows.iter().map(off).fold(f64::INFINITY, f64::min);
+    rows.retain(|row| off(row) <= least);
+    rows
+}
+
+fn statistic(statistic: Statistic, values: &[f64]) -> Option<f64> {
+    let of = Distribution::of(values)?;
+    Some(match statistic {
+        Statistic::Mean => of.mean,
+        Statistic::Std => of.std,
+        Statistic::MeanPlusStd => of.mean + of.std,
+        Statistic::Min => of.min,
+        Statistic::Max => of.max,
+        Statistic::Percentile(percent) => Distribution::percentile(values, percent / 100.0)?,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shapes_of_numbers_along_a_key() {
+        let points: Vec<(f64, f64)> = (0..10)
+            .map(|i| (f64::from(i), 3.0 + 2.0 * f64::from(i)))
+            .collect();
+        assert!((shape_of(Shape::Linearity, &points).unwrap() - 1.0).abs() < 1e-12);
+        assert_eq!(shape_of(Shape::Growth, &points), Some(1.0));
+        let bent = [(0.0, 0.0), (1.0, 1.0), (2.0, 0.0)];
+        assert!(shape_of(Shape::Linearity, &bent).unwrap() < 1e-12);
+        assert_eq!(shape_of(Shape::Growth, &bent), Some(0.5));
+        assert_eq!(shape_of(Shape::Most, &bent), Some(1.0));
+        assert_eq!(shape_of(Shape::Least, &[]), None);
+        assert_eq!(shape_of(Shape::Linearity, &bent[..2]), None);
+    }
+
+    #[test]
+    fn values_of_a_key_are_read_as_numbers() {
+        assert_eq!(quantity("4305 m"), Some(4305.0));
+        assert_eq!(quantity("0.3"), Some(0.3));
+        assert_eq!(quantity("1e3m"), Some(1000.0));
+        assert_eq!(quantity("drill"), None);
+    }
+}

@@ -1,0 +1,66 @@
+//! The figures and tables of a study, and the page of all.
+
+use std::path::Path;
+
+use wholestring_study::Study;
+use wholestring_report::{StudyPage, StudyPart, study_html};
+use wholestring_results::{ResultsError, ResultsFolder};
+
+use super::{answers::Answers, data, figure, numbers::Computed, picture, texts};
+use crate::page::{FILE, PROGRAM, write_picture};
+
+/// Writes every figure and table, and the page of all.
+pub(super) fn show(
+    study: &Study,
+    answers: &Answers,
+    folder: &ResultsFolder,
+    png: bool,
+) -> Result<(), ResultsError> {
+    let sweeps: Vec<String> = study
+        .sweeps
+        .iter()
+        .map(|sweep| sweep.name.clone())
+        .collect();
+    let figures = within(folder, "figures")?;
+    let tables = within(folder, "tables")?;
+    let mut parts = Vec::new();
+    for of in &study.figures {
+        let curves = figure::curves(of, answers)?;
+        let data = data::table(of, &curves, answers, &sweeps);
+        data.write_csv(&figures.path().join(format!("{}.csv", of.name)))?;
+        let picture = picture::picture(of, &curves, &sweeps, study.units);
+        write_picture(&figures, &of.name, &picture, png)?;
+        parts.push(StudyPart::Figure {
+            title: of.title.clone(),
+            caption: of.caption.clone(),
+            figure: (!curves.is_empty()).then(|| Box::new(picture)),
+            files: format!("figures/{}", of.name),
+            painted: png,
+        });
+    }
+    for table in &study.tables {
+        let computed = Computed::of(table, answers)?;
+        let data = texts::data(&computed, &sweeps);
+        data.write_csv(&tables.path().join(format!("{}.csv", table.name)))?;
+        let grid = texts::grid(&computed, &sweeps, study.units);
+        let text = texts::markdown(&table.title, &table.caption, &grid);
+        tables.write_file(&format!("{}.md", table.name), text.as_bytes())?;
+        parts.push(StudyPart::Table {
+            title: table.title.clone(),
+            caption: table.caption.clone(),
+            grid,
+            files: format!("tables/{}", table.name),
+        });
+    }
+    let page = study_html(&StudyPage {
+        program: PROGRAM.into(),
+        title: study.name.clone(),
+        description: study.description.clone(),
+        parts,
+    });
+    folder.write_file(FILE, page.as_bytes())
+}
+
+fn within(folder: &ResultsFolder, name: &str) -> Result<ResultsFolder, ResultsError> {
+    ResultsFolder::create(Path::join(folder.path(), name))
+}

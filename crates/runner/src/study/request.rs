@@ -1,0 +1,92 @@
+//! A study that is asked for.
+
+use std::path::Path;
+
+use wholestring_case::{Override, Report};
+use wholestring_results::ResultsFolder;
+use wholestring_study::Study;
+
+use super::{answers::Answers, cases::Templates, columns, page::show};
+use crate::{
+    batch::{BatchOptions, BatchOutcome},
+    cancellation::CancellationToken,
+    error::Error,
+    folder_name::file_name,
+    keep::Keep,
+    observer::Observer,
+    sweep::{Batch, Ending, Set, Sound},
+};
+
+/// A study that is to be carried out.
+#[derive(Debug)]
+pub struct Request<'a> {
+    /// The study, as [`load`] reads it.
+    pub study: &'a Study,
+    /// The folder from which the study names its case files: that of its own file.
+    pub cases: &'a Path,
+    /// What is changed in every case.
+    pub overrides: &'a [Override],
+    /// What is kept of each case. Where nothing is said: its tables where dynamics solve it, or where they are asked for as
+    /// CSV or a figure needs them, else its summary.
+    pub keep: Option<Keep>,
+    /// Whether to paint each figure as PNG too.
+    pub png: bool,
+    /// How the cases are solved.
+    pub batch: BatchOptions,
+}
+
+/// Reads a study file.
+///
+/// # Errors
+/// Every mistake in it, each with its place.
+pub fn load(path: &Path) -> Result<Study, Report> {
+    wholestring_study::load(path, &columns::all())
+}
+
+/// Checks every case of a study, solves them, and makes its figures, its tables and its page.
+///
+/// # Errors
+/// Cases that are not sound, or a folder that the results cannot go to. What becomes of the cases is told by the outcome.
+pub fn run(
+    request: &Request<'_>,
+    observer: &dyn Observer,
+    cancellation: &CancellationToken,
+) -> Result<BatchOutcome, Error> {
+    let (study, options) = (request.study, &request.batch);
+    let templates = Templates::read(study, request.cases)?;
+    let points = templates.points(study, request.overrides)?;
+    let sound = Sound::check(points, options, observer, cancellation)?;
+    let of_set = |path: &Path, set: usize| path.join(file_name(&study.sweeps[set].name));
+    let claimed = sound.claim("study", &study.name, options, observer, &of_set)?;
+    let folder = &claimed.folder;
+    let sets = study.sweeps.iter().enumerate().map(|(i, sweep)| {
+        Ok(Set {
+            prefix: format!("{}/", sweep.name),
+            folder: ResultsFolder::create(of_set(folder.path(), i))?,
+            keys: sweep.keys().map(str::to_owned).collect(),
+            keep: request.keep,
+            needs: if study.reads_tables_of(i) {
+                Keep::Tables
+            } else {
+                Keep::Summary
+            },
+        })
+    });
+    let sets = sets.collect::<Result<_, Error>>()?;
+    let mut batch = Batch::new(options, sets, sound, observer, cancellation);
+    batch.solve_all()?;
+    let mut answers = Answers(Vec::new());
+    for (set, point, ending) in batch.cases() {
+        if let Some(Ending { solved, .. }) = ending {
+            let values = (&set.keys[..], &point.values[..]);
+            answers.add(
+                point.set,
+                values,
+                solved,
+                &set.folder.path().join(&point.name),
+            );
+        }
+    }
+    show(study, &answers, folder, request.png)?;
+    Ok(batch.outcome(folder.path()))
+}

@@ -1,0 +1,132 @@
+//! The cases of a sweep before they are solved.
+
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::{Mutex, PoisonError},
+};
+
+use wholestring::{dynamics::Effort, outcome::ModelKind};
+use wholestring_case::{Case, Report};
+use wholestring_results::digest;
+
+use super::points::Point;
+use crate::{
+    cancellation::CancellationToken,
+    error::{Error, Unsound},
+    observer::Observer,
+    parallel::{in_parallel, lock},
+};
+
+/// What is known of a case before it is solved.
+pub(super) struct Checked {
+    pub(super) name: String,
+    /// Digest of all that its answers depend on.
+    pub(super) identity: String,
+    /// Element-steps of its dynamic runs, at most.
+    pub(super) cost: f64,
+    /// Simulated time of its dynamic runs, s, at most.
+    pub(super) simulated_s: f64,
+    /// Whether its lift is tuned.
+    pub(super) lift: bool,
+    /// The case itself, until it is solved, where reading it again would take as long as solving it.
+    case: Mutex<Option<Case>>,
+}
+
+/// Most cases that are held in memory between their check and their solution; each takes some 0.2 MB.
+const MOST_HELD: usize = 500;
+
+impl Checked {
+    fn of(case: Case, holds: bool) -> Self {
+        let dynamic = case.models.contains(&ModelKind::Dynamic);
+        let operations = if dynamic { &case.operations[..] } else { &[] };
+        let efforts: Vec<Effort> = operations
+            .iter()
+            .filter_map(|operation| Effort::of(&case.model, operation, &case.dynamics).ok())
+            .collect();
+        let cost = efforts
+            .iter()
+            .map(|effort| effort.elements as f64 * effort.steps);
+        Self {
+            name: case.name.clone(),
+            identity: digest(&case.identity()),
+            cost: cost.sum(),
+            lift: dynamic && case.tunes_lift,
+            simulated_s: efforts.iter().map(|effort| effort.end_s).sum(),
+            case: Mutex::new((holds && !dynamic).then_some(case)),
+        }
+    }
+
+    /// The case, where it was held since its check; only once.
+    pub(super) fn take(&self) -> Option<Case> {
+        lock(&self.case).take()
+    }
+}
+
+/// Mistakes or warnings that are told; the same is told once.
+const SHOWN: usize = 5;
+
+/// Reads and checks every case, so that no sweep ends on a mistake in its last.
+pub(super) fn check(
+    points: &[Point<'_>],
+    jobs: usize,
+    observer: &dyn Observer,
+    cancellation: &CancellationToken,
+) -> Result<Vec<Checked>, Error> {
+    let all: Vec<usize> = (0..points.len()).collect();
+    let answers: Vec<Mutex<Option<Result<Checked, Report>>>> =
+        points.iter().map(|_| Mutex::default()).collect();
+    // The first in the order of their texts.
+    let warnings: Mutex<BTreeMap<String, Report>> = Mutex::default();
+    in_parallel(jobs, &all, |i| {
+        if cancellation.is_cancelled() {
+            return;
+        }
+        let answer = points[i].template.case(&points[i].changes);
+        if let Ok(case) = &answer
+            && !case.warnings.is_empty()
+        {
+            let mut warnings = lock(&warnings);
+            warnings.insert(case.warnings.render(false), case.warnings.clone());
+            if warnings.len() > SHOWN {
+                warnings.pop_last();
+            }
+        }
+        *lock(&answers[i]) = Some(answer.map(|case| Checked::of(case, points.len() <= MOST_HELD)));
+    });
+    let mut checked = Vec::new();
+    let mut unsound: Vec<(&Point<'_>, Report)> = Vec::new();
+    for (point, answer) in points.iter().zip(answers) {
+        match answer.into_inner().unwrap_or_else(PoisonError::into_inner) {
+            Some(Ok(case)) => checked.push(case),
+            Some(Err(report)) => unsound.push((point, report)),
+            None => return Err(Error::Interrupted),
+        }
+    }
+    if let Some((first, _)) = unsound.first() {
+        let summary = match (unsound.len(), points.len()) {
+            (_, 1) => None,
+            (1, all) => Some(format!(
+                "1 of {all} cases is not sound, {}: nothing was run",
+                first.name
+            )),
+            (some, all) => Some(format!(
+                "{some} of {all} cases are not sound, the first is {}: nothing was run",
+                first.name
+            )),
+        };
+        let mut told: BTreeSet<String> = BTreeSet::new();
+        let mut reports: Vec<Report> = Vec::new();
+        for (_, report) in unsound {
+            if reports.len() < SHOWN && told.insert(report.render(false)) {
+                reports.push(report);
+            }
+        }
+        return Err(Error::Unsound(Unsound { reports, summary }));
+    }
+    let warnings = warnings.into_inner();
+    let warnings = warnings.unwrap_or_else(PoisonError::into_inner);
+    for report in warnings.values() {
+        observer.diagnostics(report);
+    }
+    Ok(checked)
+}

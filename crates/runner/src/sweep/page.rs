@@ -1,0 +1,117 @@
+//! `report.html` of a sweep, made from the files that it left.
+
+use std::{collections::BTreeMap, path::Path};
+
+use wholestring_report::{Sweep, SweepRow, address, sweep_html};
+use wholestring_results::{Column, Data, ResultsError, ResultsFolder, Summary, Table};
+use wholestring_units::UnitSet;
+
+use super::table::{FILE, SCALARS};
+use crate::page::{self, asked, dimensions};
+
+/// Whether a folder is one that a sweep wrote to.
+pub(crate) fn is_sweep(folder: &Path) -> bool {
+    folder.join(FILE).is_file()
+}
+
+/// Writes the page of the sweep whose files are in the folder; nothing where no case has ended yet.
+pub(crate) fn write(folder: &ResultsFolder, units: Option<UnitSet>) -> Result<(), ResultsError> {
+    let sweep = gather(folder.path(), units)?;
+    if sweep.rows.is_empty() {
+        return folder.remove(page::FILE);
+    }
+    folder.write_file(page::FILE, sweep_html(&sweep).as_bytes())
+}
+
+/// Everything that is told of a sweep.
+pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, ResultsError> {
+    let table = Table::read_csv(&folder.join(FILE))?;
+    // Keys may be named like other columns, `model`: they are those that come first.
+    let begins = |rest: &[Column]| {
+        let names = rest.iter().map(|column| column.name.as_str());
+        names.eq(["model", "operation", SCALARS[0]])
+    };
+    let columns = table.columns();
+    let path = folder.join(FILE);
+    let Some(varied) = columns.windows(3).position(begins).filter(|keys| *keys > 0) else {
+        return Err(ResultsError::Format {
+            path,
+            reason: format!(
+                "its columns are not those of a sweep: expected the keys that were varied, then model, operation, {}",
+                SCALARS[0]
+            ),
+        });
+    };
+    let (varied, others) = columns.split_at(varied);
+    let value = |column: &Column, row: usize| match &column.data {
+        Data::Text(words) => words[row].clone(),
+        Data::Number(_) => String::new(),
+    };
+    let word = |name: &str, row: usize| {
+        let column = others.iter().find(|column| column.name == name);
+        column.map_or_else(String::new, |column| value(column, row))
+    };
+    let numbers = |row: usize| -> BTreeMap<String, f64> {
+        let number = |column: &Column| {
+            let number = value(column, row).parse().ok()?;
+            Some((column.name.clone(), number))
+        };
+        others.iter().filter_map(number).collect()
+    };
+    // A sweep of before findings has no such columns.
+    let count = |name: &str, row: usize| {
+        word(name, row)
+            .parse::<f64>()
+            .map_or(0, |many| many as usize)
+    };
+    // Cases that keep no page of their own have none to lead to.
+    let page = |case: &str| {
+        let there = !case.is_empty() && folder.join(case).join(page::FILE).is_file();
+        there.then(|| format!("{}/{}", address(case), page::FILE))
+    };
+    let rows = table.rows();
+    let rows: Vec<SweepRow> = (0..rows)
+        .map(|row| SweepRow {
+            values: varied.iter().map(|column| value(column, row)).collect(),
+            model: word("model", row),
+            operation: word("operation", row),
+            status: word("status", row),
+            numbers: numbers(row),
+            errors: count("errors", row),
+            warnings: count("warnings", row),
+            finding: word("worst_finding_message", row),
+            page: page(&word("folder", row)),
+        })
+        .collect();
+    let folders: Vec<String> = (0..rows.len()).map(|row| word("folder", row)).collect();
+    let summary = |name: Option<&String>| {
+        let path = name.map(|name| folder.join(name).join("summary.json"));
+        let path = path.filter(|path| path.is_file());
+        path.map(|path| Summary::read(&path)).transpose()
+    };
+    let first = summary(folders.first())?;
+    // The last case differs from the first in every key that was varied.
+    let last = summary(folders.last())?;
+    let facts = |of: &Option<Summary>| of.as_ref().map_or(Vec::new(), asked::asked);
+    let mut asked = facts(&first);
+    let others = facts(&last);
+    asked.retain(|fact| others.contains(fact));
+    let settings = first.as_ref().map(|first| &first.settings);
+    Ok(Sweep {
+        program: page::PROGRAM.into(),
+        title: first
+            .as_ref()
+            .map_or_else(|| "Sweep".into(), |first| first.case.clone()),
+        units: match units {
+            Some(units) => units.name().into(),
+            None => settings
+                .and_then(|settings| settings["units"].as_str())
+                .unwrap_or("si")
+                .into(),
+        },
+        dimensions: dimensions::all(),
+        asked,
+        keys: varied.iter().map(|column| column.name.clone()).collect(),
+        rows,
+    })
+}

@@ -1,0 +1,88 @@
+//! The combinations of values that a sweep solves.
+
+use std::collections::BTreeSet;
+
+use wholestring_case::{Override, Template, Variation};
+
+use crate::{error::Error, folder_name::file_name};
+
+/// More cases than this make no sense in one sweep.
+const MOST_CASES: usize = 100_000;
+
+/// One combination of values.
+pub(crate) struct Point<'a> {
+    /// Index of the set that it belongs to.
+    pub(crate) set: usize,
+    /// The case that it is a variation of.
+    pub(crate) template: &'a Template,
+    /// The changes of the case: those of all, then its own.
+    pub(crate) changes: Vec<Override>,
+    /// Its own values, as written.
+    pub(crate) values: Vec<String>,
+    /// Name of its folder.
+    pub(crate) name: String,
+}
+
+/// All combinations, the last key varying fastest.
+pub(crate) fn points<'a>(
+    template: &'a Template,
+    common: &[Override],
+    variations: &[Variation],
+) -> Result<Vec<Point<'a>>, Error> {
+    let counts = variations.iter().map(|of| of.values.len());
+    let count = counts.clone().try_fold(1_usize, usize::checked_mul);
+    let Some(count) = count.filter(|count| *count <= MOST_CASES) else {
+        let counts: Vec<String> = counts.map(|count| count.to_string()).collect();
+        return Err(Error::BadInput(format!(
+            "a sweep of {} cases, expected at most {MOST_CASES}",
+            counts.join(" × ")
+        )));
+    };
+    let mut points: Vec<Point<'a>> = (0..count)
+        .map(|case| {
+            let mut stride = count;
+            let own = variations.iter().map(|of| {
+                stride /= of.values.len();
+                of.values[case / stride % of.values.len()].clone()
+            });
+            let own: Vec<Override> = own.collect();
+            let values: Vec<String> = own.iter().map(|of| of.bare().to_owned()).collect();
+            let parts = own.iter().zip(&values);
+            let parts: Vec<_> = parts
+                .map(|(of, value)| format!("{}={value}", of.key))
+                .collect();
+            Point {
+                set: 0,
+                template,
+                changes: [common, &own].concat(),
+                values,
+                name: match parts.is_empty() {
+                    true => "case".to_owned(),
+                    false => parts.join(","),
+                },
+            }
+        })
+        .collect();
+    name_folders(&mut points);
+    Ok(points)
+}
+
+/// Folders bear the values; where those are too long for a name, or some system does not tell them apart,
+/// the number of the case.
+fn name_folders(points: &mut [Point<'_>]) {
+    let names: Vec<String> = points.iter().map(|point| file_name(&point.name)).collect();
+    let unique: BTreeSet<String> = names.iter().map(|name| name.to_lowercase()).collect();
+    let whole = points
+        .iter()
+        .zip(&names)
+        .all(|(point, name)| name.chars().count() >= point.name.chars().count());
+    let digits = points.len().to_string().len();
+    let speaking = whole && unique.len() == names.len();
+    for (i, (point, name)) in points.iter_mut().zip(names).enumerate() {
+        point.name = if speaking {
+            name
+        } else {
+            format!("case-{:0digits$}", i + 1)
+        };
+    }
+}

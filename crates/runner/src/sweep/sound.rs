@@ -1,0 +1,84 @@
+//! The cases of a batch, read and checked, and the folder that they go to.
+
+use std::path::{Path, PathBuf};
+
+use wholestring_results::{Occupant, digest};
+
+use super::{
+    checked::{Checked, check},
+    points::Point,
+};
+use crate::{
+    batch::BatchOptions,
+    cancellation::CancellationToken,
+    claim::{Claim, Claimed},
+    error::Error,
+    folder_name::default_output,
+    observer::Observer,
+    shard::Shard,
+};
+
+/// The cases of a batch, read and checked.
+pub(crate) struct Sound<'a> {
+    pub(super) points: Vec<Point<'a>>,
+    pub(super) checked: Vec<Checked>,
+}
+
+impl<'a> Sound<'a> {
+    /// Reads and checks every case, so that no batch ends on a mistake in its last.
+    pub(crate) fn check(
+        points: Vec<Point<'a>>,
+        options: &BatchOptions,
+        observer: &dyn Observer,
+        cancellation: &CancellationToken,
+    ) -> Result<Self, Error> {
+        let checked = check(&points, options.jobs(), observer, cancellation)?;
+        Ok(Self { points, checked })
+    }
+
+    /// What the first case is called.
+    pub(crate) fn first_name(&self) -> &str {
+        self.checked.first().map_or("", |case| &case.name)
+    }
+
+    /// Digest of all that the answers depend on: those of all cases, by set and name.
+    fn identity(&self) -> String {
+        let cases = self.points.iter().zip(&self.checked);
+        let cases = cases.map(|(point, case)| (point.set, &point.name, &case.identity));
+        digest(&cases.collect::<Vec<_>>())
+    }
+
+    /// The folder for a batch, which is called so; a case of the numbered set goes to what `within` makes of the batch's folder.
+    pub(crate) fn claim(
+        &self,
+        kind: &str,
+        name: &str,
+        options: &BatchOptions,
+        observer: &dyn Observer,
+        within: &dyn Fn(&Path, usize) -> PathBuf,
+    ) -> Result<Claimed, Error> {
+        let shard = options.shard;
+        let mine = || {
+            let cases = self.points.iter().enumerate();
+            cases.filter_map(|(case, point)| shard.has(case).then_some(point))
+        };
+        let case = |path: &Path, point: &Point<'_>| within(path, point.set).join(&point.name);
+        Claim {
+            occupant: Occupant {
+                kind: kind.to_owned(),
+                name: name.to_owned(),
+                identity: self.identity(),
+            },
+            output: &options.output,
+            default: default_output(name),
+            shared: shard != Shard::ALL,
+            observer,
+            is_unfinished: &|path| {
+                mine().any(|point| case(path, point).join("checkpoint.bin").is_file())
+            },
+            is_part: &|path| self.points.iter().any(|point| case(path, point).is_dir()),
+            refuse: &|_| Ok(()),
+        }
+        .folder()
+    }
+}

@@ -1,0 +1,199 @@
+//! `sweep.csv`: a row for each model and operation of each case of a sweep.
+
+use serde_json::{Map, Value};
+use wholestring::dynamics::DynamicOutcome;
+use wholestring_results::{Column, Data, Level, OperationSummary, Table};
+
+/// Name of the file.
+pub const FILE: &str = "sweep.csv";
+
+/// The scalars of an operation, as `summary.json` names them, in the order of the columns.
+pub const SCALARS: [&str; 12] = [
+    "bit_depth_m",
+    "weight_on_bit_N",
+    "bit_torque_N_m",
+    "hook_load_N",
+    "surface_torque_N_m",
+    "friction_torque_N_m",
+    "axial_friction_N",
+    "side_force_total_N",
+    "twist_rad",
+    "stretch_m",
+    "neutral_point_m",
+    "cutoff_depth_m",
+];
+
+/// What is told of a tuned lift, as `summary.json` names it.
+const LIFT: [&str; 3] = ["hook_load_N", "weight_on_bit_N", "runs"];
+
+const STATISTICS: [&str; 8] = [
+    "mean",
+    "std",
+    "min",
+    "max",
+    "p05",
+    "p95",
+    "std_error",
+    "drift",
+];
+
+/// The rows of a sweep. Which columns they have is settled by what is swept and solved, so that the
+/// tables of its shards can be put one below the other.
+pub(crate) struct SweepTable {
+    keys: Vec<String>,
+    /// Quantity and statistic of each column.
+    statistics: Vec<[&'static str; 2]>,
+    /// Whether some case is dynamic.
+    dynamic: bool,
+    /// Whether a lift is tuned in some case.
+    lift: bool,
+    rows: Vec<Row>,
+}
+
+struct Row {
+    values: Vec<String>,
+    /// The operation as in `summary.json`; empty where a case failed before it had an answer.
+    solved: Map<String, Value>,
+    folder: String,
+}
+
+impl Row {
+    /// How many findings of a level there are; none where nothing was solved.
+    fn findings(&self, level: Level) -> Option<f64> {
+        let found = self.solved.get("findings")?.as_array()?.iter();
+        Some(found.filter(|of| of["level"] == level.name()).count() as f64)
+    }
+
+    /// What is told of the gravest finding.
+    fn worst(&self, key: &str) -> String {
+        let found = self.solved.get("findings").and_then(Value::as_array);
+        let worst = found.and_then(|found| found.first());
+        let word = worst.and_then(|of| of[key].as_str());
+        word.unwrap_or_default().to_owned()
+    }
+}
+
+impl SweepTable {
+    /// A table for a sweep of these keys, in which some case is dynamic or none is, and a lift is tuned in some or in
+    /// none.
+    pub(crate) fn new(keys: Vec<String>, dynamic: bool, lift: bool) -> Self {
+        let statistics = DynamicOutcome::quantities()
+            .filter(|_| dynamic)
+            .flat_map(|quantity| STATISTICS.map(|statistic| [quantity, statistic]))
+            // The mean of a scalar is the scalar.
+            .filter(|[quantity, statistic]| *statistic != "mean" || !SCALARS.contains(quantity))
+            .collect();
+        Self {
+            keys,
+            statistics,
+            dynamic,
+            lift,
+            rows: Vec::new(),
+        }
+    }
+
+    /// Adds what was solved of a case, and why it failed if that says more.
+    pub(crate) fn add(
+        &mut self,
+        values: &[String],
+        folder: &str,
+        solved: &[OperationSummary],
+        failure: Option<&str>,
+    ) {
+        let mut row = |solved: Map<String, Value>| {
+            self.rows.push(Row {
+                values: values.to_vec(),
+                solved,
+                folder: folder.to_owned(),
+            });
+        };
+        let mut told = false;
+        for operation in solved {
+            if let Ok(Value::Object(operation)) = serde_json::to_value(operation) {
+                told |= operation
+                    .get("status")
+                    .is_some_and(|status| status == "failed");
+                row(operation);
+            }
+        }
+        if let (Some(failure), false) = (failure, told) {
+            row([("status", "failed"), ("message", failure)]
+                .map(|(key, word)| (key.to_owned(), word.into()))
+                .into_iter()
+                .collect());
+        }
+    }
+
+    /// The table: varied keys, model and operation, scalars, statistics, where the window begins and what drifts in it, the
+    /// lift, findings, how it ended, and where the
+    /// rest of it lies.
+    pub(crate) fn table(&self) -> Table {
+        let text = |name: &str, of: &dyn Fn(&Row) -> String| Column {
+            name: name.to_owned(),
+            unit: String::new(),
+            meaning: String::new(),
+            data: Data::Text(self.rows.iter().map(of).collect()),
+        };
+        let word = |name: &str| {
+            text(name, &|row| {
+                let word = row.solved.get(name).and_then(Value::as_str);
+                word.unwrap_or_default().to_owned()
+            })
+        };
+        let number = |name: String, of: &dyn Fn(&Row) -> Option<f64>| Column {
+            name,
+            unit: String::new(),
+            meaning: String::new(),
+            data: Data::Number(self.rows.iter().map(of).collect()),
+        };
+        let mut columns = Vec::new();
+        for (i, key) in self.keys.iter().enumerate() {
+            columns.push(text(key, &|row| row.values[i].clone()));
+        }
+        columns.extend(["model", "operation"].map(word));
+        for name in SCALARS {
+            columns.push(number(name.to_owned(), &|row| {
+                row.solved.get(name)?.as_f64()
+            }));
+        }
+        for [quantity, statistic] in &self.statistics {
+            let name = format!("{quantity}_{statistic}");
+            columns.push(number(name, &|row| {
+                let statistics = row.solved.get("statistics")?;
+                statistics.get(quantity)?.get(statistic)?.as_f64()
+            }));
+        }
+        if self.dynamic {
+            columns.push(number("settle_s".to_owned(), &|row| {
+                row.solved.get("numerics")?.get("settle_s")?.as_f64()
+            }));
+            columns.push(text("drifting", &|row| drifting(&row.solved)));
+        }
+        for name in LIFT.into_iter().filter(|_| self.lift) {
+            columns.push(number(format!("lift_{name}"), &|row| {
+                row.solved.get("lift")?.get(name)?.as_f64()
+            }));
+        }
+        for (name, level) in [("errors", Level::Error), ("warnings", Level::Warning)] {
+            columns.push(number(name.to_owned(), &|row| row.findings(level)));
+        }
+        for (name, key) in [
+            ("worst_finding", "kind"),
+            ("worst_finding_message", "message"),
+        ] {
+            columns.push(text(name, &|row| row.worst(key)));
+        }
+        columns.extend(["status", "message"].map(word));
+        columns.push(text("folder", &|row| row.folder.clone()));
+        Table::new(columns)
+    }
+}
+
+/// The quantities that drift over the window of an operation, one after the other.
+fn drifting(solved: &Map<String, Value>) -> String {
+    let statistics = solved.get("statistics").and_then(Value::as_object);
+    let drifts = |of: &Value| of.get("drifts").and_then(Value::as_bool) == Some(true);
+    let names = statistics.into_iter().flatten();
+    let names = names.filter_map(|(name, of)| drifts(of).then_some(name.as_str()));
+    names.collect::<Vec<_>>().join(" ")
+}
