@@ -52,6 +52,11 @@ impl From<ResultsError> for Failure {
     }
 }
 
+/// A failure that the error says all of.
+pub(crate) fn failed(error: &dyn std::error::Error) -> Failure {
+    Failure::Failed(format!("error: {error}"))
+}
+
 impl From<Report> for Failure {
     fn from(report: Report) -> Self {
         Self::BadInput(report.render(color()))

@@ -1,4 +1,5 @@
-//! `wholestring plot`: the pictures of a run, of two on the same axes, of a sweep, or of a bit test, as files.
+//! `wholestring plot`: the pictures of a run, of two on the same axes, of a sweep, or of a bit
+//! test, as files.
 
 use wholestring_results::ResultsFolder;
 use wholestring_runner::{pictures, pictures_folder, write_picture};

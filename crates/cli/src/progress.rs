@@ -175,7 +175,8 @@ impl Observer for BatchScreen {
     }
 
     fn batch_started(&self, size: &BatchSize) {
-        // Besides its simulated time, a case counts as one millisecond, so that soft strings move the bar too.
+        // Besides its simulated time, a case counts as one millisecond, so that soft strings move
+        // the bar too.
         let length = size.cases as u64 + milliseconds(size.simulated_s);
         let bar = bar(length, self.quiet);
         bar.set_prefix(self.noun);
@@ -241,7 +242,8 @@ fn milliseconds(seconds: f64) -> u64 {
     (seconds * 1e3).round() as u64
 }
 
-/// Where progress is shown: on standard error, unless that is no terminal or nothing is to be shown.
+/// Where progress is shown: on standard error, unless that is no terminal or nothing is to be
+/// shown.
 fn screen(quiet: bool) -> ProgressDrawTarget {
     if quiet {
         ProgressDrawTarget::hidden()

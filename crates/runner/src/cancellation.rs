@@ -5,9 +5,11 @@ use std::sync::{
     atomic::{AtomicBool, Ordering},
 };
 
-/// A flag that asks work to stop. Its clones are the same flag, so that a signal handler or another thread can hold one.
+/// A flag that asks work to stop. Its clones are the same flag, so that a signal handler or another
+/// thread can hold one.
 ///
-/// Work that is asked to stop keeps what it has computed and writes a checkpoint from which it can be resumed.
+/// Work that is asked to stop keeps what it has computed and writes a checkpoint from which it can
+/// be resumed.
 ///
 /// ```
 /// use wholestring_runner::CancellationToken;

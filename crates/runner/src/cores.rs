@@ -27,8 +27,8 @@ impl Cores {
         builder.use_current_thread().build().map(Self)
     }
 
-    /// So many threads for the rock of a case, one per core where nothing is said; none where it has no rock, or is to be worked
-    /// on alone.
+    /// So many threads for the rock of a case, one per core where nothing is said; none where it
+    /// has no rock, or is to be worked on alone.
     fn of_case(case: &Case, threads: Option<NonZeroUsize>) -> Option<Self> {
         let threads = threads.or_else(|| thread::available_parallelism().ok())?;
         if threads.get() == 1 || !matches!(case.dynamics.bit.law, BitLaw::Rock(_)) {
@@ -39,8 +39,8 @@ impl Cores {
     }
 }
 
-/// Who works on the rock of a run: its own thread, and others where there are any. A cancellation stops what has nothing to
-/// keep.
+/// Who works on the rock of a run: its own thread, and others where there are any. A cancellation
+/// stops what has nothing to keep.
 struct Workers {
     cores: Option<Cores>,
     cancellation: CancellationToken,

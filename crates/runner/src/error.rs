@@ -8,7 +8,8 @@ use crate::claim::FolderRefused;
 
 /// Why work was not begun, or not brought to its end.
 ///
-/// Its text is one sentence or more, without a word of any front; what a user can do about it, the front adds.
+/// Its text is one sentence or more, without a word of any front; what a user can do about it, the
+/// front adds.
 #[derive(Debug, Explained)]
 pub enum Error {
     /// Case files with mistakes, each with its place.

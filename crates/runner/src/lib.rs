@@ -1,8 +1,10 @@
-//! Carries out what fronts ask for: runs, sweeps, studies and bit tests, with their checkpoints, pages and pictures.
+//! Carries out what fronts ask for: runs, sweeps, studies and bit tests, with their checkpoints,
+//! pages and pictures.
 //!
-//! A front loads a case, makes a request of it and hands it over with an [`Observer`], which is told how far the work has
-//! come, and a [`CancellationToken`], which stops it. It gets an outcome, or an [`Error`]. Nothing here prints, reads
-//! arguments or looks at a terminal; results go to folders, whose files `wholestring-results` describes.
+//! A front loads a case, makes a request of it and hands it over with an [`Observer`], which is
+//! told how far the work has come, and a [`CancellationToken`], which stops it. It gets an outcome,
+//! or an [`Error`]. Nothing here prints, reads arguments or looks at a terminal; results go to
+//! folders, whose files `wholestring-results` describes.
 //!
 //! | module | carries out |
 //! |---|---|
@@ -11,7 +13,8 @@
 //! | [`study`] | cases and sweeps, with the figures and tables to make of them |
 //! | [`bit_test`] | the bit alone on its rock |
 //!
-//! [`write_report`] and [`pictures()`] make the page and the pictures of what lies in a folder again.
+//! [`write_report`] and [`pictures()`] make the page and the pictures of what lies in a folder
+//! again.
 //!
 //! ```
 //! use wholestring_runner::{CancellationToken, Silent, run};

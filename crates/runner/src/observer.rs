@@ -4,8 +4,8 @@ use wholestring_case::Report;
 
 /// Is told what happens while cases are solved: a progress bar, a log, a page that follows.
 ///
-/// Every method does nothing unless it is written. Cases of a batch are solved on several threads, which call at the same
-/// time; a method that takes long holds the work up.
+/// Every method does nothing unless it is written. Cases of a batch are solved on several threads,
+/// which call at the same time; a method that takes long holds the work up.
 pub trait Observer: Sync {
     /// Input that is sound, but probably does not say what was meant.
     fn diagnostics(&self, _report: &Report) {}
@@ -13,7 +13,8 @@ pub trait Observer: Sync {
     /// Something that is good to know, such as another folder than the expected one.
     fn note(&self, _text: &str) {}
 
-    /// Something that went wrong and does not end the work, such as a checkpoint that cannot be written.
+    /// Something that went wrong and does not end the work, such as a checkpoint that cannot be
+    /// written.
     fn warning(&self, _text: &str) {}
 
     /// What is done before the first step of an operation: seconds, or minutes on rock.
@@ -22,7 +23,8 @@ pub trait Observer: Sync {
     /// That is done.
     fn prepared(&self, _task: &Task<'_>) {}
 
-    /// A simulation begins at this time, or is resumed there, and ends at this one at the latest, s.
+    /// A simulation begins at this time, or is resumed there, and ends at this one at the latest,
+    /// s.
     fn started(&self, _task: &Task<'_>, _from_s: f64, _end_s: f64) {}
 
     /// It has reached a time.
@@ -58,7 +60,8 @@ pub struct Task<'a> {
     pub trial: Option<Trial>,
 }
 
-/// A simulation that serves to find a setting, such as the lift of a string that hangs on a hook load.
+/// A simulation that serves to find a setting, such as the lift of a string that hangs on a hook
+/// load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Trial {
     /// Its number, from one.

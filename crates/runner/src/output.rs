@@ -5,7 +5,8 @@ use std::path::PathBuf;
 /// The folder for results, and what becomes of what lies there.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Output {
-    /// The folder; where none is named, `out/<name>`, or the next one like it that does not hold other results.
+    /// The folder; where none is named, `out/<name>`, or the next one like it that does not hold
+    /// other results.
     pub folder: Option<PathBuf>,
     /// What becomes of what lies there.
     pub existing: Existing,

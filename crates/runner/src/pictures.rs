@@ -70,7 +70,8 @@ fn sweeps(folders: &[PathBuf]) -> Vec<bool> {
         .collect()
 }
 
-/// Where pictures of these folders go by themselves: those of two runs do not take the place of the first one's own.
+/// Where pictures of these folders go by themselves: those of two runs do not take the place of the
+/// first one's own.
 pub fn pictures_folder(folders: &[PathBuf]) -> PathBuf {
     let name = match folders.get(1).and_then(|second| second.file_name()) {
         Some(second) => format!("plots-{}", file_name(&second.to_string_lossy())),

@@ -13,8 +13,8 @@ use crate::{
     sweep::page as sweep,
 };
 
-/// Makes the page of a run, a sweep or a bit test again, from the files in its folder, and says where it is. It opens with
-/// these units, with the case's where none are given.
+/// Makes the page of a run, a sweep or a bit test again, from the files in its folder, and says
+/// where it is. It opens with these units, with the case's where none are given.
 ///
 /// # Errors
 /// A folder that holds no results, or whose files do not suffice; a page that cannot be written.

@@ -16,7 +16,8 @@ pub enum ResultsKind {
 }
 
 impl ResultsKind {
-    /// What the folder holds the results of; nothing where it holds none that pages and pictures are made of.
+    /// What the folder holds the results of; nothing where it holds none that pages and pictures
+    /// are made of.
     pub fn of(folder: &Path) -> Option<Self> {
         if is_bit_test(folder) {
             Some(Self::BitTest)

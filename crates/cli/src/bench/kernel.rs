@@ -4,8 +4,8 @@ use serde::Serialize;
 use wholestring::{dynamics::Simulation, rod::counted::Flops};
 
 use super::{
-    Bench, Spread,
-    clock::Clock,
+    clock::{Clock, Spread},
+    session::Bench,
     well::{self, TIMED_S},
 };
 use crate::{failure::Failure, screen_table::Table};

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Bench, Spread, well};
+use super::{clock::Spread, session::Bench, well};
 use crate::{failure::Failure, screen_table::Table};
 
 /// Something that a case can ask for: keys of the case, as for `--set`.

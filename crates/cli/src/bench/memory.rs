@@ -7,8 +7,8 @@ use std::{
 
 use serde::Serialize;
 
-use super::{Bench, failed, process};
-use crate::failure::Failure;
+use super::{process, session::Bench};
+use crate::failure::{Failure, failed};
 
 /// Whether this system tells the memory of another process.
 pub(crate) const IS_MEASURED: bool = cfg!(target_os = "linux");

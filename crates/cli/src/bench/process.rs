@@ -7,8 +7,7 @@ use std::{
 
 use wholestring_case::Override;
 
-use super::failed;
-use crate::failure::Failure;
+use crate::failure::{Failure, failed};
 
 /// Starts the program with these arguments and changes of the case. It says nothing but why it failed.
 pub(crate) fn start(arguments: &[&str], changes: &[Override]) -> Result<Child, Failure> {

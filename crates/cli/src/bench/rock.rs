@@ -6,8 +6,14 @@ use wholestring::rock::{
     bit_face::{BitFace, ContactLaw, PdcBit, Pose},
 };
 
-use super::{Bench, Spread, clock::Clock, failed};
-use crate::{failure::Failure, screen_table::Table};
+use super::{
+    clock::{Clock, Spread},
+    session::Bench,
+};
+use crate::{
+    failure::{Failure, failed},
+    screen_table::Table,
+};
 
 /// Diameter of the bit, m: 8½ in.
 const BIT_M: f64 = 0.2159;

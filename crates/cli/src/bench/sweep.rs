@@ -4,8 +4,11 @@ use std::{thread, time::Instant};
 
 use serde::Serialize;
 
-use super::{Bench, failed, process, well};
-use crate::{failure::Failure, screen_table::Table};
+use super::{process, session::Bench, well};
+use crate::{
+    failure::{Failure, failed},
+    screen_table::Table,
+};
 
 const DEPTHS: &str = "bit_depth=300m..4305m/300m";
 const FRICTIONS: &str = "friction=0.1,0.2,0.3,0.4";

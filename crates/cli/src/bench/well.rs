@@ -7,8 +7,11 @@ use wholestring::dynamics::{DynamicsSettings, Effort, Precision, Simulation};
 use wholestring_case::{Case, Override, Template};
 use wholestring_results::ResultsFolder;
 
-use super::{clock, clock::Clock, failed, scratch::Scratch};
-use crate::{color::color, failure::Failure};
+use super::{clock, clock::Clock, scratch::Scratch};
+use crate::{
+    color::color,
+    failure::{Failure, failed},
+};
 
 const CASE: (&str, &str) = (
     "np13-x1042.toml",

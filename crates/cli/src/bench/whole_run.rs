@@ -3,7 +3,7 @@
 use serde::Serialize;
 use wholestring::dynamics::Simulation;
 
-use super::{Bench, Spread, well};
+use super::{clock::Spread, session::Bench, well};
 use crate::{failure::Failure, screen_table::Table};
 
 #[derive(Serialize)]

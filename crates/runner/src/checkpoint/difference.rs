@@ -7,7 +7,8 @@ use wholestring_results::{ENGINE_VERSION, Summary, digest};
 /// Whether a summary's answers are those of the case.
 ///
 /// # Errors
-/// Why they are not: of another case, of another version of the program, or of one that did not say of which case.
+/// Why they are not: of another case, of another version of the program, or of one that did not say
+/// of which case.
 pub(crate) fn is_of(summary: &Summary, case: &Case) -> Result<(), String> {
     match &summary.identity {
         None => Err("it is of an earlier version, which did not say of which case".to_owned()),

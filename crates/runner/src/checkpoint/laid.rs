@@ -1,9 +1,9 @@
 //! A run that was laid aside.
 //!
 //! A checkpoint holds all that a run knows: what it has solved, and the operation under way as it
-//! stands. The results in the folder are not read, so that it does not matter what was being written
-//! when the run was killed. Only frames are too many to hold: a checkpoint knows how many parts of them were on
-//! the disk, and holds the rest.
+//! stands. The results in the folder are not read, so that it does not matter what was being
+//! written when the run was killed. Only frames are too many to hold: a checkpoint knows how many
+//! parts of them were on the disk, and holds the rest.
 
 use std::time::Duration;
 

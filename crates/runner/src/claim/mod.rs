@@ -1,5 +1,5 @@
-//! Whose a folder is: results of one case are never replaced by those of another in silence, and no two programs write
-//! to one folder, but for the shards of one sweep.
+//! Whose a folder is: results of one case are never replaced by those of another in silence, and no
+//! two programs write to one folder, but for the shards of one sweep.
 
 mod folder;
 mod leftovers;

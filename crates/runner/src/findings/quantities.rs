@@ -17,7 +17,8 @@ pub struct Quantity {
     pub value: fn(&Scalars) -> Option<f64>,
 }
 
-/// What a quantity is measured in. Those of one unit show the same decimals, so that they can be added up.
+/// What a quantity is measured in. Those of one unit show the same decimals, so that they can be
+/// added up.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Unit {
     /// The unit of a dimension.

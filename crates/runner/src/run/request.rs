@@ -34,11 +34,13 @@ use crate::{
 pub struct Request<'a> {
     /// The case.
     pub case: &'a Case,
-    /// Where the results go. With [`Existing::Resume`] the run in the folder goes on from its checkpoint.
+    /// Where the results go. With [`Existing::Resume`] the run in the folder goes on from its
+    /// checkpoint.
     pub output: Output,
     /// Units of the findings, the picture and the page; the case's where nothing is said.
     pub units: Option<UnitSet>,
-    /// Threads that work on solid rock under the bit, to the same answer; one per core where nothing is said.
+    /// Threads that work on solid rock under the bit, to the same answer; one per core where
+    /// nothing is said.
     pub jobs: Option<NonZeroUsize>,
     /// Time on the clock between checkpoints; the case's where nothing is said.
     pub checkpoint_every: Option<Duration>,
@@ -90,8 +92,8 @@ impl Outcome {
 /// Solves a case, and writes its results, its picture and its page.
 ///
 /// # Errors
-/// A folder that the results cannot go to, or a run that cannot be resumed. What stops the run later is told by its
-/// outcome, for what was computed until then is kept.
+/// A folder that the results cannot go to, or a run that cannot be resumed. What stops the run
+/// later is told by its outcome, for what was computed until then is kept.
 pub fn run(
     request: &Request<'_>,
     observer: &dyn Observer,

@@ -39,7 +39,8 @@ pub(super) fn at_times(
     Ok(curves)
 }
 
-/// Half a joint of pipe, m: the wall touches a string with tool joints at its joints, not at a given depth.
+/// Half a joint of pipe, m: the wall touches a string with tool joints at its joints, not at a
+/// given depth.
 const REACH_M: f64 = 5.0;
 
 /// What the wall does to a node.
@@ -50,8 +51,8 @@ fn is_of_wall(name: &str) -> bool {
     )
 }
 
-/// The node that frames at a depth are about: the nearest in the first frame, and for what the wall does, of those
-/// within half a joint the one to which it does most.
+/// The node that frames at a depth are about: the nearest in the first frame, and for what the wall
+/// does, of those within half a joint the one to which it does most.
 fn node_at(
     answer: &Answer,
     depth_m: f64,

@@ -26,8 +26,8 @@ pub struct Request<'a> {
     pub cases: &'a Path,
     /// What is changed in every case.
     pub overrides: &'a [Override],
-    /// What is kept of each case. Where nothing is said: its tables where dynamics solve it, or where they are asked for as
-    /// CSV or a figure needs them, else its summary.
+    /// What is kept of each case. Where nothing is said: its tables where dynamics solve it, or
+    /// where they are asked for as CSV or a figure needs them, else its summary.
     pub keep: Option<Keep>,
     /// Whether to paint each figure as PNG too.
     pub png: bool,
@@ -46,7 +46,8 @@ pub fn load(path: &Path) -> Result<Study, Report> {
 /// Checks every case of a study, solves them, and makes its figures, its tables and its page.
 ///
 /// # Errors
-/// Cases that are not sound, or a folder that the results cannot go to. What becomes of the cases is told by the outcome.
+/// Cases that are not sound, or a folder that the results cannot go to. What becomes of the cases
+/// is told by the outcome.
 pub fn run(
     request: &Request<'_>,
     observer: &dyn Observer,

@@ -104,7 +104,8 @@ impl<'a> Batch<'a> {
             finished: 0,
             simulated_s: simulated_s.sum(),
         });
-        // The longest first: what is left at the end is short, and no thread waits long for the others.
+        // The longest first: what is left at the end is short, and no thread waits long for the
+        // others.
         let mut order = self.mine.clone();
         order.sort_by(|a, b| self.checked[*b].cost.total_cmp(&self.checked[*a].cost));
         in_parallel(self.options.jobs(), &order, |case| self.solve(case));
@@ -219,7 +220,8 @@ impl<'a> Batch<'a> {
         })
     }
 
-    /// What an earlier sweep began of the case; nothing where it left none to go on with, or none that one can.
+    /// What an earlier sweep began of the case; nothing where it left none to go on with, or none
+    /// that one can.
     fn begun(
         &self,
         point: &Point,
@@ -308,8 +310,8 @@ impl<'a> Batch<'a> {
     }
 }
 
-/// What a finished run of the case left in the folder; nothing if there is none, it is not finished, or has
-/// not kept what is to be kept.
+/// What a finished run of the case left in the folder; nothing if there is none, it is not
+/// finished, or has not kept what is to be kept.
 ///
 /// # Errors
 /// Why what lies there is not the case's.

@@ -20,17 +20,19 @@ pub struct Request<'a> {
     pub overrides: &'a [Override],
     /// The keys that are varied, with their values.
     pub variations: &'a [Variation],
-    /// What is kept of each case. Where nothing is said: its tables where dynamics solve it or they are asked for as CSV,
-    /// else its summary.
+    /// What is kept of each case. Where nothing is said: its tables where dynamics solve it or they
+    /// are asked for as CSV, else its summary.
     pub keep: Option<Keep>,
     /// How the cases are solved.
     pub batch: BatchOptions,
 }
 
-/// Checks every case, solves them, and writes `sweep.csv` and a page beside the folders of the cases.
+/// Checks every case, solves them, and writes `sweep.csv` and a page beside the folders of the
+/// cases.
 ///
 /// # Errors
-/// Cases that are not sound, or a folder that the results cannot go to. What becomes of the cases is told by the outcome.
+/// Cases that are not sound, or a folder that the results cannot go to. What becomes of the cases
+/// is told by the outcome.
 pub fn run(
     request: &Request<'_>,
     observer: &dyn Observer,

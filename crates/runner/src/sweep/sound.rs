@@ -48,7 +48,8 @@ impl<'a> Sound<'a> {
         digest(&cases.collect::<Vec<_>>())
     }
 
-    /// The folder for a batch, which is called so; a case of the numbered set goes to what `within` makes of the batch's folder.
+    /// The folder for a batch, which is called so; a case of the numbered set goes to what `within`
+    /// makes of the batch's folder.
     pub(crate) fn claim(
         &self,
         kind: &str,

@@ -1,0 +1,237 @@
+//! What a front sees of the library: events, cancellation, outcomes and refusals.
+
+use std::{
+    fs,
+    path::Path,
+    sync::{Mutex, PoisonError},
+};
+
+use wholestring_case::{Case, Override, Template, Variation};
+use wholestring_results::Status;
+use wholestring_runner::{
+    BatchOptions, BatchSize, CancellationToken, CaseEnded, Error, Existing, FolderRefused,
+    Observer, Output, Progress, Silent, Task, run, sweep,
+};
+
+/// The straight slant of the command line's tests.
+fn file() -> &'static Path {
+    Path::new("../cli/tests/data/slant.toml")
+}
+
+fn slant(changes: &[&str]) -> Case {
+    let changes: Vec<Override> = changes
+        .iter()
+        .map(|change| change.parse().expect("an override"))
+        .collect();
+    wholestring_case::load(file(), &changes).expect("a sound case")
+}
+
+fn request<'a>(case: &'a Case, folder: &Path, existing: Existing) -> run::Request<'a> {
+    run::Request {
+        output: Output {
+            folder: Some(folder.to_owned()),
+            existing,
+        },
+        ..run::Request::new(case)
+    }
+}
+
+/// Writes down what it is told, and cancels once a time is reached.
+#[derive(Default)]
+struct Log {
+    lines: Mutex<Vec<String>>,
+    cancels: Option<(f64, CancellationToken)>,
+}
+
+impl Log {
+    fn add(&self, line: String) {
+        let mut lines = self.lines.lock().unwrap_or_else(PoisonError::into_inner);
+        // Times are as many as samples: the last is enough.
+        if line.starts_with("reached") && lines.last().is_some_and(|of| of.starts_with("reached")) {
+            lines.pop();
+        }
+        lines.push(line);
+    }
+
+    fn lines(self) -> Vec<String> {
+        self.lines
+            .into_inner()
+            .unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Observer for Log {
+    fn warning(&self, text: &str) {
+        self.add(format!("warning {text}"));
+    }
+
+    fn preparing(&self, task: &Task<'_>, what: &str) {
+        self.add(format!("preparing {}: {what}", task.name));
+    }
+
+    fn prepared(&self, task: &Task<'_>) {
+        self.add(format!("prepared {}", task.name));
+    }
+
+    fn started(&self, task: &Task<'_>, from_s: f64, end_s: f64) {
+        self.add(format!("started {}: {from_s:.1} to {end_s:.1}", task.name));
+    }
+
+    fn reached(&self, _: &Task<'_>, progress: &Progress) {
+        self.add(format!(
+            "reached {:.1} of {:.1}",
+            progress.time_s, progress.end_s
+        ));
+        if let Some((time_s, token)) = &self.cancels
+            && progress.time_s >= *time_s
+        {
+            token.cancel();
+        }
+    }
+
+    fn ended(&self, task: &Task<'_>) {
+        self.add(format!("ended {}", task.name));
+    }
+
+    fn batch_started(&self, size: &BatchSize) {
+        self.add(format!("batch of {}", size.cases));
+    }
+
+    fn case_ended(&self, of: &CaseEnded) {
+        self.add(format!("{} of {}", of.ended, of.of));
+    }
+
+    fn batch_ended(&self) {
+        self.add("batch ended".to_owned());
+    }
+}
+
+#[test]
+fn an_observer_is_told_of_every_operation() {
+    let place = tempfile::tempdir().expect("a folder");
+    let case = slant(&["model=dynamic"]);
+    let request = request(&case, place.path(), Existing::Protect);
+    let log = Log::default();
+    let outcome = run::run(&request, &log, &CancellationToken::new()).expect("an outcome");
+    let outcome = outcome.finished().expect("a finished run");
+    assert_eq!(outcome.summary.operations.len(), 2);
+    assert!(!outcome.is_resumable);
+    let expected = ["trip_out", "rotate_off_bottom"].map(|name| {
+        [
+            format!("preparing {name}: laying the string"),
+            format!("prepared {name}"),
+            format!("started {name}: 0.0 to 2.0"),
+            "reached 2.0 of 2.0".to_owned(),
+            format!("ended {name}"),
+        ]
+    });
+    assert_eq!(log.lines(), expected.concat());
+}
+
+#[test]
+fn a_cancelled_run_is_resumed_to_the_same_bytes() {
+    let place = tempfile::tempdir().expect("a folder");
+    let (whole, halted) = (place.path().join("whole"), place.path().join("halted"));
+    let case = slant(&["model=dynamic", "operation.kind=trip_out"]);
+    let go = |folder: &Path, existing, observer: &dyn Observer, token: &CancellationToken| {
+        run::run(&request(&case, folder, existing), observer, token)
+    };
+    let never = CancellationToken::new();
+    let outcome = go(&whole, Existing::Protect, &Silent, &never).expect("an outcome");
+    assert!(outcome.stopped.is_none());
+
+    let token = CancellationToken::new();
+    let log = Log {
+        cancels: Some((0.5, token.clone())),
+        ..Log::default()
+    };
+    let outcome = go(&halted, Existing::Protect, &log, &token).expect("an outcome");
+    assert_eq!(outcome.summary.operations[0].status, Status::Interrupted);
+    assert!(outcome.is_resumable);
+    assert!(matches!(outcome.finished(), Err(Error::Interrupted)));
+
+    // What was begun is not replaced unasked.
+    let again = go(&halted, Existing::Protect, &Silent, &never);
+    assert!(matches!(
+        again,
+        Err(Error::Folder(FolderRefused::Unfinished { .. }))
+    ));
+    let outcome = go(&halted, Existing::Resume, &Silent, &never).expect("an outcome");
+    let outcome = outcome.finished().expect("a finished run");
+    assert_eq!(outcome.summary.operations.len(), 1);
+    for table in ["nodes.parquet", "time.parquet", "contact.parquet"] {
+        let bytes = |folder: &Path| fs::read(folder.join(table)).expect("a table");
+        assert!(bytes(&whole) == bytes(&halted), "{table}");
+    }
+}
+
+#[test]
+fn results_of_another_case_are_left_alone() {
+    let place = tempfile::tempdir().expect("a folder");
+    let go = |case: &Case, existing| {
+        let request = request(case, place.path(), existing);
+        run::run(&request, &Silent, &CancellationToken::new())
+    };
+    let (one, other) = (
+        slant(&["model=soft"]),
+        slant(&["model=soft", "friction=0.1"]),
+    );
+    let outcome = go(&one, Existing::Protect).expect("an outcome");
+    assert!(outcome.stopped.is_none());
+    let refused = go(&other, Existing::Protect).expect_err("a refusal");
+    assert!(
+        matches!(refused, Error::Folder(FolderRefused::Occupied { .. })),
+        "{refused}"
+    );
+    let finished = go(&one, Existing::Resume).expect_err("nothing to resume");
+    assert!(matches!(finished, Error::BadInput(_)));
+    let outcome = go(&other, Existing::Overwrite).expect("an outcome");
+    assert!(outcome.finished().is_ok());
+}
+
+/// A sweep of these frictions.
+fn swept(frictions: &str, folder: &Path, observer: &dyn Observer) -> Result<usize, Error> {
+    let template = Template::read(file()).expect("a case file");
+    let variations = Variation::read_all(&[format!("friction={frictions}")]).expect("values");
+    let request = sweep::Request {
+        template: &template,
+        overrides: &["model=soft".parse().expect("an override")],
+        variations: &variations,
+        keep: None,
+        batch: BatchOptions {
+            output: Output {
+                folder: Some(folder.to_owned()),
+                existing: Existing::Protect,
+            },
+            ..BatchOptions::default()
+        },
+    };
+    let outcome = sweep::run(&request, observer, &CancellationToken::new())?;
+    Ok(outcome.finished()?.finished)
+}
+
+#[test]
+fn an_observer_is_told_of_every_case() {
+    let place = tempfile::tempdir().expect("a folder");
+    let log = Log::default();
+    let finished = swept("0.1,0.2,0.3", place.path(), &log);
+    assert_eq!(finished.expect("a finished sweep"), 3);
+    let expected = ["batch of 3", "1 of 3", "2 of 3", "3 of 3", "batch ended"];
+    assert_eq!(log.lines(), expected);
+    assert!(place.path().join(sweep::FILE).is_file());
+}
+
+#[test]
+fn a_case_that_is_not_sound_is_named_before_any_is_solved() {
+    let place = tempfile::tempdir().expect("a folder");
+    let folder = place.path().join("sweep");
+    let log = Log::default();
+    let Err(Error::Unsound(unsound)) = swept("0.1,-0.2", &folder, &log) else {
+        panic!("friction below zero is not sound");
+    };
+    assert_eq!(unsound.reports.len(), 1);
+    let summary = "1 of 2 cases is not sound, friction=-0.2: nothing was run";
+    assert_eq!(unsound.summary.as_deref(), Some(summary));
+    assert!(log.lines().is_empty());
+    assert!(!folder.exists());
+}
