@@ -126,7 +126,7 @@ impl Rule for Quantity {
             "pattern": NUMBER_PATTERN,
             "examples": [self.example],
         });
-        json!({ "anyOf": [number, text] })
+        json!({ "anyOf": [number, text], "x-dimension": self.dimension.name() })
     }
 
     fn example(&self) -> Option<String> {

@@ -100,6 +100,22 @@ impl Dimension {
         Dimension::FractureEnergy,
     ];
 
+    /// The SI unit at the end of a name in files for machines, such as `N_per_m`.
+    ///
+    /// ```
+    /// use wholestring_units::Dimension;
+    ///
+    /// assert_eq!(Dimension::HoistGain.suffix(), "m_per_s_per_N");
+    /// assert_eq!(Dimension::Consistency.suffix(), "Pa_s_n");
+    /// assert_eq!(Dimension::Frequency.suffix(), "per_s");
+    /// ```
+    pub fn suffix(self) -> String {
+        let symbol = self.si_symbol();
+        let symbol = symbol.strip_prefix('1').unwrap_or(symbol);
+        let words = symbol.replace('/', "_per_").replace(['.', '^'], "_");
+        words.trim_start_matches('_').to_owned()
+    }
+
     /// The name in a sentence, such as `"rotary speed"`.
     pub fn name(self) -> &'static str {
         match self {

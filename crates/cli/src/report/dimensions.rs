@@ -2,6 +2,7 @@
 
 use std::{collections::BTreeMap, f64::consts::TAU};
 
+use wholestring_case::dimension_of;
 use wholestring_report::DisplayUnit;
 use wholestring_units::{Dimension, UnitSet};
 
@@ -94,7 +95,21 @@ pub(crate) fn pretty(symbol: &str) -> String {
     .fold(symbol.to_owned(), |text, (from, to)| text.replace(from, to))
 }
 
-/// The dimension of a key of the settings, by the unit at its end and by what it is; none of a bare number.
+/// The dimension of a key of the settings as the page shows it, and its name without the unit; none of a bare
+/// number.
+pub(crate) fn of_setting(key: &str) -> Option<(&'static str, &str)> {
+    if let Some(name) = key.strip_suffix("_J_per_m3") {
+        return Some(("work per volume", name));
+    }
+    let (dimension, name) = dimension_of(key)?;
+    Some(match dimension {
+        // In GPa, unlike pressures.
+        Dimension::Pressure if name.ends_with("modulus") => ("modulus", name),
+        other => (other.name(), name),
+    })
+}
+
+/// The dimension of a column of results, by the unit at its end and by what it is; none of a bare number.
 pub(crate) fn of_key(key: &str) -> Option<(&'static str, &str)> {
     const SMALL: &[&str] = &[
         "diameter",
@@ -203,10 +218,10 @@ mod tests {
             ("rop_m_per_s", "rate of penetration"),
             ("settle_s", "time"),
         ] {
-            let found = of_key(key).map(|(dimension, _)| dimension);
+            let found = of_setting(key).map(|(dimension, _)| dimension);
             assert_eq!(found, Some(expected), "{key}");
             assert!(all().contains_key(expected), "{expected}");
         }
-        assert_eq!(of_key("seed"), None);
+        assert_eq!(of_setting("seed"), None);
     }
 }

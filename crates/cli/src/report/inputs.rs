@@ -147,14 +147,14 @@ fn cell(key: &str, value: &Json) -> Cell {
         Json::String(text) => Cell::Text(text.clone()),
         Json::Number(number) => {
             let value = number.as_f64().unwrap_or(f64::NAN);
-            match dimensions::of_key(key) {
+            match dimensions::of_setting(key) {
                 Some((dimension, _)) => Cell::quantity(value, dimension),
                 None => Cell::number(value),
             }
         }
         Json::Array(items) => {
             let values: Vec<f64> = items.iter().filter_map(Json::as_f64).collect();
-            if let Some((dimension, _)) = dimensions::of_key(key)
+            if let Some((dimension, _)) = dimensions::of_setting(key)
                 && !items.is_empty()
                 && values.len() == items.len()
             {
@@ -175,7 +175,7 @@ fn cell(key: &str, value: &Json) -> Cell {
 
 /// A key as people read it, without its unit: `bit_depth_m` is the bit depth.
 fn label(key: &str) -> String {
-    let name = dimensions::of_key(key).map_or(key, |(_, name)| name);
+    let name = dimensions::of_setting(key).map_or(key, |(_, name)| name);
     match name {
         "md" => return "Measured depth".into(),
         "od" => return "OD".into(),

@@ -1,0 +1,151 @@
+//! What a key of the settings measures.
+
+use std::{collections::BTreeMap, sync::LazyLock};
+
+use wholestring_config::Json;
+use wholestring_units::Dimension;
+
+use crate::schema::TABLES;
+
+/// Keys of the settings that no table declares and whose unit leaves open what they are: key, name without
+/// unit, dimension.
+const OF_THE_RECORD: &[(&str, &str, Dimension)] = &[
+    ("radius_m", "radius", Dimension::Diameter),
+    ("core_radius_m", "core_radius", Dimension::Diameter),
+    ("frequency_Hz", "frequency", Dimension::Frequency),
+    (
+        "rate_of_penetration_m_per_s",
+        "rate_of_penetration",
+        Dimension::RateOfPenetration,
+    ),
+];
+
+/// What a unit measures where nothing else tells.
+const BY_UNIT: &[Dimension] = &[
+    Dimension::Length,
+    Dimension::Force,
+    Dimension::Torque,
+    Dimension::Pressure,
+    Dimension::Density,
+    Dimension::MassPerLength,
+    Dimension::ForcePerLength,
+    Dimension::RotarySpeed,
+    Dimension::TripSpeed,
+    Dimension::Angle,
+    Dimension::Damping,
+    Dimension::Viscosity,
+    Dimension::Consistency,
+    Dimension::FlowRate,
+    Dimension::Volume,
+    Dimension::DissipationTime,
+    Dimension::HoistGain,
+    Dimension::Time,
+    Dimension::Frequency,
+    Dimension::Mass,
+    Dimension::MomentOfInertia,
+    Dimension::RotaryDamping,
+    Dimension::FractureEnergy,
+];
+
+/// What a key of [`Case::settings`](crate::Case::settings) measures, and its name without the unit; nothing
+/// where it is a bare number or no number.
+///
+/// A key that stands in the case file measures what its table declares, any other what its unit says.
+///
+/// ```
+/// use wholestring_case::dimension_of;
+/// use wholestring_units::Dimension;
+///
+/// assert_eq!(dimension_of("bit_depth_m"), Some((Dimension::Length, "bit_depth")));
+/// assert_eq!(dimension_of("wear_flat_m"), Some((Dimension::Diameter, "wear_flat")));
+/// assert_eq!(dimension_of("seed"), None);
+/// ```
+pub fn dimension_of(key: &str) -> Option<(Dimension, &str)> {
+    if let Some(dimension) = DECLARED.get(key) {
+        return Some((*dimension, without(key, *dimension)?));
+    }
+    let of_the_record = OF_THE_RECORD.iter().find(|(own, ..)| *own == key);
+    if let Some((_, name, dimension)) = of_the_record {
+        return Some((*dimension, name));
+    }
+    BY_UNIT
+        .iter()
+        .filter_map(|dimension| Some((*dimension, without(key, *dimension)?)))
+        // Of `m_per_s` and `per_s` the longer unit.
+        .min_by_key(|(_, name)| name.len())
+}
+
+/// The name before a dimension's unit.
+fn without(key: &str, dimension: Dimension) -> Option<&str> {
+    key.strip_suffix(&dimension.suffix())?.strip_suffix('_')
+}
+
+/// The keys of all tables, with the units that the settings have them in.
+static DECLARED: LazyLock<BTreeMap<String, Dimension>> = LazyLock::new(|| {
+    let mut declared = BTreeMap::new();
+    visit(&TABLES, &mut |key, dimension| {
+        declared.insert(format!("{key}_{}", dimension.suffix()), dimension);
+    });
+    declared
+});
+
+/// Visits every key of a schema that has a dimension.
+fn visit(schema: &Json, each: &mut impl FnMut(&str, Dimension)) {
+    match schema {
+        Json::Object(object) => {
+            if let Some(Json::Object(keys)) = object.get("properties") {
+                for (key, value) in keys {
+                    if let Some(dimension) = declared_by(value) {
+                        each(key, dimension);
+                    }
+                }
+            }
+            object.values().for_each(|value| visit(value, each));
+        }
+        Json::Array(items) => items.iter().for_each(|value| visit(value, each)),
+        _ => {}
+    }
+}
+
+/// The dimension of a value, of one of a list, or of one of several that it may be.
+fn declared_by(value: &Json) -> Option<Dimension> {
+    if let Some(name) = value["x-dimension"].as_str() {
+        return Dimension::ALL.iter().find(|of| of.name() == name).copied();
+    }
+    let either = value["anyOf"].as_array().into_iter().flatten();
+    either.chain(value.get("items")).find_map(declared_by)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two tables that mean different things by one key in one unit would need their names told apart.
+    #[test]
+    fn a_key_measures_the_same_in_every_table() {
+        let mut declared: BTreeMap<String, Dimension> = BTreeMap::new();
+        let mut keys = 0;
+        visit(&TABLES, &mut |key, dimension| {
+            keys += 1;
+            let key = format!("{key}_{}", dimension.suffix());
+            if let Some(other) = declared.insert(key.clone(), dimension) {
+                assert_eq!(other, dimension, "{key}");
+            }
+        });
+        assert!(keys > 100, "{keys} keys have a dimension");
+    }
+
+    #[test]
+    fn undeclared_keys_measure_what_their_unit_says() {
+        for (key, expected) in [
+            ("from_m", Dimension::Length),
+            ("core_radius_m", Dimension::Diameter),
+            ("frequency_Hz", Dimension::Frequency),
+            ("rotary_speed_rad_per_s", Dimension::RotarySpeed),
+            ("mass_per_s", Dimension::Frequency),
+            ("consistency_Pa_s_n", Dimension::Consistency),
+        ] {
+            assert_eq!(dimension_of(key).map(|(of, _)| of), Some(expected), "{key}");
+        }
+    }
+}
