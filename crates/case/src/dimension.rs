@@ -113,9 +113,7 @@ fn declared_by(value: &Json) -> Option<Dimension> {
         return Dimension::ALL.iter().find(|of| of.name() == name).copied();
     }
     let either = value["anyOf"].as_array().into_iter().flatten();
-    either
-        .chain(value.get("items"))
-        .find_map(|inner| declared_by(inner))
+    either.chain(value.get("items")).find_map(declared_by)
 }
 
 #[cfg(test)]

@@ -37,7 +37,7 @@ pub(crate) const OPERATIONS: List<KindRule> = List {
 /// Whose answers a figure or a number shows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chosen {
-    /// Sweeps, as indices into [`Study::sweeps`].
+    /// Sweeps, as indices into [`Study::sweeps`](crate::Study::sweeps).
     pub sweeps: Vec<usize>,
     /// Models; all where it is empty.
     pub models: Vec<ModelKind>,
