@@ -34,6 +34,7 @@ type Step = (&'static str, fn() -> Result<Finding, Failure>);
 /// Cheap steps first, so that a slip is told early.
 const TEST: &[Step] = &[
     ("Formatting", formatting),
+    ("Circles between files", no_cycles),
     ("Bundle of the report", page::bundle),
     ("Lints", lints),
     ("Tests", tests),
