@@ -24,7 +24,7 @@ pub(crate) const NAME: &str = "checkpoint.bin";
 const MARK: &[u8; 8] = b"wholestr";
 
 /// Version of the layout around the content.
-const LAYOUT: u32 = 6;
+const LAYOUT: u32 = 7;
 
 /// Version of the program; all of its crates share it.
 const PROGRAM: &str = env!("CARGO_PKG_VERSION");

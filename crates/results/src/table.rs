@@ -3,6 +3,7 @@
 use std::{io, path::Path};
 
 use serde::{Deserialize, Serialize};
+use wholestring::outcome::{self, ModelKind, Values};
 
 use crate::{
     ColumnSpec, ResultsError,
@@ -49,6 +50,22 @@ pub struct Column {
     pub meaning: String,
     /// The values.
     pub data: Data,
+}
+
+impl Column {
+    /// A column without rows.
+    fn empty(spec: &ColumnSpec) -> Self {
+        Self {
+            name: spec.name.into(),
+            unit: spec.unit.into(),
+            meaning: spec.meaning.into(),
+            data: if spec.text {
+                Data::Text(Vec::new())
+            } else {
+                Data::Number(Vec::new())
+            },
+        }
+    }
 }
 
 /// A table: columns of equal length.
@@ -99,7 +116,7 @@ impl Table {
 
     /// A table without rows, with the columns of a registry ([`crate::NODES`], [`crate::TIME`]).
     pub fn with_columns(specs: &[ColumnSpec]) -> Self {
-        Self::new(specs.iter().map(ColumnSpec::empty).collect())
+        Self::new(specs.iter().map(Column::empty).collect())
     }
 
     /// Adds rows: each list of `words` gives one word a row, or one for all rows, each slice of `numbers`
@@ -136,6 +153,39 @@ impl Table {
                 },
             }
         }
+    }
+
+    /// Adds rows of what the engine declares: `words` as in [`Table::append`], and the columns of `of`, which a method has
+    /// made.
+    ///
+    /// # Panics
+    /// As [`Table::append`], and if a column is not there although the method knows it, or is there although it does not.
+    pub fn append_declared<T>(
+        &mut self,
+        words: &[(&str, &[&str])],
+        declared: &[outcome::Column<T>],
+        of: &T,
+        model: ModelKind,
+    ) {
+        let values = declared
+            .iter()
+            .map(|column| (&column.quantity, (column.of)(of)))
+            .filter(|(quantity, values)| {
+                let known = quantity.is_known_by(model);
+                let name = quantity.name;
+                assert!(known || values.is_empty(), "{model:?} knows no `{name}`");
+                known
+            });
+        let values: Vec<_> = values.collect();
+        let mut words = words.to_vec();
+        let mut numbers: Vec<(&str, &[f64])> = Vec::new();
+        for (quantity, values) in &values {
+            match values {
+                Values::Numbers(values) => numbers.push((quantity.name, values)),
+                Values::Words(values) => words.push((quantity.name, values)),
+            }
+        }
+        self.append(&words, &numbers);
     }
 
     /// Whether another table has the same columns: their names, units and kinds.

@@ -2,7 +2,7 @@
 
 mod rows;
 
-pub(crate) use rows::{Effort, bottom_rows};
+pub(crate) use rows::{CarriedOut, Effort, bottom_rows};
 
 use std::borrow::Cow;
 
@@ -12,16 +12,15 @@ use wholestring::{
     dynamics::ScheduleStep,
     findings::Finding,
     operation::Operation,
-    outcome::{ModelKind, Scalars},
+    outcome::{Cost, ModelKind},
     rig::Rig,
     well::Hole,
 };
 use wholestring_case::{Case, Records};
 use wholestring_report::{Report, profile};
 use wholestring_results::{
-    BOTTOM_HOLE, CONTACT, ENGINE_VERSION, FramesSoFar, Friction, GrowingTable, NODES,
-    OperationSummary, ResultsError, ResultsFolder, SCHEMA_VERSION, SPECTRA, Status, Summary, TIME,
-    Table, TableSoFar, WEAR, digest,
+    BOTTOM_HOLE, CONTACT, ENGINE_VERSION, FramesSoFar, Friction, GrowingTable, NODES, ResultsError,
+    ResultsFolder, SCHEMA_VERSION, SPECTRA, Summary, TIME, Table, TableSoFar, WEAR, digest,
 };
 use wholestring_units::{Dimension, UnitSet};
 
@@ -176,30 +175,6 @@ impl Record {
         solved.any(|solved| solved.model == model && solved.operation == name)
     }
 
-    /// The summary of an operation that was solved to its end.
-    fn solved(
-        &self,
-        model: ModelKind,
-        operation: &Operation,
-        scalars: Scalars,
-    ) -> OperationSummary {
-        OperationSummary {
-            model,
-            operation: operation.kind.name().into(),
-            status: Status::Complete,
-            friction: Friction::of(&friction(&self.hole)),
-            bit_depth_m: operation.bit_depth_m,
-            findings: Vec::new(),
-            scalars,
-            lift: None,
-            hydraulics: None,
-            statistics: None,
-            indicators: None,
-            bit_table: None,
-            numerics: None,
-        }
-    }
-
     /// Tells what was found in the answer that was added last.
     pub(crate) fn judge(&mut self, found: &[Finding], rig: &Rig) {
         if let Some(last) = self.summary.operations.last_mut() {
@@ -252,7 +227,7 @@ impl Record {
         }
         // Last, so that a summary tells of tables that are there.
         let solved = &self.summary.operations;
-        if keep == Keep::Summary && solved.iter().all(|of| of.model == ModelKind::Soft) {
+        if keep == Keep::Summary && solved.iter().all(|of| is_cheap(of.model)) {
             folder.write_compact_summary(&self.summary)?;
         } else {
             folder.write_summary(&self.summary)?;
@@ -281,6 +256,11 @@ pub(crate) fn write_profile(folder: &ResultsFolder, report: &Report) -> Result<(
         Some(figure) => folder.write_file(PROFILE, figure.drawing().svg().as_bytes()),
         None => folder.remove(PROFILE),
     }
+}
+
+/// Whether what a method answers is solved again rather than read back.
+fn is_cheap(model: ModelKind) -> bool {
+    model.method().cost == Cost::Milliseconds
 }
 
 fn remove_table(folder: &ResultsFolder, name: &str) -> Result<(), ResultsError> {
