@@ -41,10 +41,16 @@ use crate::{
 };
 
 /// The models that can solve a case.
-const MODELS: &[(&str, ModelKind)] = &[
-    (ModelKind::Soft.name(), ModelKind::Soft),
-    (ModelKind::Dynamic.name(), ModelKind::Dynamic),
-];
+const MODELS: &[(&str, ModelKind)] = &{
+    let mut models = [("", ModelKind::Soft); ModelKind::ALL.len()];
+    let mut place = 0;
+    while place < models.len() {
+        let model = ModelKind::ALL[place];
+        models[place] = (model.name(), model);
+        place += 1;
+    }
+    models
+};
 
 /// A set of units by name.
 pub(crate) const UNIT_SETS: Choice<UnitSet> = Choice {
@@ -403,7 +409,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     }
     if let (Some(table), Some(settings), Some(operations), Some(models)) =
         (case.dynamics.get(), &dynamics, &operations, &models)
-        && models.contains(&ModelKind::Dynamic)
+        && ModelKind::any_in_time(models)
     {
         table.check_precision(operations, settings, reader)?;
     }
@@ -454,7 +460,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     let (drilling, bit_test) = (drilling?, bit_test?);
     dynamics.probes.clone_from(&records.probes);
     if let (Some(drilling), Some(rock)) = (&drilling, case.rock.given()) {
-        let drills = models.contains(&ModelKind::Dynamic)
+        let drills = ModelKind::any_in_time(&models)
             && case.bit.get().and_then(|bit| bit.law.get()) == Some(&Law::Rock)
             && operations.iter().any(|one| one.kind.on_bottom());
         let speeds = operations

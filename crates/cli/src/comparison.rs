@@ -2,121 +2,31 @@
 
 use std::f64::consts::TAU;
 
-use wholestring::outcome::{ModelKind, Scalars};
+use wholestring::outcome::{QuantityKind, scalars_by_row};
 use wholestring_results::{Numerics, OperationSummary, Status, Summary};
 use wholestring_units::{Dimension, UnitSet};
 
 pub(crate) mod drift;
 
-use crate::pace::pace;
+use crate::{pace::pace, report::dimensions::of_kind};
 
-/// A row: what people call the quantity, how it is read, and its key in the statistics.
-struct Quantity {
-    label: &'static str,
-    unit: Unit,
-    key: &'static str,
-    value: fn(&Scalars) -> Option<f64>,
-}
-
-/// Rows of one unit show the same decimals, so that they can be added up.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Unit {
-    Of(Dimension),
-    /// A length, but thousands of times longer than a stretch.
-    Depth,
-    /// Turns of the string say more than radians.
-    Turns,
-}
-
-impl Unit {
-    fn symbol(&self, units: UnitSet) -> &'static str {
-        match self {
-            Self::Of(dimension) => dimension.unit_in(units).symbol,
-            Self::Depth => Dimension::Length.unit_in(units).symbol,
-            Self::Turns => "rev",
-        }
-    }
-
-    fn shown(&self, si: f64, units: UnitSet) -> f64 {
-        match self {
-            Self::Of(dimension) => dimension.unit_in(units).from_si(si),
-            Self::Depth => Dimension::Length.unit_in(units).from_si(si),
-            Self::Turns => si / TAU,
-        }
+/// Symbol of the unit in which the table shows a kind of quantity: turns of the string say more than radians.
+fn symbol(kind: QuantityKind, units: UnitSet) -> &'static str {
+    match (kind, of_kind(kind)) {
+        (QuantityKind::Angle, _) => "rev",
+        (_, Some(dimension)) => dimension.unit_in(units).symbol,
+        (_, None) => kind.unit(),
     }
 }
 
-const FORCE: Unit = Unit::Of(Dimension::Force);
-const TORQUE: Unit = Unit::Of(Dimension::Torque);
-
-const QUANTITIES: &[Quantity] = &[
-    Quantity {
-        label: "Hook load without block",
-        unit: FORCE,
-        key: "hook_load_N",
-        value: |of| Some(of.hook_load_N),
-    },
-    Quantity {
-        label: "Axial friction",
-        unit: FORCE,
-        key: "axial_friction_N",
-        value: |of| Some(of.axial_friction_N),
-    },
-    Quantity {
-        label: "Weight on bit",
-        unit: FORCE,
-        key: "weight_on_bit_N",
-        value: |of| Some(of.weight_on_bit_N),
-    },
-    Quantity {
-        label: "Side force, total",
-        unit: FORCE,
-        key: "side_force_total_N",
-        value: |of| Some(of.side_force_total_N),
-    },
-    Quantity {
-        label: "Surface torque",
-        unit: TORQUE,
-        key: "surface_torque_N_m",
-        value: |of| Some(of.surface_torque_N_m),
-    },
-    Quantity {
-        label: "Friction torque",
-        unit: TORQUE,
-        key: "friction_torque_N_m",
-        value: |of| Some(of.friction_torque_N_m),
-    },
-    Quantity {
-        label: "Bit torque",
-        unit: TORQUE,
-        key: "bit_torque_N_m",
-        value: |of| Some(of.bit_torque_N_m),
-    },
-    Quantity {
-        label: "Twist",
-        unit: Unit::Turns,
-        key: "twist_rad",
-        value: |of| Some(of.twist_rad),
-    },
-    Quantity {
-        label: "Stretch",
-        unit: Unit::Of(Dimension::Length),
-        key: "stretch_m",
-        value: |of| Some(of.stretch_m),
-    },
-    Quantity {
-        label: "Neutral point",
-        unit: Unit::Depth,
-        key: "neutral_point_m",
-        value: |of| of.neutral_point_m,
-    },
-    Quantity {
-        label: "Cut-off depth",
-        unit: Unit::Depth,
-        key: "cutoff_depth_m",
-        value: |of| of.cutoff_depth_m,
-    },
-];
+/// The value in that unit.
+fn shown(kind: QuantityKind, si: f64, units: UnitSet) -> f64 {
+    match (kind, of_kind(kind)) {
+        (QuantityKind::Angle, _) => si / TAU,
+        (_, Some(dimension)) => dimension.unit_in(units).from_si(si),
+        (_, None) => si,
+    }
+}
 
 /// Space between columns of one operation, and before the first of the next.
 const NARROW: usize = 2;
@@ -125,7 +35,7 @@ const WIDE: usize = 4;
 /// One column of numbers under its heading.
 struct Column {
     operation: String,
-    heading: &'static str,
+    heading: String,
     /// Where the same operation already has a column to the left.
     joined: bool,
     cells: Vec<String>,
@@ -135,10 +45,11 @@ struct Column {
 /// The whole table. Where the operations do not fit in `width` columns of the screen they go on
 /// below, with the labels again.
 pub(crate) fn table(summary: &Summary, units: UnitSet, width: Option<usize>) -> String {
-    let labels: Vec<String> = QUANTITIES.iter().map(|row| row.label.to_owned()).collect();
-    let symbols: Vec<&str> = QUANTITIES
+    let rows = scalars_by_row();
+    let labels: Vec<String> = rows.iter().map(|row| row.label.to_owned()).collect();
+    let symbols: Vec<&str> = rows
         .iter()
-        .map(|row| row.unit.symbol(units))
+        .map(|row| symbol(row.quantity.kind, units))
         .collect();
     let label_width = labels.iter().map(|label| label.len()).max().unwrap_or(0);
     let symbol_width = symbols.iter().map(|symbol| symbol.len()).max().unwrap_or(0);
@@ -228,22 +139,28 @@ impl Column {
 
 /// The columns of every operation and model, with the deviations of the dynamic ones.
 fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
-    let decimals: Vec<usize> = QUANTITIES
+    let rows = scalars_by_row();
+    // Rows of one kind show the same decimals, so that they can be added up.
+    let decimals: Vec<usize> = rows
         .iter()
         .map(|row| {
-            let alike = QUANTITIES.iter().filter(|other| other.unit == row.unit);
+            let kind = row.quantity.kind;
+            let alike = rows.iter().filter(|other| other.quantity.kind == kind);
             decimals(alike.flat_map(|row| {
                 let values = operations
                     .iter()
-                    .filter_map(|solved| (row.value)(&solved.scalars));
-                values.map(|value| row.unit.shown(value, units))
+                    .filter_map(|solved| (row.of)(&solved.scalars));
+                values.map(|value| shown(kind, value, units))
             }))
         })
         .collect();
     let cell = |row: usize, value: Option<f64>| match value {
         Some(value) if value.is_finite() => {
             let decimals = decimals[row];
-            let text = format!("{:.decimals$}", QUANTITIES[row].unit.shown(value, units));
+            let text = format!(
+                "{:.decimals$}",
+                shown(rows[row].quantity.kind, value, units)
+            );
             // What rounds to zero has no sign.
             match text.strip_prefix('-') {
                 Some(digits) if digits.bytes().all(|byte| matches!(byte, b'0' | b'.')) => {
@@ -257,26 +174,27 @@ fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
     let mut columns: Vec<Column> = Vec::new();
     for solved in operations {
         let operation = solved.operation.replace('_', " ");
-        let mut push = |heading, cells: Vec<String>, across: usize| {
+        let mut push = |heading: String, cells: Vec<String>, across: usize| {
             let joined = columns
                 .last()
                 .is_some_and(|last| last.operation == operation);
             let widest = cells.iter().map(|cell| cell.chars().count()).max();
             columns.push(Column {
-                width: widest.unwrap_or(0).max(heading_width(heading)).max(across),
+                width: widest.unwrap_or(0).max(heading_width(&heading)).max(across),
                 operation: operation.clone(),
                 heading,
                 joined,
                 cells,
             });
         };
-        let heading = match solved.model {
-            ModelKind::Soft => "soft",
-            ModelKind::Dynamic if solved.status == Status::Complete => "dynamic",
-            ModelKind::Dynamic => "dynamic*",
+        let incomplete = if solved.status == Status::Complete {
+            ""
+        } else {
+            "*"
         };
-        let values = QUANTITIES.iter().enumerate();
-        let cells = values.map(|(row, quantity)| cell(row, (quantity.value)(&solved.scalars)));
+        let heading = format!("{}{incomplete}", solved.model.name());
+        let values = rows.iter().enumerate();
+        let cells = values.map(|(row, scalar)| cell(row, (scalar.of)(&solved.scalars)));
         // The name of an operation needs the room of its one column where it has only one.
         let alone = operations
             .iter()
@@ -288,16 +206,17 @@ fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
         };
         push(heading, cells.collect(), across);
         if let Some(statistics) = &solved.statistics {
-            let deviations = QUANTITIES
+            let deviations = rows
                 .iter()
-                .map(|quantity| match statistics.get(quantity.key) {
+                .map(|scalar| match statistics.get(scalar.quantity.name) {
                     Some(statistic) => {
-                        let shown = deviation(quantity.unit.shown(statistic.std, units));
+                        let std = shown(scalar.quantity.kind, statistic.std, units);
+                        let shown = deviation(std);
                         format!("{shown}{}", drift::mark(statistic))
                     }
                     None => String::new(),
                 });
-            push("± std", drift::aligned(deviations.collect()), 0);
+            push("± std".to_owned(), drift::aligned(deviations.collect()), 0);
         }
     }
     columns

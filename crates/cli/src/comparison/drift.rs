@@ -1,9 +1,10 @@
 //! What is to be known of means that do not stand still: marks in the table, and what a finding says of them.
 
+use wholestring::outcome::scalars_by_row;
 use wholestring_results::{OperationSummary, Statistic};
 use wholestring_units::{Dimension, UnitSet};
 
-use super::{QUANTITIES, deviation};
+use super::{deviation, shown, symbol};
 
 /// Travel of the bit in the window from which it is named as what may change a mean, m.
 const TRAVELS_M: f64 = 1.0;
@@ -30,17 +31,19 @@ pub(super) fn aligned(cells: Vec<String>) -> Vec<String> {
 /// What drifts in the window of an operation, as a sentence; none where nothing of the table does.
 pub(crate) fn sentence(solved: &OperationSummary, units: UnitSet) -> Option<String> {
     let statistics = solved.statistics.as_ref()?;
-    let drifts: Vec<String> = QUANTITIES
-        .iter()
-        .filter_map(|quantity| {
-            let statistic = statistics.get(quantity.key).filter(|of| of.drifts)?;
+    let drifts: Vec<String> = scalars_by_row()
+        .into_iter()
+        .filter_map(|scalar| {
+            let quantity = scalar.quantity;
+            let statistic = statistics.get(quantity.name).filter(|of| of.drifts)?;
             let verb = if statistic.drift < 0.0 {
                 "falls"
             } else {
                 "rises"
             };
-            let shown = deviation(quantity.unit.shown(statistic.drift.abs(), units));
-            let (label, symbol) = (quantity.label.to_lowercase(), quantity.unit.symbol(units));
+            let shown = deviation(shown(quantity.kind, statistic.drift.abs(), units));
+            let symbol = symbol(quantity.kind, units);
+            let label = scalar.label.to_lowercase();
             Some(format!("{label} {verb} by {shown} {symbol}"))
         })
         .collect();

@@ -1,6 +1,5 @@
 //! Curves of a figure: what they show, and their data as a table.
 
-use wholestring::outcome::ModelKind;
 use wholestring_case::study::{Figure, FigureData, Quantity, Source, Statistic};
 use wholestring_results::{Column, Data, ResultsError, Table};
 
@@ -362,7 +361,7 @@ pub(super) fn table(
     Table::new(columns)
 }
 
-/// Whether a soft string is among the curves: it is drawn dashed beside dynamics.
+/// The place of a series' method among all, the most detailed first: the others are drawn dashed beside it.
 pub(super) fn rank(series: &Series) -> usize {
-    usize::from(series.1 == ModelKind::Soft)
+    series.1.rank()
 }

@@ -86,6 +86,11 @@ impl ModelKind {
         self.method().in_time
     }
 
+    /// Whether one of them answers in time.
+    pub fn any_in_time(all: &[Self]) -> bool {
+        all.iter().any(|of| of.in_time())
+    }
+
     /// How many methods are more detailed than it.
     pub fn rank(self) -> usize {
         let more_detailed = Self::ALL.into_iter().rev();

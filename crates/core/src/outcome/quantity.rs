@@ -280,6 +280,13 @@ mod tests {
     use super::*;
 
     #[test]
+    fn those_in_time_are_as_the_methods_say() {
+        let all = ModelKind::ALL.into_iter();
+        let in_time: Vec<ModelKind> = all.filter(|of| of.in_time()).collect();
+        assert_eq!(in_time, IN_TIME);
+    }
+
+    #[test]
     fn a_name_without_its_unit() {
         for (name, kind, stem) in [
             ("hook_load_N", QuantityKind::Force, "hook_load"),

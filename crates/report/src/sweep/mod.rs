@@ -4,6 +4,8 @@ mod figures;
 
 use std::collections::BTreeMap;
 
+use wholestring::outcome::ModelKind;
+
 use crate::{Cell, DisplayUnit, Fact, Place, Plot, Sheet, plots::spoken};
 
 /// A sweep as its page shows it. Numbers are SI.
@@ -125,11 +127,8 @@ impl Sweep {
             })
             .collect();
         let row = |row: &SweepRow| {
-            let model = match row.model.as_str() {
-                "soft" => "soft string",
-                "dynamic" => "dynamics",
-                other => other,
-            };
+            let model = ModelKind::named(&row.model);
+            let model = model.map_or(row.model.as_str(), |of| of.method().long_name);
             let mut cells: Vec<Cell> = row.values.iter().cloned().map(Cell::Text).collect();
             cells.push(Cell::Text(model.into()));
             cells.push(Cell::Text(spoken(&row.operation)));

@@ -52,6 +52,8 @@ const fn table<T, const N: usize>(
 
 #[cfg(test)]
 mod tests {
+    use wholestring::dynamics::NodeSignal;
+
     use super::*;
 
     #[test]
@@ -75,6 +77,15 @@ mod tests {
                 let suffix = column.kind.suffix();
                 assert!(column.name.ends_with(&suffix), "{}", column.name);
             }
+        }
+    }
+
+    /// A spectrum of a node is of a column of `frames.parquet`.
+    #[test]
+    fn every_signal_of_a_node_is_a_column_of_frames() {
+        for signal in NodeSignal::ALL {
+            let found = FRAMES.iter().find(|of| of.stem() == signal.name());
+            assert_eq!(found.map(|of| of.unit), Some(signal.unit()), "{signal:?}");
         }
     }
 
