@@ -114,13 +114,15 @@ pub(crate) fn notes(summary: &Summary, units: UnitSet) -> String {
         let largest = |of: fn(&Numerics) -> f64| all().map(of).fold(0.0, f64::max);
         let took_s: f64 = all().map(|of| of.wall_time_s).sum();
         let simulated_s: f64 = all().map(|of| of.real_time_factor * of.wall_time_s).sum();
-        let shortest_step_s = all().map(|of| of.time_step_s).fold(f64::INFINITY, f64::min);
+        let shortest_step_s = all()
+            .map(|of| of.run.time_step_s)
+            .fold(f64::INFINITY, f64::min);
         notes += &format!(
             "Dynamics: {} elements, step {:.3} ms, added axial mass {:.2} %; {simulated_s:.1} s simulated \
              in {took_s:.1} s, {}\n",
-            largest(|of| of.elements as f64),
+            largest(|of| of.run.elements as f64),
             shortest_step_s * 1e3,
-            largest(|of| of.added_axial_mass_fraction) * 100.0,
+            largest(|of| of.run.added_axial_mass_fraction) * 100.0,
             pace(simulated_s / took_s),
         );
     }

@@ -26,6 +26,11 @@ pub(crate) const fn unknown() -> f64 {
     f64::NAN
 }
 
+/// Whether a file does not say.
+pub(crate) const fn is_unknown(value: &f64) -> bool {
+    value.is_nan()
+}
+
 /// The same for people and programs who take `-0.0` for a number of its own: there zero has no sign.
 pub(crate) mod unsigned_zero {
     use super::*;

@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, path::Path};
 
 use serde::{Deserialize, Serialize};
 use wholestring::{
-    dynamics::{EnergyBalance, Indicators, Statistic, TableUse, TunedLift},
+    dynamics::{self, Indicators, Statistic, TableUse, TunedLift},
     mud::Hydraulics,
     outcome::{ModelKind, Scalars},
 };
@@ -114,49 +114,21 @@ pub struct OperationSummary {
 impl OperationSummary {
     /// When the window of its statistics begins, s: as the run found it, or as `settings` of the case say where the file is older.
     pub fn window_from_s(&self, settings: &serde_json::Value) -> f64 {
-        let found_s = self.numerics.as_ref().and_then(|of| of.settle_s);
+        let found_s = self.numerics.as_ref().map(|of| of.run.settle_s);
         let given_s = || settings["dynamics"]["settle_s"].as_f64();
-        found_s.or_else(given_s).unwrap_or(0.0)
+        found_s
+            .filter(|of| of.is_finite())
+            .or_else(given_s)
+            .unwrap_or(0.0)
     }
 }
 
 /// What a dynamic solution cost and how sound it is.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Numerics {
-    /// Elements of the mesh.
-    pub elements: usize,
-    /// Time step, s.
-    #[serde(with = "finite")]
-    pub time_step_s: f64,
-    /// Steps taken.
-    pub steps: u64,
-    /// Axial mass added to short elements to keep the step, as a fraction of the string's.
-    #[serde(with = "finite")]
-    pub added_axial_mass_fraction: f64,
-    /// Deepest penetration of the wall, m.
-    #[serde(with = "finite")]
-    pub max_penetration_m: f64,
-    /// What the integration gained or lost since the window began, over the largest of work, losses,
-    /// change of energy and kinetic energy.
-    #[serde(with = "finite")]
-    pub energy_residual: f64,
-    /// Where energy came from and went since the window began; none before that, or of a run that diverged.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub energy: Option<EnergyBalance>,
-    /// Instruction set that the time loop was compiled for.
-    pub instructions: String,
-    /// Time at which the window begins, s.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub settle_s: Option<f64>,
-    /// Whether the string was steady then; none where the case gives the time.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub settled: Option<bool>,
-    /// Measured depth of the bit, on average over the window, m.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub mean_bit_depth_m: Option<f64>,
-    /// How far the bit went in the window, m, positive downwards.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub bit_travel_m: Option<f64>,
+    /// How it was computed and how well.
+    #[serde(flatten)]
+    pub run: dynamics::Numerics,
     /// Time that the solution took, s.
     #[serde(with = "finite")]
     pub wall_time_s: f64,

@@ -53,7 +53,7 @@ pub(crate) fn sentence(solved: &OperationSummary, units: UnitSet) -> Option<Stri
         Some((last, [])) => format!("{first} and {last}"),
         Some((last, between)) => format!("{first}, {} and {last}", between.join(", ")),
     };
-    let travel_m = solved.numerics.as_ref().and_then(|of| of.bit_travel_m);
+    let travel_m = solved.numerics.as_ref().map(|of| of.run.bit_travel_m);
     let why = match travel_m.map(f64::abs).filter(|m| *m >= TRAVELS_M) {
         Some(travel_m) => format!(
             "the string goes {} through the hole meanwhile, and a shorter window shows less of that",

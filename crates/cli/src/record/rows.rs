@@ -163,20 +163,8 @@ fn numerics(of: &InTime<'_>, effort: Effort) -> Numerics {
     let last_s = of.series.time_s.last().copied().unwrap_or(0.0);
     let simulated_s = last_s * effort.runs as f64;
     let wall_time_s = effort.took.as_secs_f64();
-    let of = of.numerics;
     Numerics {
-        elements: of.elements,
-        time_step_s: of.time_step_s,
-        steps: of.steps,
-        added_axial_mass_fraction: of.added_axial_mass_fraction,
-        max_penetration_m: of.max_penetration_m,
-        energy_residual: of.energy_residual,
-        energy: of.energy,
-        instructions: of.instructions.into(),
-        settle_s: Some(of.settle_s),
-        settled: of.settled,
-        mean_bit_depth_m: Some(of.mean_bit_depth_m),
-        bit_travel_m: Some(of.bit_travel_m),
+        run: of.numerics.clone(),
         wall_time_s,
         real_time_factor: simulated_s / wall_time_s,
     }

@@ -101,26 +101,23 @@ pub(super) fn numerics(summary: &Summary) -> Vec<Sheet> {
     }
     let mut sheet = side_by_side(Place::Numerics, "How the dynamics were computed", &solved);
     let numerics = |of: &OperationSummary| of.numerics.clone();
-    let energy = |of: &OperationSummary| of.numerics.as_ref().and_then(|all| all.energy);
+    let run = |of: &OperationSummary| of.numerics.as_ref().map(|all| all.run.clone());
+    let energy = |of: &OperationSummary| run(of)?.energy;
     let rows: &[Row<'_>] = &[
-        ("Elements", "ratio", &|of| {
-            Some(numerics(of)?.elements as f64)
-        }),
-        ("Time step", "time step", &|of| {
-            Some(numerics(of)?.time_step_s)
-        }),
-        ("Steps", "ratio", &|of| Some(numerics(of)?.steps as f64)),
+        ("Elements", "ratio", &|of| Some(run(of)?.elements as f64)),
+        ("Time step", "time step", &|of| Some(run(of)?.time_step_s)),
+        ("Steps", "ratio", &|of| Some(run(of)?.steps as f64)),
         ("Settled before the window", "time", &|of| {
-            numerics(of)?.settle_s
+            Some(run(of)?.settle_s).filter(|of| of.is_finite())
         }),
         ("Axial mass added", "percent", &|of| {
-            Some(numerics(of)?.added_axial_mass_fraction)
+            Some(run(of)?.added_axial_mass_fraction)
         }),
         ("Deepest penetration of the wall", "diameter", &|of| {
-            Some(numerics(of)?.max_penetration_m)
+            Some(run(of)?.max_penetration_m)
         }),
         ("Energy residual", "percent", &|of| {
-            Some(numerics(of)?.energy_residual)
+            Some(run(of)?.energy_residual)
         }),
         ("Work of top drive, hoist, bit, mud", "energy", &|of| {
             Some(energy(of)?.work_J())
@@ -142,7 +139,7 @@ pub(super) fn numerics(summary: &Summary) -> Vec<Sheet> {
     add(&mut sheet, rows, &solved);
     let instructions = solved
         .iter()
-        .map(|of| numerics(of).map_or(Cell::Nothing, |of| Cell::Text(of.instructions)));
+        .map(|of| run(of).map_or(Cell::Nothing, |of| Cell::Text(of.instructions.into())));
     sheet.rows.push(named("Instruction set", instructions));
     vec![sheet]
 }

@@ -112,7 +112,7 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
                 None => f64::from(u8::from(s.diverged)),
             },
             energy: s.energy.map(|(parts, _)| parts),
-            instructions: s.instructions,
+            instructions: s.instructions.into(),
             settle_s: match (s.settled, s.settling) {
                 (Some(settled), _) => settled.settle_s,
                 (None, Settling::Fixed(settle_s)) => settle_s,

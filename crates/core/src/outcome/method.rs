@@ -2,15 +2,6 @@
 
 use serde::Serialize;
 
-/// A method that solves an operation. What it is called and what it can answer stands in its [`Method`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
-pub enum ModelKind {
-    /// Soft string: statics without bending stiffness.
-    Soft,
-    /// Dynamics of the whole string in time.
-    Dynamic,
-}
-
 /// How long a method takes for an operation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Cost {
@@ -36,10 +27,49 @@ pub struct Method {
     pub cost: Cost,
 }
 
-impl ModelKind {
-    /// Every method, from the simplest to the most detailed.
-    pub const ALL: [Self; 2] = [Self::Soft, Self::Dynamic];
+/// Declares the methods and what is known of them, from the simplest to the most detailed.
+macro_rules! methods {
+    ($($(#[$about:meta])* $model:ident => $method:expr;)*) => {
+        /// A method that solves an operation. What it is called and what it can answer stands in its [`Method`].
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+        pub enum ModelKind {
+            $($(#[$about])* $model,)*
+        }
 
+        impl ModelKind {
+            /// Every method, from the simplest to the most detailed.
+            pub const ALL: &[Self] = &[$(Self::$model,)*];
+
+            /// What is known of it.
+            pub const fn method(self) -> &'static Method {
+                match self {
+                    $(Self::$model => const { &$method },)*
+                }
+            }
+        }
+    };
+}
+
+methods! {
+    /// Soft string: statics without bending stiffness.
+    Soft => Method {
+        name: "soft",
+        long_name: "soft string",
+        curve_name: "soft string",
+        in_time: false,
+        cost: Cost::Milliseconds,
+    };
+    /// Dynamics of the whole string in time.
+    Dynamic => Method {
+        name: "dynamic",
+        long_name: "dynamics",
+        curve_name: "dynamics, mean",
+        in_time: true,
+        cost: Cost::Minutes,
+    };
+}
+
+impl ModelKind {
     /// The name of each, in the same order.
     pub const NAMES: &[&'static str] = &{
         let mut names = [""; Self::ALL.len()];
@@ -51,26 +81,6 @@ impl ModelKind {
         names
     };
 
-    /// What is known of it.
-    pub const fn method(self) -> &'static Method {
-        match self {
-            Self::Soft => &Method {
-                name: "soft",
-                long_name: "soft string",
-                curve_name: "soft string",
-                in_time: false,
-                cost: Cost::Milliseconds,
-            },
-            Self::Dynamic => &Method {
-                name: "dynamic",
-                long_name: "dynamics",
-                curve_name: "dynamics, mean",
-                in_time: true,
-                cost: Cost::Minutes,
-            },
-        }
-    }
-
     /// Name in case files and results.
     pub const fn name(self) -> &'static str {
         self.method().name
@@ -78,7 +88,7 @@ impl ModelKind {
 
     /// The method of that [`ModelKind::name`].
     pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|of| of.name() == name)
+        Self::ALL.iter().copied().find(|of| of.name() == name)
     }
 
     /// Whether it answers in time.
@@ -93,8 +103,8 @@ impl ModelKind {
 
     /// How many methods are more detailed than it.
     pub fn rank(self) -> usize {
-        let more_detailed = Self::ALL.into_iter().rev();
-        more_detailed.take_while(|of| *of != self).count()
+        let more_detailed = Self::ALL.iter().rev();
+        more_detailed.take_while(|of| **of != self).count()
     }
 }
 
@@ -104,7 +114,7 @@ mod tests {
 
     #[test]
     fn a_method_is_found_by_its_name_and_has_a_rank_of_its_own() {
-        for (index, kind) in ModelKind::ALL.into_iter().enumerate() {
+        for (index, kind) in ModelKind::ALL.iter().copied().enumerate() {
             assert_eq!(ModelKind::named(kind.name()), Some(kind));
             assert_eq!(kind.rank(), ModelKind::ALL.len() - 1 - index);
         }

@@ -119,7 +119,7 @@ impl Quantity {
             meaning,
             kind,
             text: false,
-            known_by: &ModelKind::ALL,
+            known_by: ModelKind::ALL,
             null_where: None,
         }
     }
@@ -281,7 +281,7 @@ mod tests {
 
     #[test]
     fn those_in_time_are_as_the_methods_say() {
-        let all = ModelKind::ALL.into_iter();
+        let all = ModelKind::ALL.iter().copied();
         let in_time: Vec<ModelKind> = all.filter(|of| of.in_time()).collect();
         assert_eq!(in_time, IN_TIME);
     }

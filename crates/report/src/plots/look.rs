@@ -145,7 +145,7 @@ impl<'a> Looks<'a> {
 
 /// The methods whose names are there, the most detailed first.
 pub(crate) fn models(has: impl Fn(&str) -> bool) -> Vec<&'static Method> {
-    let all = ModelKind::ALL.into_iter().rev().map(ModelKind::method);
+    let all = ModelKind::ALL.iter().rev().map(|of| of.method());
     all.filter(|of| has(of.name)).collect()
 }
 
