@@ -10,7 +10,8 @@ pub(crate) mod drift;
 
 use crate::{pace::pace, report::dimensions::of_kind};
 
-/// Symbol of the unit in which the table shows a kind of quantity: turns of the string say more than radians.
+/// Symbol of the unit in which the table shows a kind of quantity: turns of the string say more
+/// than radians.
 fn symbol(kind: QuantityKind, units: UnitSet) -> &'static str {
     match (kind, of_kind(kind)) {
         (QuantityKind::Angle, _) => "rev",

@@ -31,7 +31,8 @@ pub(crate) const fn is_unknown(value: &f64) -> bool {
     value.is_nan()
 }
 
-/// The same for people and programs who take `-0.0` for a number of its own: there zero has no sign.
+/// The same for people and programs who take `-0.0` for a number of its own: there zero has no
+/// sign.
 pub(crate) mod unsigned_zero {
     use super::*;
 

@@ -155,11 +155,12 @@ impl Table {
         }
     }
 
-    /// Adds rows of what the engine declares: `words` as in [`Table::append`], and the columns of `of`, which a method has
-    /// made.
+    /// Adds rows of what the engine declares: `words` as in [`Table::append`], and the columns of
+    /// `of`, which a method has made.
     ///
     /// # Panics
-    /// As [`Table::append`], and if a column is not there although the method knows it, or is there although it does not.
+    /// As [`Table::append`], and if a column is not there although the method knows it, or is there
+    /// although it does not.
     pub fn append_declared<T>(
         &mut self,
         words: &[(&str, &[&str])],

@@ -361,7 +361,8 @@ pub(super) fn table(
     Table::new(columns)
 }
 
-/// The place of a series' method among all, the most detailed first: the others are drawn dashed beside it.
+/// The place of a series' method among all, the most detailed first: the others are drawn dashed
+/// beside it.
 pub(super) fn rank(series: &Series) -> usize {
     series.1.rank()
 }

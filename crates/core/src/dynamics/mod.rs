@@ -43,7 +43,7 @@ pub use bit::{
     TableUse,
 };
 pub use energy::EnergyBalance;
-pub use frame::{Channel, Frame};
+pub use frame::{Channel, FRAME, Frame};
 pub use indicators::{Indicators, StickSlip, TorqueUse, Whirl};
 pub use lift::{LIFT_TOLERANCE, LiftError, MOST_LIFT_RUNS, TunedLift, tune_lift};
 pub use outcome::{DynamicOutcome, Numerics, Statistic};

@@ -44,8 +44,8 @@ pub struct Statistic {
         default = "crate::finite::unknown"
     )]
     pub std_error: f64,
-    /// Change over the window by the straight line of least squares; not a number in files that do not
-    /// have it.
+    /// Change over the window by the straight line of least squares; not a number in files that do
+    /// not have it.
     #[serde(
         with = "crate::finite::unsigned_zero",
         default = "crate::finite::unknown"

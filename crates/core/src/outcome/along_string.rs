@@ -9,8 +9,8 @@ columns! {
     /// The profile along the string, from the surface to the bit: a row per node.
     ///
     /// All columns that the method knows are of the same length, the others are empty; `md_m` grows
-    /// strictly. Of dynamics the values are means over the window where they do not say otherwise, and
-    /// tension and torque those of the two elements at the node.
+    /// strictly. Of dynamics the values are means over the window where they do not say otherwise,
+    /// and tension and torque those of the two elements at the node.
     #[derive(Debug, Clone, PartialEq, Default)]
     pub struct Profile, "What a profile along the string holds, in the order of `nodes.parquet`."
     PROFILE {
@@ -40,7 +40,8 @@ columns! {
         friction_torque_N_m_per_m: Vec<f64> => TorquePerLength,
             "Torque of wall friction per length";
         wear_work_J_per_m: Vec<f64> => WorkPerLength,
-            "Work of friction over the window per metre of string: force times sliding distance", known_by IN_TIME;
+            "Work of friction over the window per metre of string: force times sliding distance",
+            known_by IN_TIME;
         wear_power_W_per_m: Vec<f64> => PowerPerLength,
             "Its mean rate, of a soft string the rate: friction force times sliding speed per \
              metre of string";
@@ -158,7 +159,8 @@ fn contact_sides(of: &Profile) -> Vec<&'static str> {
 
 impl Profile {
     /// The columns that are not as their declaration says for this method: left out though it knows
-    /// them, there though it does not, or of another length than the others. None of a sound profile.
+    /// them, there though it does not, or of another length than the others. None of a sound
+    /// profile.
     pub fn unlike_declared(&self, model: ModelKind) -> Vec<&'static str> {
         unlike_declared(PROFILE, self, model)
     }

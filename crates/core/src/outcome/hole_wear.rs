@@ -6,8 +6,8 @@ use super::{
 };
 
 columns! {
-    /// Wear of the hole from the surface to the bit, a row per [`HOLE_STEP_M`]. Columns that the method
-    /// does not know are empty.
+    /// Wear of the hole from the surface to the bit, a row per [`HOLE_STEP_M`]. Columns that the
+    /// method does not know are empty.
     #[derive(Debug, Clone, PartialEq, Default)]
     pub struct HoleWear, "What is known of the wear of the hole, in the order of `wear.parquet`."
     HOLE_WEAR {

@@ -20,8 +20,8 @@ pub struct Method {
     pub long_name: &'static str,
     /// Name in legends: what its curve shows.
     pub curve_name: &'static str,
-    /// Whether it answers in time: series, statistics over a window, spectra, frames; what a schedule changes
-    /// on the way. The others answer with one state of equilibrium.
+    /// Whether it answers in time: series, statistics over a window, spectra, frames; what a
+    /// schedule changes on the way. The others answer with one state of equilibrium.
     pub in_time: bool,
     /// How long it takes.
     pub cost: Cost,
@@ -30,7 +30,8 @@ pub struct Method {
 /// Declares the methods and what is known of them, from the simplest to the most detailed.
 macro_rules! methods {
     ($($(#[$about:meta])* $model:ident => $method:expr;)*) => {
-        /// A method that solves an operation. What it is called and what it can answer stands in its [`Method`].
+        /// A method that solves an operation. What it is called and what it can answer stands in
+        /// its [`Method`].
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
         pub enum ModelKind {
             $($(#[$about])* $model,)*

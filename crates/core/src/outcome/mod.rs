@@ -1,5 +1,6 @@
-//! What the methods answer with: scalars, profiles along string and hole, series against time. Each quantity is
-//! declared once, beside the data, with its name, unit, meaning and where it comes from.
+//! What the methods answer with: scalars, profiles along string and hole, series against time. Each
+//! quantity is declared once, beside the data, with its name, unit, meaning and where it comes
+//! from.
 
 mod along_string;
 mod contact_map;
@@ -19,8 +20,8 @@ pub(crate) use hole_wear::{hole_depths_m, hole_steps, spread};
 pub use method::{Cost, Method, ModelKind};
 pub(crate) use profile::{SLACK, neutral_point_among};
 pub use profile::{cutoff_depth_m, cutoff_in_build_m, neutral_point_m};
-pub(crate) use quantity::Rows;
 pub use quantity::{Column, Quantity, QuantityKind, Values};
+pub(crate) use quantity::{IN_TIME, Rows, columns};
 pub use scalars::{SCALARS, Scalar, Scalars, scalars_by_row};
 pub use signal::Signal;
 pub use solution::{InTime, Solution};

@@ -1,4 +1,5 @@
-//! What a quantity of an answer is: its name, unit and meaning, who knows it, and where it comes from.
+//! What a quantity of an answer is: its name, unit and meaning, who knows it, and where it comes
+//! from.
 
 use std::borrow::Cow;
 
@@ -95,7 +96,8 @@ pub struct Quantity {
     pub text: bool,
     /// The methods that know it; the others leave it out.
     pub known_by: &'static [ModelKind],
-    /// Where a method that knows it has no value all the same (a text: empty); nothing where there always is one.
+    /// Where a method that knows it has no value all the same (a text: empty); nothing where there
+    /// always is one.
     pub null_where: Option<&'static str>,
 }
 
@@ -201,8 +203,9 @@ impl Rows for Vec<Option<f64>> {
     }
 }
 
-/// The columns that a `T` of a method does not have as they are declared: one that the method knows and that is
-/// shorter or longer than the others, and one that it does not know but has. By their names.
+/// The columns that a `T` of a method does not have as they are declared: one that the method knows
+/// and that is shorter or longer than the others, and one that it does not know but has. By their
+/// names.
 pub(crate) fn unlike_declared<T>(
     columns: &'static [Column<T>],
     of: &T,
@@ -221,10 +224,10 @@ pub(crate) fn unlike_declared<T>(
         .collect()
 }
 
-/// Declares a structure of columns and the list of their [`Column`]s at once, in the order of the files: a column is
-/// a field that is kept (`name: Vec<f64>`), or words that follow from the others (`name = |of| ..`), its kind and
-/// its meaning, and, where it is not so in all rows of all methods, who knows it and where there is no value.
-/// What stands behind `beside` is no column.
+/// Declares a structure of columns and the list of their [`Column`]s at once, in the order of the
+/// files: a column is a field that is kept (`name: Vec<f64>`), or words that follow from the others
+/// (`name = |of| ..`), its kind and its meaning, and, where it is not so in all rows of all
+/// methods, who knows it and where there is no value. What stands behind `beside` is no column.
 macro_rules! columns {
     (
         $(#[$about:meta])*

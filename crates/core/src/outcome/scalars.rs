@@ -24,8 +24,8 @@ pub fn scalars_by_row() -> Vec<&'static Scalar> {
     all
 }
 
-/// Declares the structure and the list of its fields at once, in the order of `summary.json`: kind, what people call
-/// it and in which row of their tables, meaning, and where there is none.
+/// Declares the structure and the list of its fields at once, in the order of `summary.json`: kind,
+/// what people call it and in which row of their tables, meaning, and where there is none.
 macro_rules! scalars {
     (
         $(#[$about:meta])*
@@ -62,8 +62,8 @@ macro_rules! scalars {
 }
 
 scalars! {
-    /// Torque and drag of one operation: the quantities that every method reports under the same names,
-    /// so that their answers can be compared. A dynamic one reports means over its window.
+    /// Torque and drag of one operation: the quantities that every method reports under the same
+    /// names, so that their answers can be compared. A dynamic one reports means over its window.
     #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
     pub struct Scalars {
         #[serde(with = "crate::finite::unsigned_zero")]

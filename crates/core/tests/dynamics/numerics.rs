@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 use wholestring::{
     dynamics::{DynamicOutcome, FrictionLaw, HoistControl},
     operation::OperationKind,
+    outcome::ModelKind,
 };
 
 use crate::wells::{Case, MODERATE_M, each, go, moderate, np13};
@@ -171,6 +172,10 @@ fn a_run_is_sound() {
                 "{name} has {values:?}"
             );
         }
+        let columns = outcome.nodes.unlike_declared(ModelKind::Dynamic);
+        assert!(columns.is_empty(), "not as declared: {columns:?}");
+        let wear = outcome.wear.unlike_declared(ModelKind::Dynamic);
+        assert!(wear.is_empty(), "not as declared: {wear:?}");
         let numerics = outcome.numerics;
         assert!(numerics.added_axial_mass_fraction < 0.005, "{numerics:?}");
         assert!(numerics.energy_residual.abs() < 1e-6, "{numerics:?}");

@@ -1,5 +1,5 @@
-//! Every column of every table. What the engine answers it declares itself; here are the tables made of it, and what
-//! only results hold.
+//! Every column of every table. What the engine answers it declares itself; here are the tables
+//! made of it, and what only results hold.
 
 mod bit_test;
 mod bottom_hole;
@@ -25,7 +25,8 @@ const MODEL: ColumnSpec = ColumnSpec::text("model", "`soft` or `dynamic`");
 /// Whose rows they are.
 const OPERATION: ColumnSpec = ColumnSpec::text("operation", "`trip_out`, `drill`, ...");
 
-/// The columns of a table: what the engine declares, between what says whose the rows are and what is added to them.
+/// The columns of a table: what the engine declares, between what says whose the rows are and what
+/// is added to them.
 ///
 /// # Panics
 /// If `N` is not the number of all.
@@ -52,7 +53,7 @@ const fn table<T, const N: usize>(
 
 #[cfg(test)]
 mod tests {
-    use wholestring::dynamics::NodeSignal;
+    use wholestring::dynamics::{Channel, FRAME, Frame, NodeSignal};
 
     use super::*;
 
@@ -78,6 +79,18 @@ mod tests {
                 assert!(column.name.ends_with(&suffix), "{}", column.name);
             }
         }
+    }
+
+    #[test]
+    fn every_column_of_a_frame_is_of_one_channel() {
+        let blank = Frame::default();
+        let channels = Channel::ALL.iter().flat_map(|of| blank.channel(*of));
+        let mut names: Vec<&str> = channels.map(|(name, _)| name).collect();
+        names.push("md_m");
+        names.sort_unstable();
+        let mut declared: Vec<&str> = FRAME.iter().map(|of| of.quantity.name).collect();
+        declared.sort_unstable();
+        assert_eq!(names, declared);
     }
 
     /// A spectrum of a node is of a column of `frames.parquet`.

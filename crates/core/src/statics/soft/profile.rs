@@ -10,17 +10,17 @@ use crate::{
     mud::Hydraulics,
     operation::Operation,
     outcome::{
-        HOLE_STEP_M, HoleWear, ModelKind, Profile, Scalars, cutoff_in_build_m, hole_depths_m,
-        neutral_point_m,
+        HOLE_STEP_M, HoleWear, Profile, Scalars, cutoff_in_build_m, hole_depths_m, neutral_point_m,
     },
 };
 
-/// What the soft string answers: loads along the string, from the surface to the bit, and their scalars.
+/// What the soft string answers: loads along the string, from the surface to the bit, and their
+/// scalars.
 ///
-/// Its profile's columns are read as its own: `soft.tension_N`. `md_m` goes from 0 to the depth of the bit. Where a
-/// property jumps (a station of a minimum-curvature path, the end of a component or hole section), side force and
-/// friction are those of the stretch above. The string lies on the wall all the time, wherever anything presses it
-/// there.
+/// Its profile's columns are read as its own: `soft.tension_N`. `md_m` goes from 0 to the depth of
+/// the bit. Where a property jumps (a station of a minimum-curvature path, the end of a component
+/// or hole section), side force and friction are those of the stretch above. The string lies on the
+/// wall all the time, wherever anything presses it there.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SoftProfile {
     /// Along the string.
@@ -114,7 +114,6 @@ impl SoftProfile {
             // What varies in time is left out.
             ..Profile::default()
         };
-        debug_assert_eq!(profile.unlike_declared(ModelKind::Soft), [""; 0]);
         Self {
             profile,
             contact_direction,
