@@ -129,7 +129,8 @@ fn apart(a: &Matrix, b: &Matrix) -> f64 {
     (a - b).amax() / a.amax()
 }
 
-/// Differences come the nearer to the tangent the smaller their step, with its square, until
+/// Found are 4.5e-5 at a step of 1e-2 (m, rad), a hundredth of it at a tenth of the step, and 5e-11 at 1e-5: less than
+/// 1e-9 is held there. Differences come the nearer to the tangent the smaller their step, with its square, until
 /// rounding ends it: of 50 elements anywhere the largest difference over the largest entry.
 #[test]
 fn differences_converge_to_the_tangent() {
@@ -141,10 +142,10 @@ fn differences_converge_to_the_tangent() {
         elements.iter().map(of).fold(0.0, f64::max)
     };
     let errors = [1e-2, 1e-3, 1e-4, 1e-5].map(error);
-    println!("{errors:?}");
     for pair in errors[..3].windows(2) {
         assert!((90.0..110.0).contains(&(pair[0] / pair[1])), "{errors:?}");
     }
+    assert!(errors[3] < 1e-9, "{errors:?}");
 }
 
 /// Nothing acts on the ends of a straight element but its tension: the tangent is symmetric, and a
