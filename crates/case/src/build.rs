@@ -181,7 +181,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     }
     if let (Some(table), Some(settings), Some(operations), Some(models)) =
         (case.dynamics.get(), &dynamics, &operations, &models)
-        && models.contains(&ModelKind::Dynamic)
+        && ModelKind::any_in_time(models)
     {
         table.check_precision(operations, settings, reader)?;
     }
@@ -232,7 +232,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     let (drilling, bit_test) = (drilling?, bit_test?);
     dynamics.probes.clone_from(&records.probes);
     if let (Some(drilling), Some(rock)) = (&drilling, case.rock.given()) {
-        let drills = models.contains(&ModelKind::Dynamic)
+        let drills = ModelKind::any_in_time(&models)
             && case.bit.get().and_then(|bit| bit.law.get()) == Some(&Law::Rock)
             && operations.iter().any(|one| one.kind.on_bottom());
         let speeds = operations

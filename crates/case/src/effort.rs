@@ -29,7 +29,7 @@ pub(crate) fn check_effort(
     case: &CaseTable,
     reader: &mut Reader,
 ) -> Option<()> {
-    if !models.contains(&ModelKind::Dynamic) {
+    if !ModelKind::any_in_time(models) {
         return Some(());
     }
     let efforts = operations

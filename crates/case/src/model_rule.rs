@@ -10,10 +10,16 @@ use wholestring_config::{
 };
 
 /// The models that can solve a case.
-pub(crate) const MODELS: &[(&str, ModelKind)] = &[
-    (ModelKind::Soft.name(), ModelKind::Soft),
-    (ModelKind::Dynamic.name(), ModelKind::Dynamic),
-];
+pub(crate) const MODELS: &[(&str, ModelKind)] = &{
+    let mut models = [("", ModelKind::Soft); ModelKind::ALL.len()];
+    let mut place = 0;
+    while place < models.len() {
+        let model = ModelKind::ALL[place];
+        models[place] = (model.name(), model);
+        place += 1;
+    }
+    models
+};
 
 /// A model by name; the stiff string is known, but not built.
 #[derive(Debug, Clone, Copy)]

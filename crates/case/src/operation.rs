@@ -203,7 +203,7 @@ impl OperationTable {
         let advancing = kinds.iter().find(|at| match at.value {
             _ if !by_rate => false,
             OperationKind::Drill => true,
-            OperationKind::Slide => models.contains(&ModelKind::Dynamic),
+            OperationKind::Slide => ModelKind::any_in_time(models),
             _ => false,
         });
         let rpm = set_point(&self.rpm, "rpm", "rpm = 70", rotating, reader);

@@ -111,17 +111,18 @@ pub(crate) fn build(
         reader.report(fault_at(index, fault, &lines.value));
         return None;
     }
-    if !around.models.contains(&ModelKind::Dynamic) {
+    if let Some(at_rest) = around.models.iter().find(|of| !of.in_time()) {
+        let name = at_rest.method().long_name;
+        let message = match ModelKind::any_in_time(around.models) {
+            true => format!("the {name} does not follow the schedule"),
+            false => "the schedule has no effect here".to_owned(),
+        };
         reader.report(
-            Diagnostic::warning("the schedule has no effect here")
+            Diagnostic::warning(message)
                 .at(lines.value[0].place, "used by the dynamic model")
-                .help("the soft string solves the operation with its own set points"),
-        );
-    } else if around.models.contains(&ModelKind::Soft) {
-        reader.report(
-            Diagnostic::warning("the soft string does not follow the schedule")
-                .at(lines.value[0].place, "used by the dynamic model")
-                .help("the soft string solves the operation with its own set points"),
+                .help(format!(
+                    "the {name} solves the operation with its own set points"
+                )),
         );
     }
     warn_of_late_lines(&lines.value, around.end_s, reader);

@@ -1,9 +1,9 @@
 //! The table at the end of a run: models and operations side by side, in the user's units.
 
-use wholestring::outcome::ModelKind;
+use wholestring::outcome::scalars_by_row;
 use wholestring_results::{Numerics, OperationSummary, Status, Summary};
-use wholestring_runner::findings::quantities::{QUANTITIES, deviation};
-use wholestring_units::{Dimension, UnitSet};
+use wholestring_runner::findings::quantities::{deviation, shown, symbol};
+use wholestring_units::UnitSet;
 
 mod drift;
 
@@ -16,7 +16,7 @@ const WIDE: usize = 4;
 /// One column of numbers under its heading.
 struct Column {
     operation: String,
-    heading: &'static str,
+    heading: String,
     /// Where the same operation already has a column to the left.
     joined: bool,
     cells: Vec<String>,
@@ -26,10 +26,11 @@ struct Column {
 /// The whole table. Where the operations do not fit in `width` columns of the screen they go on
 /// below, with the labels again.
 pub(crate) fn table(summary: &Summary, units: UnitSet, width: Option<usize>) -> String {
-    let labels: Vec<String> = QUANTITIES.iter().map(|row| row.label.to_owned()).collect();
-    let symbols: Vec<&str> = QUANTITIES
+    let rows = scalars_by_row();
+    let labels: Vec<String> = rows.iter().map(|row| row.label.to_owned()).collect();
+    let symbols: Vec<&str> = rows
         .iter()
-        .map(|row| row.unit.symbol(units))
+        .map(|row| symbol(row.quantity.kind, units))
         .collect();
     let label_width = labels.iter().map(|label| label.len()).max().unwrap_or(0);
     let symbol_width = symbols.iter().map(|symbol| symbol.len()).max().unwrap_or(0);
@@ -94,13 +95,15 @@ pub(crate) fn notes(summary: &Summary, units: UnitSet) -> String {
         let largest = |of: fn(&Numerics) -> f64| all().map(of).fold(0.0, f64::max);
         let took_s: f64 = all().map(|of| of.wall_time_s).sum();
         let simulated_s: f64 = all().map(|of| of.real_time_factor * of.wall_time_s).sum();
-        let shortest_step_s = all().map(|of| of.time_step_s).fold(f64::INFINITY, f64::min);
+        let shortest_step_s = all()
+            .map(|of| of.run.time_step_s)
+            .fold(f64::INFINITY, f64::min);
         notes += &format!(
             "Dynamics: {} elements, step {:.3} ms, added axial mass {:.2} %; {simulated_s:.1} s simulated \
              in {took_s:.1} s, {}\n",
-            largest(|of| of.elements as f64),
+            largest(|of| of.run.elements as f64),
             shortest_step_s * 1e3,
-            largest(|of| of.added_axial_mass_fraction) * 100.0,
+            largest(|of| of.run.added_axial_mass_fraction) * 100.0,
             pace(simulated_s / took_s),
         );
     }
@@ -119,22 +122,28 @@ impl Column {
 
 /// The columns of every operation and model, with the deviations of the dynamic ones.
 fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
-    let decimals: Vec<usize> = QUANTITIES
+    let rows = scalars_by_row();
+    // Rows of one kind show the same decimals, so that they can be added up.
+    let decimals: Vec<usize> = rows
         .iter()
         .map(|row| {
-            let alike = QUANTITIES.iter().filter(|other| other.unit == row.unit);
+            let kind = row.quantity.kind;
+            let alike = rows.iter().filter(|other| other.quantity.kind == kind);
             decimals(alike.flat_map(|row| {
                 let values = operations
                     .iter()
-                    .filter_map(|solved| (row.value)(&solved.scalars));
-                values.map(|value| row.unit.shown(value, units))
+                    .filter_map(|solved| (row.of)(&solved.scalars));
+                values.map(|value| shown(kind, value, units))
             }))
         })
         .collect();
     let cell = |row: usize, value: Option<f64>| match value {
         Some(value) if value.is_finite() => {
             let decimals = decimals[row];
-            let text = format!("{:.decimals$}", QUANTITIES[row].unit.shown(value, units));
+            let text = format!(
+                "{:.decimals$}",
+                shown(rows[row].quantity.kind, value, units)
+            );
             // What rounds to zero has no sign.
             match text.strip_prefix('-') {
                 Some(digits) if digits.bytes().all(|byte| matches!(byte, b'0' | b'.')) => {
@@ -148,26 +157,27 @@ fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
     let mut columns: Vec<Column> = Vec::new();
     for solved in operations {
         let operation = solved.operation.replace('_', " ");
-        let mut push = |heading, cells: Vec<String>, across: usize| {
+        let mut push = |heading: String, cells: Vec<String>, across: usize| {
             let joined = columns
                 .last()
                 .is_some_and(|last| last.operation == operation);
             let widest = cells.iter().map(|cell| cell.chars().count()).max();
             columns.push(Column {
-                width: widest.unwrap_or(0).max(heading_width(heading)).max(across),
+                width: widest.unwrap_or(0).max(heading_width(&heading)).max(across),
                 operation: operation.clone(),
                 heading,
                 joined,
                 cells,
             });
         };
-        let heading = match solved.model {
-            ModelKind::Soft => "soft",
-            ModelKind::Dynamic if solved.status == Status::Complete => "dynamic",
-            ModelKind::Dynamic => "dynamic*",
+        let incomplete = if solved.status == Status::Complete {
+            ""
+        } else {
+            "*"
         };
-        let values = QUANTITIES.iter().enumerate();
-        let cells = values.map(|(row, quantity)| cell(row, (quantity.value)(&solved.scalars)));
+        let heading = format!("{}{incomplete}", solved.model.name());
+        let values = rows.iter().enumerate();
+        let cells = values.map(|(row, scalar)| cell(row, (scalar.of)(&solved.scalars)));
         // The name of an operation needs the room of its one column where it has only one.
         let alone = operations
             .iter()
@@ -179,16 +189,17 @@ fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
         };
         push(heading, cells.collect(), across);
         if let Some(statistics) = &solved.statistics {
-            let deviations = QUANTITIES
+            let deviations = rows
                 .iter()
-                .map(|quantity| match statistics.get(quantity.key) {
+                .map(|scalar| match statistics.get(scalar.quantity.name) {
                     Some(statistic) => {
-                        let shown = deviation(quantity.unit.shown(statistic.std, units));
+                        let std = shown(scalar.quantity.kind, statistic.std, units);
+                        let shown = deviation(std);
                         format!("{shown}{}", drift::mark(statistic))
                     }
                     None => String::new(),
                 });
-            push("± std", drift::aligned(deviations.collect()), 0);
+            push("± std".to_owned(), drift::aligned(deviations.collect()), 0);
         }
     }
     columns

@@ -21,6 +21,32 @@ pub(crate) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::
     }
 }
 
+/// What a file that does not say leaves a number.
+pub(crate) const fn unknown() -> f64 {
+    f64::NAN
+}
+
+/// Whether a file does not say.
+pub(crate) const fn is_unknown(value: &f64) -> bool {
+    value.is_nan()
+}
+
+/// The same for people and programs who take `-0.0` for a number of its own: there zero has no
+/// sign.
+pub(crate) mod unsigned_zero {
+    use super::*;
+
+    pub(crate) fn serialize<S: Serializer>(value: &f64, to: S) -> Result<S::Ok, S::Error> {
+        if to.is_human_readable() {
+            super::serialize(&(*value + 0.0), to)
+        } else {
+            value.serialize(to)
+        }
+    }
+
+    pub(crate) use super::deserialize;
+}
+
 /// The same of two numbers.
 pub(crate) mod pair {
     use super::*;

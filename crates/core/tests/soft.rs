@@ -9,13 +9,19 @@ use wholestring::{
     GRAVITY_M_PER_S2,
     model::Model,
     operation::{Operation, OperationKind, OperationKind::*},
+    outcome::ModelKind,
     statics::soft::{self, SoftError, SoftProfile, SoftSettings},
     string::{ComponentLength, ComponentSpec, Material, ToolJoints},
     well::{Friction, Hole, HoleSection, Interpolation},
 };
 
 fn solve_with(model: &Model, operation: &Operation, step_m: f64) -> SoftProfile {
-    soft::solve(model, operation, &SoftSettings { step_m }).expect("a sound model")
+    let solved = soft::solve(model, operation, &SoftSettings { step_m }).expect("a sound model");
+    let columns = solved.unlike_declared(ModelKind::Soft);
+    assert!(columns.is_empty(), "not as declared: {columns:?}");
+    let wear = solved.wear.unlike_declared(ModelKind::Soft);
+    assert!(wear.is_empty(), "not as declared: {wear:?}");
+    solved
 }
 
 fn solve(model: &Model, operation: &Operation) -> SoftProfile {

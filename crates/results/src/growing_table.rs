@@ -9,6 +9,7 @@ use std::{
 
 use parquet::file::metadata::{ParquetMetaData, ParquetMetaDataReader};
 use serde::{Deserialize, Serialize};
+use wholestring::outcome::{self, ModelKind};
 
 use crate::{
     ColumnSpec, ResultsError, ResultsFolder, Table, file::write_whole, names::CHECKPOINT,
@@ -92,6 +93,18 @@ impl GrowingTable {
     /// Adds rows, as [`Table::append`] does.
     pub fn append(&mut self, words: &[(&str, &[&str])], numbers: &[(&str, &[f64])]) {
         self.waiting.append(words, numbers);
+        self.written = false;
+    }
+
+    /// Adds rows, as [`Table::append_declared`] does.
+    pub fn append_declared<T>(
+        &mut self,
+        words: &[(&str, &[&str])],
+        declared: &[outcome::Column<T>],
+        of: &T,
+        model: ModelKind,
+    ) {
+        self.waiting.append_declared(words, declared, of, model);
         self.written = false;
     }
 

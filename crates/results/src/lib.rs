@@ -37,7 +37,7 @@ pub use growing_table::{GrowingTable, TableSoFar};
 pub use hold::{Hold, Holding, Occupant};
 pub use spectrum::Spectrum;
 pub use summary::{
-    ENGINE_VERSION, Friction, Numerics, OperationSummary, SCHEMA_VERSION, Statistic, Status,
-    Summary,
+    ENGINE_VERSION, Friction, Numerics, OperationSummary, SCHEMA_VERSION, Status, Summary,
 };
 pub use table::{Column, Data, Table};
+pub use wholestring::dynamics::Statistic;

@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, path::Path};
 
 use serde::{Deserialize, Serialize};
 use wholestring::{
-    dynamics::{EnergyBalance, Indicators, TableUse, TunedLift},
+    dynamics::{self, Indicators, Statistic, TableUse, TunedLift},
     mud::Hydraulics,
     outcome::{ModelKind, Scalars},
 };
@@ -73,7 +73,7 @@ impl Friction {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct OperationSummary {
     /// The model.
-    #[serde(with = "ModelWords")]
+    #[serde(with = "model_name")]
     pub model: ModelKind,
     /// The operation, as in case files: `trip_out`, `drill`, ...
     pub operation: String,
@@ -89,7 +89,7 @@ pub struct OperationSummary {
     #[serde(default)]
     pub findings: Vec<Finding>,
     /// Torque and drag; means over the window for a dynamic model.
-    #[serde(flatten, with = "ScalarKeys")]
+    #[serde(flatten)]
     pub scalars: Scalars,
     /// The constant lift that was found for it, where the hoist is a tuned lift; dynamic models only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -114,86 +114,21 @@ pub struct OperationSummary {
 impl OperationSummary {
     /// When the window of its statistics begins, s: as the run found it, or as `settings` of the case say where the file is older.
     pub fn window_from_s(&self, settings: &serde_json::Value) -> f64 {
-        let found_s = self.numerics.as_ref().and_then(|of| of.settle_s);
+        let found_s = self.numerics.as_ref().map(|of| of.run.settle_s);
         let given_s = || settings["dynamics"]["settle_s"].as_f64();
-        found_s.or_else(given_s).unwrap_or(0.0)
+        found_s
+            .filter(|of| of.is_finite())
+            .or_else(given_s)
+            .unwrap_or(0.0)
     }
-}
-
-/// Distribution of a quantity over the window.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Statistic {
-    /// Mean.
-    #[serde(with = "finite")]
-    pub mean: f64,
-    /// Standard deviation.
-    #[serde(with = "finite")]
-    pub std: f64,
-    /// Smallest value.
-    #[serde(with = "finite")]
-    pub min: f64,
-    /// Largest value.
-    #[serde(with = "finite")]
-    pub max: f64,
-    /// 5th percentile.
-    #[serde(with = "finite")]
-    pub p05: f64,
-    /// 95th percentile.
-    #[serde(with = "finite")]
-    pub p95: f64,
-    /// Standard error of the mean, the samples depending on their neighbours; not a number in files that do not have it.
-    #[serde(with = "finite", default = "unknown")]
-    pub std_error: f64,
-    /// Change over the window by its straight line; not a number in files that do not have it.
-    #[serde(with = "finite", default = "unknown")]
-    pub drift: f64,
-    /// Whether that is no chance and matters.
-    #[serde(default)]
-    pub drifts: bool,
-}
-
-/// What a file does not say.
-const fn unknown() -> f64 {
-    f64::NAN
 }
 
 /// What a dynamic solution cost and how sound it is.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Numerics {
-    /// Elements of the mesh.
-    pub elements: usize,
-    /// Time step, s.
-    #[serde(with = "finite")]
-    pub time_step_s: f64,
-    /// Steps taken.
-    pub steps: u64,
-    /// Axial mass added to short elements to keep the step, as a fraction of the string's.
-    #[serde(with = "finite")]
-    pub added_axial_mass_fraction: f64,
-    /// Deepest penetration of the wall, m.
-    #[serde(with = "finite")]
-    pub max_penetration_m: f64,
-    /// What the integration gained or lost since the window began, over the largest of work, losses,
-    /// change of energy and kinetic energy.
-    #[serde(with = "finite")]
-    pub energy_residual: f64,
-    /// Where energy came from and went since the window began; none before that, or of a run that diverged.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub energy: Option<EnergyBalance>,
-    /// Instruction set that the time loop was compiled for.
-    pub instructions: String,
-    /// Time at which the window begins, s.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub settle_s: Option<f64>,
-    /// Whether the string was steady then; none where the case gives the time.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub settled: Option<bool>,
-    /// Measured depth of the bit, on average over the window, m.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub mean_bit_depth_m: Option<f64>,
-    /// How far the bit went in the window, m, positive downwards.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub bit_travel_m: Option<f64>,
+    /// How it was computed and how well.
+    #[serde(flatten)]
+    pub run: dynamics::Numerics,
     /// Time that the solution took, s.
     #[serde(with = "finite")]
     pub wall_time_s: f64,
@@ -203,37 +138,18 @@ pub struct Numerics {
 }
 
 /// The words for a [`ModelKind`] in the file.
-#[derive(Serialize, Deserialize)]
-#[serde(remote = "ModelKind", rename_all = "snake_case")]
-enum ModelWords {
-    Soft,
-    Dynamic,
-}
+mod model_name {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
+    use wholestring::outcome::ModelKind;
 
-/// The keys of [`Scalars`] in the file.
-#[derive(Serialize, Deserialize)]
-#[serde(remote = "Scalars")]
-struct ScalarKeys {
-    #[serde(with = "finite")]
-    weight_on_bit_N: f64,
-    #[serde(with = "finite")]
-    bit_torque_N_m: f64,
-    #[serde(with = "finite")]
-    hook_load_N: f64,
-    #[serde(with = "finite")]
-    surface_torque_N_m: f64,
-    #[serde(with = "finite")]
-    friction_torque_N_m: f64,
-    #[serde(with = "finite")]
-    axial_friction_N: f64,
-    #[serde(with = "finite")]
-    side_force_total_N: f64,
-    #[serde(with = "finite")]
-    twist_rad: f64,
-    #[serde(with = "finite")]
-    stretch_m: f64,
-    neutral_point_m: Option<f64>,
-    cutoff_depth_m: Option<f64>,
+    pub(super) fn serialize<S: Serializer>(model: &ModelKind, to: S) -> Result<S::Ok, S::Error> {
+        model.name().serialize(to)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<ModelKind, D::Error> {
+        let name = String::deserialize(from)?;
+        ModelKind::named(&name).ok_or_else(|| D::Error::unknown_variant(&name, ModelKind::NAMES))
+    }
 }
 
 /// JSON has no NaN: a number that is not finite is `null`, and `null` is read back as NaN. Zero has no

@@ -3,6 +3,7 @@
 use std::{io, path::Path};
 
 use serde::{Deserialize, Serialize};
+use wholestring::outcome::{self, ModelKind, Values};
 
 use crate::{
     ColumnSpec, ResultsError,
@@ -52,7 +53,7 @@ pub struct Column {
 }
 
 impl Column {
-    /// The column of a specification, without values.
+    /// A column without rows.
     fn empty(spec: &ColumnSpec) -> Self {
         Self {
             name: spec.name.into(),
@@ -152,6 +153,40 @@ impl Table {
                 },
             }
         }
+    }
+
+    /// Adds rows of what the engine declares: `words` as in [`Table::append`], and the columns of
+    /// `of`, which a method has made.
+    ///
+    /// # Panics
+    /// As [`Table::append`], and if a column is not there although the method knows it, or is there
+    /// although it does not.
+    pub fn append_declared<T>(
+        &mut self,
+        words: &[(&str, &[&str])],
+        declared: &[outcome::Column<T>],
+        of: &T,
+        model: ModelKind,
+    ) {
+        let values = declared
+            .iter()
+            .map(|column| (&column.quantity, (column.of)(of)))
+            .filter(|(quantity, values)| {
+                let known = quantity.is_known_by(model);
+                let name = quantity.name;
+                assert!(known || values.is_empty(), "{model:?} knows no `{name}`");
+                known
+            });
+        let values: Vec<_> = values.collect();
+        let mut words = words.to_vec();
+        let mut numbers: Vec<(&str, &[f64])> = Vec::new();
+        for (quantity, values) in &values {
+            match values {
+                Values::Numbers(values) => numbers.push((quantity.name, values)),
+                Values::Words(values) => words.push((quantity.name, values)),
+            }
+        }
+        self.append(&words, &numbers);
     }
 
     /// Whether another table has the same columns: their names, units and kinds.

@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, fs};
 
 use serde_json::{Value, json};
 use wholestring::{
-    dynamics::{EnergyBalance, Indicators, StickSlip, TableUse, TorqueUse, TunedLift, Whirl},
+    dynamics::{self, EnergyBalance, Indicators, StickSlip, TableUse, TorqueUse, TunedLift, Whirl},
     mud::Hydraulics,
     outcome::{ModelKind, Scalars},
 };
@@ -115,23 +115,25 @@ fn dynamic() -> OperationSummary {
             table_speeds_rad_per_s: [4.0, 10.0],
         }),
         numerics: Some(Numerics {
-            elements: 1350,
-            time_step_s: 2e-4,
-            steps: 400_000,
-            added_axial_mass_fraction: 0.003,
-            max_penetration_m: 1e-5,
-            energy_residual: 1e-4,
-            energy: Some(EnergyBalance {
-                hoist_work_J: 5.0,
-                gravity_change_J: 4.0,
-                friction_loss_J: 1.0,
-                ..EnergyBalance::default()
-            }),
-            instructions: "avx2".into(),
-            settle_s: Some(12.5),
-            settled: Some(true),
-            mean_bit_depth_m: Some(4305.5),
-            bit_travel_m: Some(1.5),
+            run: dynamics::Numerics {
+                elements: 1350,
+                time_step_s: 2e-4,
+                steps: 400_000,
+                added_axial_mass_fraction: 0.003,
+                max_penetration_m: 1e-5,
+                energy_residual: 1e-4,
+                energy: Some(EnergyBalance {
+                    hoist_work_J: 5.0,
+                    gravity_change_J: 4.0,
+                    friction_loss_J: 1.0,
+                    ..EnergyBalance::default()
+                }),
+                instructions: "avx2".into(),
+                settle_s: 12.5,
+                settled: Some(true),
+                mean_bit_depth_m: 4305.5,
+                bit_travel_m: 1.5,
+            },
             wall_time_s: 2.5,
             real_time_factor: 32.0,
         }),
@@ -316,7 +318,7 @@ fn a_summary_without_drift_is_read() {
     let solved = &read.operations[0];
     let statistic = solved.statistics.as_ref().unwrap()["hook_load_N"];
     assert!(statistic.std_error.is_nan() && statistic.drift.is_nan() && !statistic.drifts);
-    assert_eq!(solved.numerics.as_ref().unwrap().settled, None);
+    assert_eq!(solved.numerics.as_ref().unwrap().run.settled, None);
     assert_eq!(solved.window_from_s(&read.settings), 7.5);
     assert_eq!(dynamic().window_from_s(&read.settings), 12.5);
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use wholestring::outcome::ModelKind;
+use wholestring::outcome::{Cost, ModelKind};
 use wholestring_case::Case;
 
 /// What is kept of a case, each with what stands before it. Frames and spectra are kept wherever a case asks for them.
@@ -20,7 +20,8 @@ impl Keep {
     /// What is kept of a case of a sweep where nobody says: a soft string is solved again in milliseconds, what
     /// dynamics found is not.
     pub(crate) fn of_itself(case: &Case, csv: bool) -> Self {
-        if csv || case.models.contains(&ModelKind::Dynamic) {
+        let costs = |of: &ModelKind| of.method().cost > Cost::Milliseconds;
+        if csv || case.models.iter().any(costs) {
             Self::Tables
         } else {
             Self::Summary

@@ -87,11 +87,11 @@ fn diverged() {
     // No number in a file is none: JSON would say `null` where the contract has a number.
     let numerics = dynamic.numerics.as_ref().expect("a dynamic model");
     assert_eq!(
-        (numerics.energy_residual, numerics.energy),
+        (numerics.run.energy_residual, numerics.run.energy),
         (1.0, None),
         "a run that diverged balances nothing"
     );
-    assert!(numerics.max_penetration_m.is_finite());
+    assert!(numerics.run.max_penetration_m.is_finite());
     let nodes = Table::read_parquet(&desk.path("results/nodes.parquet")).unwrap();
     let last = |table: &Table, name: &str| match table.column(name).map(|column| &column.data) {
         Some(Data::Number(values)) => values.last().copied().flatten(),

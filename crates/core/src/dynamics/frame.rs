@@ -9,7 +9,10 @@ use super::{
     record::{Look, Strength},
     signal::NodeSignal,
 };
-use crate::rod::{number::Real, vector::Vector};
+use crate::{
+    outcome::{IN_TIME, columns},
+    rod::{number::Real, vector::Vector},
+};
 
 /// A group of quantities that a frame holds of every node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
@@ -73,53 +76,52 @@ impl Channel {
     }
 }
 
-/// The whole string at one moment: one number a node in each vector, from the surface down. High and right
-/// are those of a person who looks down the hole; contact and friction are averages over the sample
-/// that ends at this moment.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Frame {
-    /// Time since the start, s.
-    pub time_s: f64,
-    /// Measured depth, m.
-    pub md_m: Vec<f64>,
-    /// Offset of the pipe's axis from the hole's towards the high side, m.
-    pub offset_high_m: Vec<f64>,
-    /// Offset to the right, m.
-    pub offset_right_m: Vec<f64>,
-    /// North, m.
-    pub north_m: Vec<f64>,
-    /// East, m.
-    pub east_m: Vec<f64>,
-    /// True vertical depth, m.
-    pub tvd_m: Vec<f64>,
-    /// Velocity towards the high side, m/s.
-    pub velocity_high_m_per_s: Vec<f64>,
-    /// Velocity to the right, m/s.
-    pub velocity_right_m_per_s: Vec<f64>,
-    /// Velocity down the hole, m/s.
-    pub axial_velocity_m_per_s: Vec<f64>,
-    /// Rotary speed, rad/s.
-    pub rotary_speed_rad_per_s: Vec<f64>,
-    /// Turn of the node against the bit, rad, positive where it leads.
-    pub twist_rad: Vec<f64>,
-    /// Angle of the pipe's axis with the hole's towards the high side, rad.
-    pub tilt_high_rad: Vec<f64>,
-    /// Angle to the right, rad.
-    pub tilt_right_rad: Vec<f64>,
-    /// Contact force of the node, N; positive on the high side.
-    pub contact_force_N: Vec<f64>,
-    /// Axial friction on the node, N; positive adds to hook load.
-    pub axial_friction_N: Vec<f64>,
-    /// Friction torque on the node, N·m.
-    pub friction_torque_N_m: Vec<f64>,
-    /// Effective tension, N.
-    pub tension_N: Vec<f64>,
-    /// Torque, N·m.
-    pub torque_N_m: Vec<f64>,
-    /// Bending moment, N·m.
-    pub bending_moment_N_m: Vec<f64>,
-    /// Von Mises stress where the surface of the body bears most, Pa.
-    pub von_mises_stress_Pa: Vec<f64>,
+columns! {
+    /// The whole string at one moment: one number a node in each vector, from the surface down.
+    /// High and right are those of a person who looks down the hole; contact and friction are
+    /// averages over the sample that ends at this moment.
+    #[derive(Debug, Clone, PartialEq, Default)]
+    pub struct Frame, "What a frame holds of every node, in the order of `frames.parquet`."
+    FRAME {
+        md_m: Vec<f64> => Depth, "Measured depth of the node", known_by IN_TIME;
+        offset_high_m: Vec<f64> => Length,
+            "Offset of the string's axis from the hole's towards the high side", known_by IN_TIME;
+        offset_right_m: Vec<f64> => Length,
+            "Offset to the right, looking down the hole", known_by IN_TIME;
+        north_m: Vec<f64> => Length, "North of the node", known_by IN_TIME;
+        east_m: Vec<f64> => Length, "East of the node", known_by IN_TIME;
+        tvd_m: Vec<f64> => Depth, "True vertical depth of the node", known_by IN_TIME;
+        velocity_high_m_per_s: Vec<f64> => Speed,
+            "Velocity towards the high side", known_by IN_TIME;
+        velocity_right_m_per_s: Vec<f64> => Speed, "Velocity to the right", known_by IN_TIME;
+        axial_velocity_m_per_s: Vec<f64> => Speed, "Velocity down the hole", known_by IN_TIME;
+        rotary_speed_rad_per_s: Vec<f64> => RotarySpeed,
+            "Rotary speed of the node; positive clockwise looking down the hole", known_by IN_TIME;
+        twist_rad: Vec<f64> => Angle,
+            "Turn of the node against the bit; positive where it leads", known_by IN_TIME;
+        tilt_high_rad: Vec<f64> => Angle,
+            "Angle of the string's axis with the hole's towards the high side", known_by IN_TIME;
+        tilt_right_rad: Vec<f64> => Angle, "Angle to the right", known_by IN_TIME;
+        contact_force_N: Vec<f64> => Force,
+            "Contact force of the node, averaged over the sample; positive on the high side",
+            known_by IN_TIME;
+        axial_friction_N: Vec<f64> => Force,
+            "Wall friction along the string on the node, averaged over the sample; positive \
+             adds to hook load", known_by IN_TIME;
+        friction_torque_N_m: Vec<f64> => Torque,
+            "Torque of wall friction on the node, averaged over the sample", known_by IN_TIME;
+        tension_N: Vec<f64> => Force,
+            "Effective tension; negative in compression", known_by IN_TIME;
+        torque_N_m: Vec<f64> => Torque, "Torque that the string carries", known_by IN_TIME;
+        bending_moment_N_m: Vec<f64> => Torque,
+            "Bending moment, whatever its direction", known_by IN_TIME;
+        von_mises_stress_Pa: Vec<f64> => Pressure,
+            "Von Mises stress where the body's surface bears most", known_by IN_TIME;
+    }
+    beside {
+        /// Time since the start, s.
+        time_s: f64;
+    }
 }
 
 impl Frame {

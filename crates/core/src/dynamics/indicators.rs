@@ -2,8 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::outcome::{NodeProfile, Statistic, TimeSeries};
-use crate::rod::mesh::Mesh;
+use super::outcome::Statistic;
+use crate::{
+    outcome::{Profile, TimeSeries},
+    rod::mesh::Mesh,
+};
 
 /// A bit that turns slower than this is stuck, rad/s: one revolution a minute.
 const STUCK_RAD_PER_S: f64 = std::f64::consts::TAU / 60.0;
@@ -128,7 +131,7 @@ fn period_s(speed: &[f64], of: &Statistic, interval_s: f64) -> Option<f64> {
 /// What the indicators are made from.
 pub(super) struct Motion<'a> {
     pub mesh: &'a Mesh,
-    pub nodes: &'a NodeProfile,
+    pub nodes: &'a Profile,
     pub series: &'a TimeSeries,
     /// Row of the series at which the window begins.
     pub from: usize,

@@ -34,19 +34,19 @@ mod top_drive;
 mod viscous;
 mod wear;
 
+pub use crate::outcome::{
+    ContactClass, ContactMap, HoleWear, Profile as NodeProfile, Signal, TimeSeries,
+};
 pub use bit::{
     Band, BitLaw, BitSettings, BitTable, Cutters, DetournayDefournyLaw, Excitation, Motor,
     MudMotor, RateLaw, RegenerativeLaw, RockLaw, SteadyCut, TableFault, TableLaw, TablePoint,
     TableUse,
 };
 pub use energy::EnergyBalance;
-pub use frame::{Channel, Frame};
+pub use frame::{Channel, FRAME, Frame};
 pub use indicators::{Indicators, StickSlip, TorqueUse, Whirl};
 pub use lift::{LIFT_TOLERANCE, LiftError, MOST_LIFT_RUNS, TunedLift, tune_lift};
-pub use outcome::{
-    ContactClass, ContactMap, DynamicOutcome, HoleWear, NodeProfile, Numerics, Percentiles,
-    Statistic, TimeSeries,
-};
+pub use outcome::{DynamicOutcome, Numerics, Statistic};
 pub use precision::Simulation;
 pub use schedule::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep};
 pub use settings::{
@@ -54,5 +54,5 @@ pub use settings::{
     Precision, RodDamping, SpeedController, Start, StartTension, TopDriveSettings, UntilSteady,
 };
 pub use setup::{Effort, SetupError};
-pub use signal::{NodeSignal, Probe, Probed, Signal};
+pub use signal::{NodeSignal, Probe, Probed};
 pub use simulation::{Checkpoint, Diverged, ResumeError};

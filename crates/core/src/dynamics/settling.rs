@@ -2,13 +2,13 @@
 
 use super::{
     drift::{Drift, MATTERS, SIGNIFICANT, mean},
-    outcome::TimeSeries,
     settings::{DynamicsSettings, Start},
     setup,
     summary::{scales, varying},
 };
 use crate::{
     operation::Operation,
+    outcome::TimeSeries,
     rod::{mesh::Mesh, torsion},
 };
 

@@ -8,9 +8,7 @@ use super::{
     energy::EnergyBalance,
     flow_pressures::FlowPressures,
     indicators::{Indicators, Motion},
-    outcome::{
-        DynamicOutcome, HoleWear, NodeProfile, Numerics, Percentiles, Statistic, TimeSeries,
-    },
+    outcome::{DynamicOutcome, Numerics, Statistic},
     record::{Quantity, Record, Spread},
     settling::{Settled, Settling},
     wear::Wear,
@@ -19,7 +17,7 @@ use crate::{
     model::Model,
     mud::Hydraulics,
     operation::Operation,
-    outcome::{Scalars, hole_depths_m},
+    outcome::{HoleWear, Profile, Scalars, TimeSeries, hole_depths_m},
     rod::{mesh::Mesh, stability::StepPlan},
 };
 
@@ -114,7 +112,7 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
                 None => f64::from(u8::from(s.diverged)),
             },
             energy: s.energy.map(|(parts, _)| parts),
-            instructions: s.instructions,
+            instructions: s.instructions.into(),
             settle_s: match (s.settled, s.settling) {
                 (Some(settled), _) => settled.settle_s,
                 (None, Settling::Fixed(settle_s)) => settle_s,
@@ -200,7 +198,7 @@ pub fn scales<const N: usize>(means: [(Gauge, f64); N]) -> [f64; N] {
 }
 
 /// The profile over the samples from row `from` of the series on.
-fn profile(s: &Sources<'_>, from: usize) -> NodeProfile {
+fn profile(s: &Sources<'_>, from: usize) -> Profile {
     let n = s.mesh.nodes.len();
     // The anchors stand where the run ended; the string was there, on average, where its bit was.
     let bit_depths_m = &s.record.series.bit_depth_m[from..];
@@ -228,7 +226,7 @@ fn profile(s: &Sources<'_>, from: usize) -> NodeProfile {
     };
     let tensions = of_elements(Quantity::Tension);
     let torques = of_elements(Quantity::Torque);
-    let mut p = NodeProfile::default();
+    let mut p = Profile::default();
     for i in 0..n {
         let (tension, tension_std) = at_node(i, &|e| record.tension(e));
         let (torque, torque_std) = at_node(i, &|e| record.torque(e));
@@ -236,17 +234,24 @@ fn profile(s: &Sources<'_>, from: usize) -> NodeProfile {
         p.md_m.push(s.anchors[i].md_m - back_m);
         p.tension_N.push(tension);
         p.tension_std_N.push(tension_std);
-        p.tension_percentiles_N.push(percentiles(&tensions, i));
+        let [low, middle, high] = percentiles(&tensions, i);
+        p.tension_p05_N.push(low);
+        p.tension_p50_N.push(middle);
+        p.tension_p95_N.push(high);
         p.torque_N_m.push(-torque);
         p.torque_std_N_m.push(torque_std);
         // The chain's torque has the other sign: its low percentile is the high one here.
         let [low, middle, high] = percentiles(&torques, i);
-        p.torque_percentiles_N_m.push([-high, -middle, -low]);
+        p.torque_p05_N_m.push(-high);
+        p.torque_p50_N_m.push(-middle);
+        p.torque_p95_N_m.push(-low);
         p.contact_force_N.push(normal.mean);
         p.contact_force_std_N.push(normal.std);
         p.contact_force_max_N.push(record.normal_max(i));
-        p.contact_force_percentiles_N
-            .push(record.percentiles(Quantity::Contact, i));
+        let [low, middle, high] = record.percentiles(Quantity::Contact, i);
+        p.contact_force_p05_N.push(low);
+        p.contact_force_p50_N.push(middle);
+        p.contact_force_p95_N.push(high);
         p.contact_fraction.push(record.touched(i));
         p.climb_rad.push(record.climb_rad(i));
         p.lateral_offset_m.push(record.offset(i));
@@ -268,8 +273,11 @@ fn profile(s: &Sources<'_>, from: usize) -> NodeProfile {
     let sides: Vec<[f64; 3]> = (0..n)
         .map(|i| record.percentiles(Quantity::Side, i))
         .collect();
-    let [p05, p50, p95] = [0, 1, 2].map(|k| carry::spread(&carries, n, |i| sides[i][k]));
-    p.side_force_percentiles_N_per_m = Percentiles { p05, p50, p95 };
+    [
+        p.side_force_p05_N_per_m,
+        p.side_force_p50_N_per_m,
+        p.side_force_p95_N_per_m,
+    ] = [0, 1, 2].map(|k| carry::spread(&carries, n, |i| sides[i][k]));
     p.axial_friction_N_per_m = carry::spread(&carries, n, |i| -record.axial(i));
     p.friction_torque_N_m_per_m = carry::spread(&carries, n, |i| record.rub(i));
     p.wear_work_J_per_m = carry::spread(&carries, n, |i| s.wear.string_J(i));
@@ -317,7 +325,7 @@ fn deformed(s: &Sources<'_>) -> (Vec<f64>, Vec<f64>) {
 }
 
 /// What the metal and the joints bear.
-fn load(s: &Sources<'_>, p: &mut NodeProfile) {
+fn load(s: &Sources<'_>, p: &mut Profile) {
     let record = s.record;
     let strength = record.strength();
     let mud = s.model.mud_column();
@@ -347,8 +355,10 @@ fn load(s: &Sources<'_>, p: &mut NodeProfile) {
         let bending = record.bending(i);
         p.bending_moment_N_m.push(bending);
         p.bending_moment_max_N_m.push(record.bending_max(i));
-        p.bending_moment_percentiles_N_m
-            .push(record.percentiles(Quantity::Bending, i));
+        let [low, middle, high] = record.percentiles(Quantity::Bending, i);
+        p.bending_moment_p05_N_m.push(low);
+        p.bending_moment_p50_N_m.push(middle);
+        p.bending_moment_p95_N_m.push(high);
         p.bending_stress_Pa
             .push(bending * strength.per_modulus_m3(i));
         // Below the bit there is no element: it bears what the node above it does.

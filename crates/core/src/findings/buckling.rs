@@ -5,9 +5,9 @@ use super::{
     interval::{Interval, beyond_one},
 };
 use crate::{
-    dynamics::NodeProfile,
     model::Model,
     operation::Operation,
+    outcome::Profile,
     statics::{
         buckling::{Criterion, Place},
         soft::SoftProfile,
@@ -36,7 +36,7 @@ impl<'a> Line<'a> {
 
     /// Of the mean tension of a dynamic run; the wall load is that of a straight pipe, whatever the
     /// nodes' was.
-    pub fn of_nodes(model: &'a Model, operation: &Operation, nodes: &'a NodeProfile) -> Self {
+    pub fn of_nodes(model: &'a Model, operation: &Operation, nodes: &'a Profile) -> Self {
         let bit_depth_m = operation.bit_depth_m;
         let load = |row: usize| {
             let place = Place::of(model, bit_depth_m, nodes.md_m[row]);

@@ -2,8 +2,9 @@
 
 use super::{Finding, Kind, Level};
 use crate::{
-    dynamics::{DynamicOutcome, NodeProfile, TableUse},
+    dynamics::{DynamicOutcome, TableUse},
     model::Model,
+    outcome::Profile,
 };
 
 /// Parts of the string's mean clearance. A wall is to hold a pipe at the clearance that the hole
@@ -95,8 +96,8 @@ fn bit_table(of: &TableUse) -> Option<Finding> {
 }
 
 /// The node that is most restless against its neighbours.
-fn unsettled(nodes: &NodeProfile) -> Option<Finding> {
-    let NodeProfile {
+fn unsettled(nodes: &Profile) -> Option<Finding> {
+    let Profile {
         md_m,
         tension_N,
         tension_std_N: std_N,

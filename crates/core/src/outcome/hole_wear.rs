@@ -1,5 +1,33 @@
 //! What friction does along the hole, stretch by stretch.
 
+use super::{
+    method::ModelKind,
+    quantity::{IN_TIME, columns, unlike_declared},
+};
+
+columns! {
+    /// Wear of the hole from the surface to the bit, a row per [`HOLE_STEP_M`]. Columns that the
+    /// method does not know are empty.
+    #[derive(Debug, Clone, PartialEq, Default)]
+    pub struct HoleWear, "What is known of the wear of the hole, in the order of `wear.parquet`."
+    HOLE_WEAR {
+        md_m: Vec<f64> => Depth, "Measured depth of the middle of the stretch";
+        wear_work_J_per_m: Vec<f64> => WorkPerLength,
+            "Work of friction over the window per metre of hole: force times sliding distance",
+            known_by IN_TIME;
+        wear_power_W_per_m: Vec<f64> => PowerPerLength,
+            "Its mean rate, of a soft string the rate: force times sliding speed; times 3600, the \
+             work in an hour of the same";
+    }
+}
+
+impl HoleWear {
+    /// As [`Profile::unlike_declared`](super::Profile::unlike_declared).
+    pub fn unlike_declared(&self, model: ModelKind) -> Vec<&'static str> {
+        unlike_declared(HOLE_WEAR, self, model)
+    }
+}
+
 /// Length of hole that one number of a profile along the hole stands for, m.
 pub const HOLE_STEP_M: f64 = 5.0;
 

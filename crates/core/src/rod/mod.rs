@@ -14,6 +14,7 @@
 
 pub mod bent;
 pub mod counted;
+pub mod dual;
 pub mod element;
 pub mod lanes;
 pub mod mesh;

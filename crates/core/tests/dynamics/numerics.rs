@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 use wholestring::{
     dynamics::{DynamicOutcome, FrictionLaw, HoistControl},
     operation::OperationKind,
+    outcome::ModelKind,
 };
 
 use crate::wells::{Case, MODERATE_M, each, go, moderate, np13};
@@ -109,11 +110,11 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         ("power of wear", &w.wear_power_W_per_m),
         ("side force of the map", &c.side_force_N_per_m),
         ("contact force of the map", &c.contact_force_N_per_m),
-        ("low tension", &p.tension_percentiles_N.p05),
-        ("middle torque", &p.torque_percentiles_N_m.p50),
-        ("low side force", &p.side_force_percentiles_N_per_m.p05),
-        ("high contact force", &p.contact_force_percentiles_N.p95),
-        ("high moment", &p.bending_moment_percentiles_N_m.p95),
+        ("low tension", &p.tension_p05_N),
+        ("middle torque", &p.torque_p50_N_m),
+        ("low side force", &p.side_force_p05_N_per_m),
+        ("high contact force", &p.contact_force_p95_N),
+        ("high moment", &p.bending_moment_p95_N_m),
         ("true tension", &p.true_tension_N),
         ("moment", &p.bending_moment_N_m),
         ("largest moment", &p.bending_moment_max_N_m),
@@ -171,6 +172,10 @@ fn a_run_is_sound() {
                 "{name} has {values:?}"
             );
         }
+        let columns = outcome.nodes.unlike_declared(ModelKind::Dynamic);
+        assert!(columns.is_empty(), "not as declared: {columns:?}");
+        let wear = outcome.wear.unlike_declared(ModelKind::Dynamic);
+        assert!(wear.is_empty(), "not as declared: {wear:?}");
         let numerics = outcome.numerics;
         assert!(numerics.added_axial_mass_fraction < 0.005, "{numerics:?}");
         assert!(numerics.energy_residual.abs() < 1e-6, "{numerics:?}");

@@ -115,7 +115,7 @@ fn every_node_is_that_of_double_precision() {
     each_of!(double, single, contact_force_N);
     each_of!(double, single, lateral_offset_m);
     each_of!(double, single, von_mises_stress_Pa);
-    each_of!(double, single, tension_percentiles_N.p50);
+    each_of!(double, single, tension_p50_N);
 }
 
 /// A string whose bit is shaken by three waves per revolution and by broadband noise: means within 0.1 %, standard

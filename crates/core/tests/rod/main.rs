@@ -17,3 +17,4 @@ mod shear;
 mod space;
 mod stability;
 mod statics;
+mod tangent;

@@ -331,3 +331,59 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
         ..TIME_PLOT
     },
 ];
+
+#[cfg(test)]
+mod tests {
+    use wholestring::outcome::{HOLE_WEAR, PROFILE, Quantity, QuantityKind, TIME_SERIES};
+
+    use super::*;
+
+    /// The kind of quantity that a dimension of the page shows.
+    fn shows(dimension: &str, kind: QuantityKind) -> bool {
+        match dimension {
+            "percent" => kind == QuantityKind::Ratio,
+            "force" => kind == QuantityKind::Force,
+            "torque" => kind == QuantityKind::Torque,
+            "force per length" => kind == QuantityKind::ForcePerLength,
+            "work per length" => kind == QuantityKind::WorkPerLength,
+            "rotary speed" => kind == QuantityKind::RotarySpeed,
+            "speed" => kind == QuantityKind::Speed,
+            "rate of penetration" => kind == QuantityKind::RateOfPenetration,
+            "length" => kind == QuantityKind::Depth,
+            "diameter" => kind == QuantityKind::Length,
+            "pressure" => kind == QuantityKind::Pressure,
+            other => panic!("{other} shows no kind of quantity"),
+        }
+    }
+
+    #[test]
+    fn what_is_drawn_is_declared_and_of_its_dimension() {
+        let profile = || PROFILE.iter().map(|of| of.quantity);
+        let wear = || HOLE_WEAR.iter().map(|of| of.quantity);
+        let time = || TIME_SERIES.iter().map(|of| of.quantity);
+        let check = |mut all: Box<dyn Iterator<Item = Quantity>>, name: &str, dimension: &str| {
+            let found = all.find(|of| of.name == name);
+            let found = found.unwrap_or_else(|| panic!("nothing declares `{name}`"));
+            assert!(shows(dimension, found.kind), "{name}: {dimension}");
+        };
+        for track in TRACKS {
+            let names = track.band.into_iter().flatten().chain([track.column]);
+            for name in names {
+                match track.from {
+                    Source::Profile => check(Box::new(profile()), name, track.dimension),
+                    Source::Wear => check(Box::new(wear()), name, track.dimension),
+                    // The path is no answer of a method.
+                    Source::Well => {}
+                }
+            }
+        }
+        for plot in TIME_PLOTS.iter().chain(BIT_PLOTS) {
+            for [name, _] in plot.columns {
+                check(Box::new(time()), name, plot.dimension);
+            }
+            if let Some(name) = plot.soft {
+                check(Box::new(profile()), name, plot.dimension);
+            }
+        }
+    }
+}

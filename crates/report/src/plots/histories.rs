@@ -1,5 +1,7 @@
 //! Quantities against time.
 
+use wholestring::outcome::ModelKind;
+
 use super::{
     catalogue::{BIT_PLOTS, TIME_PLOTS, TimePlot},
     run::{Plot, Run, timed, title},
@@ -171,22 +173,24 @@ fn panel(
         return None;
     }
     if let (Some(column), [run]) = (plot.soft, runs) {
-        let soft = run.report.solved.iter();
-        let mut soft = soft.filter(|of| of.model == "soft" && of.operation == operation);
-        let at_top = soft
-            .next()
-            .and_then(|soft| soft.profile.get(column)?.values().first().copied());
-        if let Some(value) = at_top.filter(|value| value.is_finite()) {
+        let solved = run.report.solved.iter();
+        let solved = solved.filter(|of| of.operation == operation);
+        let at_rest = solved.filter_map(|of| {
+            let model = ModelKind::named(&of.model).filter(|of| !of.in_time())?;
+            let at_top = of.profile.get(column)?.values().first().copied()?;
+            at_top.is_finite().then_some((model.method(), at_top))
+        });
+        for (place, (model, value)) in (1..).zip(at_rest) {
             let value = shown.value(value, plot.dimension);
             let end = end_s(timed[0].1)?;
             curves.push(Mark::Curve {
-                ink: Ink::Line(1),
-                stroke: Stroke::Dashed,
+                ink: Ink::Line(place),
+                stroke: Stroke::of(place),
                 points: vec![(0.0, value), (end, value)],
             });
             keys.push(Key {
-                name: "soft string".into(),
-                sample: Sample::Line(Ink::Line(1), Stroke::Dashed),
+                name: model.curve_name.into(),
+                sample: Sample::Line(Ink::Line(place), Stroke::of(place)),
             });
         }
     }

@@ -1,5 +1,7 @@
 //! Which colour and stroke a curve has, and what it is called.
 
+use wholestring::outcome::{Method, ModelKind};
+
 use super::run::Run;
 use crate::{
     Solved,
@@ -13,8 +15,8 @@ use crate::{
 pub(super) struct Looks<'a> {
     runs: &'a [Run<'a>],
     operations: &'a [&'a str],
-    soft: bool,
-    dynamic: bool,
+    /// The models that solved them, the most detailed first.
+    models: Vec<&'static Method>,
 }
 
 impl<'a> Looks<'a> {
@@ -27,9 +29,14 @@ impl<'a> Looks<'a> {
         Self {
             runs,
             operations,
-            soft: has("soft"),
-            dynamic: has("dynamic"),
+            models: models(has),
         }
+    }
+
+    /// The place of a model among those that solved.
+    fn place(&self, solved: &Solved) -> usize {
+        let mut models = self.models.iter();
+        models.position(|of| of.name == solved.model).unwrap_or(0)
     }
 
     /// What was solved of these operations, with the place of its run.
@@ -53,17 +60,17 @@ impl<'a> Looks<'a> {
                 .position(|name| *name == solved.operation)
                 .unwrap_or(0)
         };
-        match (self.soft && self.dynamic, solved.model.as_str()) {
-            (true, "soft") if self.alone() => (Ink::Line(1), Stroke::Dashed),
-            (true, "soft") => (Ink::Line(index), Stroke::Dashed),
-            (true, _) => (Ink::Line(index), Stroke::Solid),
+        let place = self.place(solved);
+        match (self.models.len() > 1, self.alone()) {
+            (true, true) => (Ink::Line(place), Stroke::of(place)),
+            (true, false) => (Ink::Line(index), Stroke::of(place)),
             (false, _) => (Ink::Line(index), Stroke::of(index)),
         }
     }
 
     /// The curve whose sides are filled: that of the only operation, of the better model.
     pub(super) fn is_first(&self, solved: &Solved) -> bool {
-        self.alone() && (solved.model == "dynamic" || !self.dynamic)
+        self.alone() && self.place(solved) == 0
     }
 
     /// What a curve is of: a run of two, an operation of several; nothing where there is one alone.
@@ -81,16 +88,13 @@ impl<'a> Looks<'a> {
             name: name.into(),
             sample: Sample::Line(ink, stroke),
         };
-        let both = self.soft && self.dynamic;
+        let models = self.models.iter().enumerate();
+        let several = self.models.len() > 1;
+        let models = models.filter(|_| several);
         if self.alone() {
-            return if both {
-                vec![
-                    line("dynamics, mean", Ink::Line(0), Stroke::Solid),
-                    line("soft string", Ink::Line(1), Stroke::Dashed),
-                ]
-            } else {
-                Vec::new()
-            };
+            return models
+                .map(|(place, of)| line(of.curve_name, Ink::Line(place), Stroke::of(place)))
+                .collect();
         }
         let names: Vec<String> = if self.runs.len() > 1 {
             self.runs.iter().map(|run| run.name.to_owned()).collect()
@@ -101,7 +105,7 @@ impl<'a> Looks<'a> {
             .iter()
             .enumerate()
             .map(|(index, name)| {
-                let stroke = if both {
+                let stroke = if several {
                     Stroke::Solid
                 } else {
                     Stroke::of(index)
@@ -109,10 +113,7 @@ impl<'a> Looks<'a> {
                 line(name, Ink::Line(index), stroke)
             })
             .collect();
-        if both {
-            keys.push(line("dynamics, mean", Ink::Note, Stroke::Solid));
-            keys.push(line("soft string", Ink::Note, Stroke::Dashed));
-        }
+        keys.extend(models.map(|(place, of)| line(of.curve_name, Ink::Note, Stroke::of(place))));
         keys
     }
 
@@ -140,6 +141,12 @@ impl<'a> Looks<'a> {
             }),
         }
     }
+}
+
+/// The methods whose names are there, the most detailed first.
+pub(crate) fn models(has: impl Fn(&str) -> bool) -> Vec<&'static Method> {
+    let all = ModelKind::ALL.iter().rev().map(|of| of.method());
+    all.filter(|of| has(of.name)).collect()
 }
 
 /// `trip_out` as people write it.

@@ -16,7 +16,7 @@ mod tracks;
 use self::look::Looks;
 pub(crate) use self::{
     bottom::bottoms_figure,
-    look::spoken,
+    look::{models, spoken},
     shown::{SETS, Shown},
 };
 pub use self::{

@@ -1,12 +1,14 @@
 //! What came out of a sweep against what was varied.
 
+use wholestring::outcome::Method;
+
 use super::{QUANTITIES, Quantity, Sweep, SweepRow};
 use crate::{
     Level, Plot,
     figure::{
         Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Scale, Shape, Stroke,
     },
-    plots::{Shown, spoken, subtitle},
+    plots::{Shown, models, spoken, subtitle},
 };
 
 /// The axis of what was varied.
@@ -52,7 +54,8 @@ struct Drawing<'a> {
     /// The combinations of their values, in order: each has a colour.
     families: Vec<Vec<&'a str>>,
     operations: Vec<&'a str>,
-    both_models: bool,
+    /// The models that solved them, the most detailed first.
+    models: Vec<&'static Method>,
 }
 
 impl<'a> Drawing<'a> {
@@ -81,7 +84,7 @@ impl<'a> Drawing<'a> {
             others,
             families,
             operations,
-            both_models: has("soft") && has("dynamic"),
+            models: models(has),
         }
     }
 
@@ -146,23 +149,22 @@ impl<'a> Drawing<'a> {
         (Ink::Line(ink), SHAPES[operation % SHAPES.len()])
     }
 
-    fn stroke(&self, family: usize, model: &str, operation: usize) -> Stroke {
-        match (self.both_models, model) {
-            (true, "soft") => Stroke::Dashed,
-            (true, _) => Stroke::Solid,
-            (false, _) if self.operations.len() > 1 => Stroke::of(operation),
-            (false, _) => of_family(family),
+    fn stroke(&self, family: usize, model: usize, operation: usize) -> Stroke {
+        match (self.models.len() > 1, self.operations.len() > 1) {
+            (true, _) => Stroke::of(model),
+            (false, true) => Stroke::of(operation),
+            (false, false) => of_family(family),
         }
     }
 
     /// Places in the legend of what a curve is of: its family, model and operation.
-    fn keys_of(&self, family: usize, model: &str, operation: usize) -> Vec<usize> {
+    fn keys_of(&self, family: usize, model: usize, operation: usize) -> Vec<usize> {
         let families = self.count(self.families.len());
-        let models = if self.both_models { 2 } else { 0 };
+        let models = self.count(self.models.len());
         let bands = usize::from(self.has_bands());
         let mut keys = Vec::new();
         keys.extend((families > 0).then_some(family));
-        keys.extend((models > 0).then_some(families + usize::from(model == "soft")));
+        keys.extend((models > 0).then_some(families + model));
         let many = self.count(self.operations.len()) > 0;
         keys.extend(many.then_some(families + models + bands + operation));
         keys
@@ -174,7 +176,7 @@ impl<'a> Drawing<'a> {
     }
 
     fn has_bands(&self) -> bool {
-        self.sweep.rows.iter().any(|row| row.model == "dynamic")
+        self.models.iter().any(|of| of.in_time)
     }
 
     /// What a curve is called at its end: what it is of, as far as that differs, without the model, which its stroke tells.
@@ -198,12 +200,15 @@ impl<'a> Drawing<'a> {
         let mut names = Vec::new();
         for (place, family) in self.families.iter().enumerate() {
             let solved = self.operations.iter().enumerate();
-            let solved = solved.flat_map(|of| ["dynamic", "soft"].map(|model| (of, model)));
-            for ((done, operation), model) in solved {
+            let solved = solved.flat_map(|of| {
+                let models = self.models.iter().enumerate();
+                models.map(move |model| (of, model))
+            });
+            for ((done, operation), (model, method)) in solved {
                 let (ink, shape) = self.look(place, done);
                 let mine = |row: &SweepRow| {
                     let values = self.others.iter().map(|key| row.values[*key].as_str());
-                    row.model == model
+                    row.model == method.name
                         && row.operation == *operation
                         && values.eq(family.iter().copied())
                 };
@@ -312,7 +317,7 @@ impl<'a> Drawing<'a> {
 
     /// Place of the bands' key in the legend.
     fn band_key(&self) -> usize {
-        self.count(self.families.len()) + if self.both_models { 2 } else { 0 }
+        self.count(self.families.len()) + self.count(self.models.len())
     }
 
     fn keys(&self) -> Vec<Key> {
@@ -326,7 +331,7 @@ impl<'a> Drawing<'a> {
                     name: values.collect::<Vec<_>>().join(", "),
                     sample: Sample::Line(
                         Ink::Line(place),
-                        match self.both_models || self.operations.len() > 1 {
+                        match self.models.len() > 1 || self.operations.len() > 1 {
                             true => Stroke::Solid,
                             false => of_family(place),
                         },
@@ -334,14 +339,11 @@ impl<'a> Drawing<'a> {
                 }
             }));
         }
-        if self.both_models {
-            for (name, stroke) in [
-                ("dynamics, mean", Stroke::Solid),
-                ("soft string", Stroke::Dashed),
-            ] {
+        if self.models.len() > 1 {
+            for (place, of) in self.models.iter().enumerate() {
                 keys.push(Key {
-                    name: name.into(),
-                    sample: Sample::Line(Ink::Note, stroke),
+                    name: of.curve_name.into(),
+                    sample: Sample::Line(Ink::Note, Stroke::of(place)),
                 });
             }
         }
@@ -365,7 +367,7 @@ impl<'a> Drawing<'a> {
                         };
                         Key {
                             name: spoken(operation),
-                            sample: if self.both_models {
+                            sample: if self.models.len() > 1 {
                                 Sample::Point(ink, shape)
                             } else {
                                 Sample::Marked(ink, Stroke::of(place), shape)

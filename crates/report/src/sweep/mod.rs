@@ -6,6 +6,8 @@ pub use figures::sweep_plots;
 
 use std::collections::BTreeMap;
 
+use wholestring::outcome::ModelKind;
+
 use crate::{Cell, DisplayUnit, Fact, Place, Sheet, plots::spoken};
 
 /// A sweep as its page shows it. Numbers are SI.
@@ -121,11 +123,8 @@ impl Sweep {
             })
             .collect();
         let row = |row: &SweepRow| {
-            let model = match row.model.as_str() {
-                "soft" => "soft string",
-                "dynamic" => "dynamics",
-                other => other,
-            };
+            let model = ModelKind::named(&row.model);
+            let model = model.map_or(row.model.as_str(), |of| of.method().long_name);
             let mut cells: Vec<Cell> = row.values.iter().cloned().map(Cell::Text).collect();
             cells.push(Cell::Text(model.into()));
             cells.push(Cell::Text(spoken(&row.operation)));

@@ -1,4 +1,5 @@
-//! Every column of every table: name, unit and meaning in one place.
+//! Every column of every table. What the engine answers it declares itself; here are the tables
+//! made of it, and what only results hold.
 
 mod bit_test;
 mod bottom_hole;
@@ -13,76 +14,47 @@ pub use self::{
     bit_test::BIT_TEST, bottom_hole::BOTTOM_HOLE, contact::CONTACT, frames::FRAMES, nodes::NODES,
     spectra::SPECTRA, time::TIME, wear::WEAR,
 };
-use wholestring::outcome::ModelKind;
-
-/// The models that tell of a string in time.
-const DYNAMIC: &[ModelKind] = &[ModelKind::Dynamic];
-
-/// Every model.
-const EVERY: &[ModelKind] = &[ModelKind::Soft, ModelKind::Dynamic];
+use wholestring::outcome;
 
 /// Name, unit and meaning of a column.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct ColumnSpec {
-    /// Name in the file, with the unit in it.
-    pub name: &'static str,
-    /// Unit symbol; empty where there is none.
-    pub unit: &'static str,
-    /// What it holds, in one sentence.
-    pub meaning: &'static str,
-    /// Whether it holds words rather than numbers.
-    pub text: bool,
-    /// The models that know it; in rows of the others it is `null`.
-    pub known_by: &'static [ModelKind],
-    /// Where a model that knows it has no value all the same, and it is `null` (a text: empty); nothing where there
-    /// always is one.
-    pub null_where: Option<&'static str>,
-}
+pub type ColumnSpec = outcome::Quantity;
 
-impl ColumnSpec {
-    const fn text(name: &'static str, meaning: &'static str) -> Self {
-        Self {
-            name,
-            unit: "",
-            meaning,
-            text: true,
-            known_by: EVERY,
-            null_where: None,
-        }
-    }
+/// Whose rows they are.
+const MODEL: ColumnSpec = ColumnSpec::text("model", "`soft` or `dynamic`");
 
-    const fn number(name: &'static str, unit: &'static str, meaning: &'static str) -> Self {
-        Self {
-            name,
-            unit,
-            meaning,
-            text: false,
-            known_by: EVERY,
-            null_where: None,
-        }
-    }
+/// Whose rows they are.
+const OPERATION: ColumnSpec = ColumnSpec::text("operation", "`trip_out`, `drill`, ...");
 
-    /// The same, known by these models alone.
-    const fn of(self, known_by: &'static [ModelKind]) -> Self {
-        Self { known_by, ..self }
+/// The columns of a table: what the engine declares, between what says whose the rows are and what
+/// is added to them.
+///
+/// # Panics
+/// If `N` is not the number of all.
+const fn table<T, const N: usize>(
+    whose: &[ColumnSpec],
+    declared: &[outcome::Column<T>],
+    added: &[ColumnSpec],
+) -> [ColumnSpec; N] {
+    assert!(whose.len() + declared.len() + added.len() == N);
+    let mut all = [OPERATION; N];
+    let mut place = 0;
+    while place < N {
+        all[place] = if place < whose.len() {
+            whose[place]
+        } else if place < whose.len() + declared.len() {
+            declared[place - whose.len()].quantity
+        } else {
+            added[place - whose.len() - declared.len()]
+        };
+        place += 1;
     }
-
-    /// The same, without a value there.
-    const fn null_where(self, place: &'static str) -> Self {
-        Self {
-            null_where: Some(place),
-            ..self
-        }
-    }
-
-    /// Whether a model has values of it.
-    pub fn is_known_by(&self, model: ModelKind) -> bool {
-        self.known_by.contains(&model)
-    }
+    all
 }
 
 #[cfg(test)]
 mod tests {
+    use wholestring::dynamics::{Channel, FRAME, Frame, NodeSignal};
+
     use super::*;
 
     #[test]
@@ -103,26 +75,30 @@ mod tests {
                     "{} stands twice",
                     column.name
                 );
-                let suffix = match column.unit {
-                    "" => "",
-                    "m" => "_m",
-                    "s" => "_s",
-                    "N" => "_N",
-                    "rad" => "_rad",
-                    "N·m" => "_N_m",
-                    "N/m" => "_N_per_m",
-                    "N·m/m" => "_N_m_per_m",
-                    "J/m" => "_J_per_m",
-                    "W/m" => "_W_per_m",
-                    "m/s" => "_m_per_s",
-                    "m³/s" => "_m3_per_s",
-                    "rad/s" => "_rad_per_s",
-                    "Pa" => "_Pa",
-                    "Hz" => "_Hz",
-                    other => panic!("{}: unknown unit {other}", column.name),
-                };
-                assert!(column.name.ends_with(suffix), "{}", column.name);
+                let suffix = column.kind.suffix();
+                assert!(column.name.ends_with(&suffix), "{}", column.name);
             }
+        }
+    }
+
+    #[test]
+    fn every_column_of_a_frame_is_of_one_channel() {
+        let blank = Frame::default();
+        let channels = Channel::ALL.iter().flat_map(|of| blank.channel(*of));
+        let mut names: Vec<&str> = channels.map(|(name, _)| name).collect();
+        names.push("md_m");
+        names.sort_unstable();
+        let mut declared: Vec<&str> = FRAME.iter().map(|of| of.quantity.name).collect();
+        declared.sort_unstable();
+        assert_eq!(names, declared);
+    }
+
+    /// A spectrum of a node is of a column of `frames.parquet`.
+    #[test]
+    fn every_signal_of_a_node_is_a_column_of_frames() {
+        for signal in NodeSignal::ALL {
+            let found = FRAMES.iter().find(|of| of.stem() == signal.name());
+            assert_eq!(found.map(|of| of.unit), Some(signal.unit()), "{signal:?}");
         }
     }
 

@@ -1,9 +1,10 @@
 //! What a finding says of means that do not stand still.
 
+use wholestring::outcome::scalars_by_row;
 use wholestring_results::OperationSummary;
 use wholestring_units::{Dimension, UnitSet};
 
-use super::quantities::{QUANTITIES, deviation};
+use super::quantities::{deviation, shown, symbol};
 
 /// Travel of the bit in the window from which it is named as what may change a mean, m.
 const TRAVELS_M: f64 = 1.0;
@@ -11,17 +12,19 @@ const TRAVELS_M: f64 = 1.0;
 /// What drifts in the window of an operation, as a sentence; none where nothing of the table does.
 pub(super) fn sentence(solved: &OperationSummary, units: UnitSet) -> Option<String> {
     let statistics = solved.statistics.as_ref()?;
-    let drifts: Vec<String> = QUANTITIES
-        .iter()
-        .filter_map(|quantity| {
-            let statistic = statistics.get(quantity.key).filter(|of| of.drifts)?;
+    let drifts: Vec<String> = scalars_by_row()
+        .into_iter()
+        .filter_map(|scalar| {
+            let quantity = scalar.quantity;
+            let statistic = statistics.get(quantity.name).filter(|of| of.drifts)?;
             let verb = if statistic.drift < 0.0 {
                 "falls"
             } else {
                 "rises"
             };
-            let shown = deviation(quantity.unit.shown(statistic.drift.abs(), units));
-            let (label, symbol) = (quantity.label.to_lowercase(), quantity.unit.symbol(units));
+            let shown = deviation(shown(quantity.kind, statistic.drift.abs(), units));
+            let symbol = symbol(quantity.kind, units);
+            let label = scalar.label.to_lowercase();
             Some(format!("{label} {verb} by {shown} {symbol}"))
         })
         .collect();
@@ -31,7 +34,7 @@ pub(super) fn sentence(solved: &OperationSummary, units: UnitSet) -> Option<Stri
         Some((last, [])) => format!("{first} and {last}"),
         Some((last, between)) => format!("{first}, {} and {last}", between.join(", ")),
     };
-    let travel_m = solved.numerics.as_ref().and_then(|of| of.bit_travel_m);
+    let travel_m = solved.numerics.as_ref().map(|of| of.run.bit_travel_m);
     let why = match travel_m.map(f64::abs).filter(|m| *m >= TRAVELS_M) {
         Some(travel_m) => format!(
             "the string goes {} through the hole meanwhile, and a shorter window shows less of that",

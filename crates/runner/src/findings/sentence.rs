@@ -197,11 +197,13 @@ impl Words<'_> {
 
     fn lock_up(&self) -> String {
         let (asked_N, arrives_N) = (self.value(), self.limit());
-        let pushed = match (self.of.model, self.rig.block_weight_N) {
-            (ModelKind::Soft, Some(block)) if block > 0.0 => {
-                "with all of its weight slacked off and the block on it"
-            }
-            _ => "with all of its weight slacked off",
+        let block_pushes = match self.of.model {
+            ModelKind::Soft => self.rig.block_weight_N.is_some_and(|block| block > 0.0),
+            ModelKind::Dynamic => false,
+        };
+        let pushed = match block_pushes {
+            true => "with all of its weight slacked off and the block on it",
+            false => "with all of its weight slacked off",
         };
         let mut text = if asked_N > 0.0 && arrives_N >= 0.0 {
             format!(
@@ -232,11 +234,10 @@ impl Words<'_> {
     }
 
     fn buckled(&self, how: &str) -> String {
-        let more = match (self.found.kind, self.of.model) {
-            (Kind::HelicalBuckling, ModelKind::Soft) => {
-                "; the soft string does not count the drag of the helix"
-            }
-            _ => "",
+        let helix = self.found.kind == Kind::HelicalBuckling;
+        let more = match self.of.model {
+            ModelKind::Soft if helix => "; the soft string does not count the drag of the helix",
+            ModelKind::Soft | ModelKind::Dynamic => "",
         };
         format!(
             "{how}{}: compression of {} where {} is critical{more}",

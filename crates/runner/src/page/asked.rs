@@ -1,7 +1,7 @@
 //! What the page says was asked.
 
 use serde_json::Value as Json;
-use wholestring::operation::OperationKind;
+use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_report::{Cell, Fact};
 use wholestring_results::{Friction, Summary};
 
@@ -30,11 +30,7 @@ pub(crate) fn asked(summary: &Summary) -> Vec<Fact> {
         Cell::Text(names.join(", ")),
     );
     let models: Vec<&str> = texts(&settings["model"])
-        .map(|model| match model {
-            "soft" => "soft string",
-            "dynamic" => "dynamics",
-            other => other,
-        })
+        .map(|name| ModelKind::named(name).map_or(name, |of| of.method().long_name))
         .collect();
     tell("Solved by", Cell::Text(models.join(", ")));
     tell("Bit depth", quantity(&operation["bit_depth_m"], "length"));
@@ -80,7 +76,8 @@ pub(crate) fn asked(summary: &Summary) -> Vec<Fact> {
         let flow = &operation["flow_rate_m3_per_s"];
         tell("Flow rate", quantity(flow, "flow rate"));
     }
-    if texts(&settings["model"]).any(|model| model == "dynamic") {
+    if texts(&settings["model"]).any(|name| ModelKind::named(name).is_some_and(ModelKind::in_time))
+    {
         let dynamics = &settings["dynamics"];
         tell("Window", quantity(&dynamics["duration_s"], "time"));
         tell(

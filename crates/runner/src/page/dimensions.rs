@@ -2,6 +2,7 @@
 
 use std::{collections::BTreeMap, f64::consts::TAU};
 
+use wholestring::outcome::QuantityKind;
 use wholestring_case::dimension_of;
 use wholestring_report::DisplayUnit;
 use wholestring_units::{Dimension, UnitSet};
@@ -74,6 +75,29 @@ pub(crate) fn all() -> BTreeMap<String, [DisplayUnit; 3]> {
         ((*name).to_owned(), units)
     });
     known.chain(others).collect()
+}
+
+/// The dimension in whose units people see a kind of quantity; none where no unit converts it.
+pub(crate) fn of_kind(kind: QuantityKind) -> Option<Dimension> {
+    Some(match kind {
+        QuantityKind::Length | QuantityKind::Depth => Dimension::Length,
+        QuantityKind::Force => Dimension::Force,
+        QuantityKind::Torque => Dimension::Torque,
+        QuantityKind::ForcePerLength => Dimension::ForcePerLength,
+        QuantityKind::Pressure => Dimension::Pressure,
+        QuantityKind::Angle => Dimension::Angle,
+        QuantityKind::Curvature => Dimension::DoglegSeverity,
+        QuantityKind::RotarySpeed => Dimension::RotarySpeed,
+        QuantityKind::Speed => Dimension::TripSpeed,
+        QuantityKind::RateOfPenetration => Dimension::RateOfPenetration,
+        QuantityKind::FlowRate => Dimension::FlowRate,
+        QuantityKind::Time => Dimension::Time,
+        QuantityKind::Frequency => Dimension::Frequency,
+        QuantityKind::Ratio
+        | QuantityKind::TorquePerLength
+        | QuantityKind::WorkPerLength
+        | QuantityKind::PowerPerLength => return None,
+    })
 }
 
 /// The symbol as it is printed: `kN.m` becomes `kN·m`, `deg/30m` becomes `°/30 m`.

@@ -16,9 +16,10 @@ pub(super) fn rows(table: &Table, model: Option<&str>, operation: &str) -> Vec<u
     let operations = words(table, "operation").iter().enumerate();
     operations
         .filter(|(row, name)| {
-            // A table that does not tell models apart is the dynamics'.
-            let of = models.get(*row).map_or("dynamic", String::as_str);
-            *name == operation && model.is_none_or(|model| of == model)
+            // A table that does not tell models apart is that of the one in time.
+            let of = models.get(*row);
+            let others = of.zip(model).is_some_and(|(of, model)| of != model);
+            *name == operation && !others
         })
         .map(|(row, _)| row)
         .collect()

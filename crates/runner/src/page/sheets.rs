@@ -1,9 +1,11 @@
 //! Tables of numbers: what every model answered, and how it was computed.
 
+use wholestring::outcome::{QuantityKind, Scalar, scalars_by_row};
 use wholestring_report::{Cell, Place, Sheet};
 use wholestring_results::{OperationSummary, Summary};
+use wholestring_units::Dimension;
 
-use super::asked::spoken;
+use super::{asked::spoken, dimensions::of_kind};
 
 /// A row: what it is, its dimension, and how it is read.
 type Row<'a> = (
@@ -16,87 +18,20 @@ type Row<'a> = (
 pub(super) fn results(summary: &Summary) -> Vec<Sheet> {
     let block_N = summary.settings["rig"]["block_weight_N"].as_f64();
     let block_N = block_N.filter(|weight| *weight > 0.0);
-    let scalars: &[(Row<'_>, &str)] = &[
-        (
-            ("Hook load without block", "force", &|of| {
-                Some(of.scalars.hook_load_N)
-            }),
-            "hook_load_N",
-        ),
-        (
-            ("Hook load with block", "force", &|of| {
-                Some(of.scalars.hook_load_N + block_N?)
-            }),
-            "hook_load_N",
-        ),
-        (
-            ("Axial friction", "force", &|of| {
-                Some(of.scalars.axial_friction_N)
-            }),
-            "axial_friction_N",
-        ),
-        (
-            ("Weight on bit", "force", &|of| {
-                Some(of.scalars.weight_on_bit_N)
-            }),
-            "weight_on_bit_N",
-        ),
-        (
-            ("Side force, total", "force", &|of| {
-                Some(of.scalars.side_force_total_N)
-            }),
-            "side_force_total_N",
-        ),
-        (
-            ("Surface torque", "torque", &|of| {
-                Some(of.scalars.surface_torque_N_m)
-            }),
-            "surface_torque_N_m",
-        ),
-        (
-            ("Friction torque", "torque", &|of| {
-                Some(of.scalars.friction_torque_N_m)
-            }),
-            "friction_torque_N_m",
-        ),
-        (
-            ("Bit torque", "torque", &|of| {
-                Some(of.scalars.bit_torque_N_m)
-            }),
-            "bit_torque_N_m",
-        ),
-        (
-            ("Twist", "turns", &|of| Some(of.scalars.twist_rad)),
-            "twist_rad",
-        ),
-        (
-            ("Stretch", "length", &|of| Some(of.scalars.stretch_m)),
-            "stretch_m",
-        ),
-        (
-            ("Neutral point", "length", &|of| of.scalars.neutral_point_m),
-            "",
-        ),
-        (
-            ("Cut-off depth", "length", &|of| of.scalars.cutoff_depth_m),
-            "",
-        ),
-    ];
     let mut sheet = side_by_side(
         Place::Results,
         "All models and operations",
         &summary.operations,
     );
-    for ((label, dimension, value), key) in scalars {
-        if *label == "Hook load with block" && block_N.is_none() {
-            continue;
-        }
+    let mut row = |label: &str, scalar: &Scalar, more: f64| {
+        let quantity = scalar.quantity;
         let cells = summary.operations.iter().map(|of| {
-            let spread = of.statistics.as_ref().and_then(|all| all.get(*key));
-            match value(of).filter(|value| value.is_finite()) {
+            let spread = of.statistics.as_ref();
+            let spread = spread.and_then(|all| all.get(quantity.name));
+            match (scalar.of)(&of.scalars).filter(|value| value.is_finite()) {
                 Some(value) => Cell::Quantity {
-                    value,
-                    dimension: (*dimension).into(),
+                    value: value + more,
+                    dimension: scalar_dimension(quantity.kind).into(),
                     std: spread
                         .map(|spread| spread.std)
                         .filter(|std| std.is_finite()),
@@ -105,6 +40,12 @@ pub(super) fn results(summary: &Summary) -> Vec<Sheet> {
             }
         });
         sheet.rows.push(named(label, cells));
+    };
+    for scalar in scalars_by_row() {
+        row(scalar.label, scalar, 0.0);
+        if let (Some(block_N), "hook_load_N") = (block_N, scalar.quantity.name) {
+            row("Hook load with block", scalar, block_N);
+        }
     }
     let stick = |of: &OperationSummary| of.indicators.and_then(|all| all.stick_slip);
     let more: &[Row<'_>] = &[
@@ -139,6 +80,14 @@ pub(super) fn results(summary: &Summary) -> Vec<Sheet> {
     vec![sheet]
 }
 
+/// The dimension of a scalar on the page: turns of the string say more than degrees.
+fn scalar_dimension(kind: QuantityKind) -> &'static str {
+    match kind {
+        QuantityKind::Angle => "turns",
+        kind => of_kind(kind).map_or("ratio", Dimension::name),
+    }
+}
+
 /// How the dynamic solutions were computed.
 pub(super) fn numerics(summary: &Summary) -> Vec<Sheet> {
     let solved: Vec<OperationSummary> = summary
@@ -152,26 +101,23 @@ pub(super) fn numerics(summary: &Summary) -> Vec<Sheet> {
     }
     let mut sheet = side_by_side(Place::Numerics, "How the dynamics were computed", &solved);
     let numerics = |of: &OperationSummary| of.numerics.clone();
-    let energy = |of: &OperationSummary| of.numerics.as_ref().and_then(|all| all.energy);
+    let run = |of: &OperationSummary| of.numerics.as_ref().map(|all| all.run.clone());
+    let energy = |of: &OperationSummary| run(of)?.energy;
     let rows: &[Row<'_>] = &[
-        ("Elements", "ratio", &|of| {
-            Some(numerics(of)?.elements as f64)
-        }),
-        ("Time step", "time step", &|of| {
-            Some(numerics(of)?.time_step_s)
-        }),
-        ("Steps", "ratio", &|of| Some(numerics(of)?.steps as f64)),
+        ("Elements", "ratio", &|of| Some(run(of)?.elements as f64)),
+        ("Time step", "time step", &|of| Some(run(of)?.time_step_s)),
+        ("Steps", "ratio", &|of| Some(run(of)?.steps as f64)),
         ("Settled before the window", "time", &|of| {
-            numerics(of)?.settle_s
+            Some(run(of)?.settle_s).filter(|of| of.is_finite())
         }),
         ("Axial mass added", "percent", &|of| {
-            Some(numerics(of)?.added_axial_mass_fraction)
+            Some(run(of)?.added_axial_mass_fraction)
         }),
         ("Deepest penetration of the wall", "diameter", &|of| {
-            Some(numerics(of)?.max_penetration_m)
+            Some(run(of)?.max_penetration_m)
         }),
         ("Energy residual", "percent", &|of| {
-            Some(numerics(of)?.energy_residual)
+            Some(run(of)?.energy_residual)
         }),
         ("Work of top drive, hoist, bit, mud", "energy", &|of| {
             Some(energy(of)?.work_J())
@@ -193,7 +139,7 @@ pub(super) fn numerics(summary: &Summary) -> Vec<Sheet> {
     add(&mut sheet, rows, &solved);
     let instructions = solved
         .iter()
-        .map(|of| numerics(of).map_or(Cell::Nothing, |of| Cell::Text(of.instructions)));
+        .map(|of| run(of).map_or(Cell::Nothing, |of| Cell::Text(of.instructions.into())));
     sheet.rows.push(named("Instruction set", instructions));
     vec![sheet]
 }
@@ -201,12 +147,7 @@ pub(super) fn numerics(summary: &Summary) -> Vec<Sheet> {
 /// A table with a column for each model and operation.
 fn side_by_side(place: Place, title: &str, solved: &[OperationSummary]) -> Sheet {
     let head = |of: &OperationSummary| {
-        let model = match of.model.name() {
-            "soft" => "soft string",
-            "dynamic" => "dynamics",
-            other => other,
-        };
-        format!("{}, {model}", spoken(&of.operation))
+        format!("{}, {}", spoken(&of.operation), of.model.method().long_name)
     };
     Sheet {
         place,

@@ -1,14 +1,24 @@
 //! Path, hole and string of a run, from the settings in its summary.
 
 use serde_json::Value as Json;
-use wholestring::well::{Interpolation, Path, Station, TieIn};
+use wholestring::{
+    outcome::{
+        Quantity,
+        QuantityKind::{self, Angle, Curvature, Depth, Length},
+    },
+    well::{Interpolation, Path, Station, TieIn},
+};
 use wholestring_report::{Packed, Part, Section, Well};
 
 /// Points of the path on the page, besides the stations.
 const POINTS: usize = 800;
 
-/// A name, and the quantity at a measured depth.
-type PathColumn = (&'static str, fn(&Path, f64) -> f64);
+/// A quantity, and its value at a measured depth.
+type PathColumn = (Quantity, fn(&Path, f64) -> f64);
+
+const fn of_path(name: &'static str, kind: QuantityKind, meaning: &'static str) -> Quantity {
+    Quantity::number(name, kind, meaning)
+}
 
 /// Horizontal distance from the first station, projected on the direction to the last one: the abscissa of a vertical
 /// section, m. Zero of a path that ends below its beginning.
@@ -59,24 +69,44 @@ impl<'a> WellBore<'a> {
     /// A column of [`Self::COLUMNS`], from the surface to the bit.
     pub(crate) fn column_named(&self, name: &str) -> Vec<f64> {
         let depths = self.path.as_ref().map(|path| self.depths(path));
-        let column = Self::COLUMNS.iter().find(|(column, _)| *column == name);
+        let column = Self::COLUMNS.iter().find(|(column, _)| column.name == name);
         column.map_or_else(Vec::new, |(_, of)| {
             self.column(&depths.unwrap_or_default(), of)
         })
     }
 
     /// What is known of the path at a measured depth.
-    pub(crate) const COLUMNS: [PathColumn; 8] = [
-        ("md_m", |_, md| md),
-        ("north_m", |path, md| path.at(md).position_m.x),
-        ("east_m", |path, md| path.at(md).position_m.y),
-        ("tvd_m", |path, md| path.at(md).position_m.z),
-        ("vertical_section_m", vertical_section_m),
-        ("inclination_rad", |path, md| path.at(md).inclination_rad()),
-        ("azimuth_rad", |path, md| path.at(md).azimuth_rad()),
-        ("dogleg_severity_rad_per_m", |path, md| {
-            path.dogleg_severity_rad_per_m(md)
+    pub(crate) const COLUMNS: &'static [PathColumn] = &[
+        (of_path("md_m", Depth, "Measured depth"), |_, md| md),
+        (of_path("north_m", Length, "North"), |path, md| {
+            path.at(md).position_m.x
         }),
+        (of_path("east_m", Length, "East"), |path, md| {
+            path.at(md).position_m.y
+        }),
+        (
+            of_path("tvd_m", Depth, "True vertical depth"),
+            |path, md| path.at(md).position_m.z,
+        ),
+        (
+            of_path(
+                "vertical_section_m",
+                Length,
+                "Distance along the closure's direction",
+            ),
+            vertical_section_m,
+        ),
+        (
+            of_path("inclination_rad", Angle, "Inclination"),
+            |path, md| path.at(md).inclination_rad(),
+        ),
+        (of_path("azimuth_rad", Angle, "Azimuth"), |path, md| {
+            path.at(md).azimuth_rad()
+        }),
+        (
+            of_path("dogleg_severity_rad_per_m", Curvature, "Dogleg severity"),
+            |path, md| path.dogleg_severity_rad_per_m(md),
+        ),
     ];
 
     /// The path down to the bit.

@@ -21,7 +21,7 @@ impl Frames {
         let Some(interval_s) = case.records.frame_interval_s else {
             return Ok(None);
         };
-        if !case.models.contains(&ModelKind::Dynamic) {
+        if !ModelKind::any_in_time(&case.models) {
             return Ok(None);
         }
         let channels = &case.records.channels;

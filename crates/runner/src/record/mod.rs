@@ -11,15 +11,14 @@ use wholestring::{
     dynamics::ScheduleStep,
     findings::Finding,
     operation::Operation,
-    outcome::{ModelKind, Scalars},
+    outcome::{Cost, ModelKind},
     rig::Rig,
     well::Hole,
 };
 use wholestring_case::{Case, Records};
 use wholestring_results::{
-    BOTTOM_HOLE, CONTACT, ENGINE_VERSION, FramesSoFar, Friction, GrowingTable, NODES,
-    OperationSummary, ResultsError, ResultsFolder, SCHEMA_VERSION, SPECTRA, Status, Summary, TIME,
-    Table, TableSoFar, WEAR, digest,
+    BOTTOM_HOLE, CONTACT, ENGINE_VERSION, FramesSoFar, Friction, GrowingTable, NODES, ResultsError,
+    ResultsFolder, SCHEMA_VERSION, SPECTRA, Summary, TIME, Table, TableSoFar, WEAR, digest,
 };
 use wholestring_units::UnitSet;
 
@@ -173,30 +172,6 @@ impl Record {
         solved.any(|solved| solved.model == model && solved.operation == name)
     }
 
-    /// The summary of an operation that was solved to its end.
-    fn solved(
-        &self,
-        model: ModelKind,
-        operation: &Operation,
-        scalars: Scalars,
-    ) -> OperationSummary {
-        OperationSummary {
-            model,
-            operation: operation.kind.name().into(),
-            status: Status::Complete,
-            friction: Friction::of(&friction(&self.hole)),
-            bit_depth_m: operation.bit_depth_m,
-            findings: Vec::new(),
-            scalars,
-            lift: None,
-            hydraulics: None,
-            statistics: None,
-            indicators: None,
-            bit_table: None,
-            numerics: None,
-        }
-    }
-
     /// Tells what was found in the answer that was added last.
     pub(crate) fn judge(&mut self, found: &[Finding], rig: &Rig) {
         if let Some(last) = self.summary.operations.last_mut() {
@@ -249,7 +224,7 @@ impl Record {
         }
         // Last, so that a summary tells of tables that are there.
         let solved = &self.summary.operations;
-        if keep == Keep::Summary && solved.iter().all(|of| of.model == ModelKind::Soft) {
+        if keep == Keep::Summary && solved.iter().all(|of| is_cheap(of.model)) {
             folder.write_compact_summary(&self.summary)?;
         } else {
             folder.write_summary(&self.summary)?;
@@ -267,6 +242,11 @@ impl Record {
         }
         Ok(())
     }
+}
+
+/// Whether what a method answers is solved again rather than read back.
+fn is_cheap(model: ModelKind) -> bool {
+    model.method().cost == Cost::Milliseconds
 }
 
 fn remove_table(folder: &ResultsFolder, name: &str) -> Result<(), ResultsError> {

@@ -9,7 +9,7 @@ use wholestring::{
     },
     findings,
     operation::Operation,
-    outcome::ModelKind,
+    outcome::{ModelKind, Solution},
     statics::soft::{self, SoftSettings},
 };
 use wholestring_case::Case;
@@ -19,7 +19,10 @@ use super::{lift::tune, stop::Stop, way::Way};
 use crate::{
     checkpoint::{self, Keeper, Laid, UnderWay},
     observer::Watch,
-    record::{Record, rows::Effort},
+    record::{
+        Record,
+        rows::{CarriedOut, Effort},
+    },
 };
 
 /// Solves operation after operation, each with every model, and writes after each, so that whatever
@@ -95,7 +98,7 @@ fn lay_aside(
 fn solve_soft(case: &Case, operation: &Operation, record: &mut Record) -> Status {
     match soft::solve(&case.model, operation, &SoftSettings::default()) {
         Ok(profile) => {
-            record.add_soft(operation, &profile);
+            record.add(operation, &Solution::from(&profile), CarriedOut::AT_ONCE);
             let found = findings::of_soft(&case.model, operation, &profile);
             record.judge(&found, &case.model.rig);
             Status::Complete
@@ -229,14 +232,14 @@ fn solve_dynamic(
         runs: lift.map_or(1, |lift| lift.runs + usize::from(run_again)),
     };
     let outcome = simulation.outcome();
-    record.add_dynamic(
-        operation,
-        &outcome,
-        simulation.bottom_hole().as_ref(),
+    let bottom = simulation.bottom_hole();
+    let carried_out = CarriedOut {
+        status: status.clone(),
         lift,
-        status.clone(),
+        bottom: bottom.as_ref(),
         effort,
-    );
+    };
+    record.add(operation, &Solution::from(&outcome), carried_out);
     // What was not computed to its end has said so already.
     if status == Status::Complete {
         let found = findings::of_dynamic(&case.model, operation, &settings, &outcome);

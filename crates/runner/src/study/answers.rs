@@ -126,9 +126,9 @@ impl Answer {
             Source::Contact => "contact.parquet",
         };
         let path = self.folder.join(file);
-        // Only the dynamics tell of time, and frames are kept where they are asked for.
+        // Only a method in time tells of it, and frames are kept where they are asked for.
         let timeless = matches!(source, Source::Nodes | Source::Wear);
-        if !timeless && self.solved.model != ModelKind::Dynamic || !path.is_file() {
+        if !timeless && !self.solved.model.in_time() || !path.is_file() {
             return Ok(());
         }
         let read = [&["model", "operation"][..], &names].concat();
@@ -144,9 +144,12 @@ impl Answer {
         let columns = names.map(|name| numbers(piece, name));
         let models = words(piece, "model");
         for (row, operation) in words(piece, "operation").iter().enumerate() {
-            // A table that does not tell models apart is the dynamics'.
-            let model = models.get(row).map_or("dynamic", String::as_str);
-            let model = model == self.solved.model.name();
+            // A table that does not tell models apart is that of the one in time.
+            let model = models
+                .get(row)
+                .map_or(self.solved.model.in_time(), |model| {
+                    model == self.solved.model.name()
+                });
             if model && *operation == self.solved.operation {
                 visit(columns.map(|of| of.get(row).copied().flatten().unwrap_or(f64::NAN)));
             }
@@ -233,10 +236,7 @@ pub(super) fn names(series: &[Series], sweeps: &[String]) -> Vec<String> {
     };
     let parts: [&dyn Fn(&Series) -> String; 3] = [
         &|(sweep, _, _)| sweeps[*sweep].clone(),
-        &|(_, model, _)| match model {
-            ModelKind::Soft => "soft string".into(),
-            ModelKind::Dynamic => "dynamics".into(),
-        },
+        &|(_, model, _)| model.method().long_name.into(),
         &|(_, _, operation)| operation.replace('_', " "),
     ];
     let mut told: Vec<_> = parts.iter().filter(|part| differ(part)).collect();

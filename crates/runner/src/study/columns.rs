@@ -1,77 +1,76 @@
 //! What figures and tables of a study may show, and what people call it.
 
-use wholestring::dynamics::DynamicOutcome;
-use wholestring_results::{CONTACT, ColumnSpec, FRAMES, NODES, TIME, WEAR};
+use wholestring::{
+    dynamics::DynamicOutcome,
+    outcome::{self, QuantityKind, TIME_SERIES},
+};
 use wholestring_study::{ColumnName, Quantity, Source};
+use wholestring_results::{CONTACT, FRAMES, NODES, TIME, WEAR};
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::{
     page::{
-        dimensions::{of_key, pretty},
+        dimensions::{of_kind, pretty},
         well::WellBore,
     },
     sweep::SCALARS,
 };
 
-/// Ends of names that no set of units converts, and their units.
-const PLAIN: &[(&str, &str)] = &[
-    ("_N_m_per_m", "N·m/m"),
-    ("_J_per_m", "J/m"),
-    ("_W_per_m", "W/m"),
-];
-
-/// Ends of names of curvatures.
-const CURVATURE: &str = "_rad_per_m";
-
 /// How many findings of each level there are.
 pub(super) const FINDINGS: [&str; 3] = ["errors", "warnings", "notes"];
 
+/// Every quantity that results declare, and where it stands.
+fn declared() -> impl Iterator<Item = (Source, outcome::Quantity)> {
+    let varying = DynamicOutcome::quantities().filter(|name| !SCALARS.contains(name));
+    let scalar = |name: &str| {
+        let scalars = outcome::SCALARS.iter().map(|of| of.quantity);
+        let mut all = scalars.chain(TIME_SERIES.iter().map(|of| of.quantity));
+        all.find(|of| of.name == name)
+    };
+    let counted = |name| {
+        let meaning = "How many findings of the level there are";
+        outcome::Quantity::number(name, QuantityKind::Ratio, meaning)
+    };
+    let summary = SCALARS.into_iter().chain(varying).filter_map(scalar);
+    let summary = summary.chain(FINDINGS.map(counted));
+    let tables = [
+        (Source::Nodes, NODES),
+        (Source::Wear, WEAR),
+        (Source::Time, TIME),
+        (Source::Frames, FRAMES),
+        (Source::Contact, CONTACT),
+    ];
+    let numbers = tables.into_iter().flat_map(|(source, specs)| {
+        let numbers = specs.iter().filter(|spec| !spec.text);
+        numbers.map(move |spec| (source, *spec))
+    });
+    let path = WellBore::COLUMNS.iter().map(|(of, _)| *of);
+    summary
+        .map(|of| (Source::Summary, of))
+        .chain(numbers)
+        .chain(path.map(|of| (Source::Path, of)))
+}
+
 /// Every column that a study may show.
 pub(super) fn all() -> Vec<ColumnName> {
-    let of = |source: Source, name: &'static str| ColumnName {
-        source,
-        name,
-        dimension: dimension(name),
-    };
-    let varying = DynamicOutcome::quantities().filter(|name| !SCALARS.contains(name));
-    let summary = SCALARS.into_iter().chain(varying).chain(FINDINGS);
-    let numbers = |source, specs: &'static [ColumnSpec]| {
-        let numbers = specs.iter().filter(|spec| !spec.text);
-        numbers.map(move |spec| of(source, spec.name))
-    };
-    summary
-        .map(|name| of(Source::Summary, name))
-        .chain(numbers(Source::Nodes, NODES))
-        .chain(numbers(Source::Wear, WEAR))
-        .chain(numbers(Source::Time, TIME))
-        .chain(numbers(Source::Frames, FRAMES))
-        .chain(numbers(Source::Contact, CONTACT))
-        .chain(WellBore::COLUMNS.map(|(name, _)| of(Source::Path, name)))
+    declared()
+        .map(|(source, of)| ColumnName {
+            source,
+            name: of.name,
+            dimension: of_kind(of.kind),
+        })
         .collect()
 }
 
-fn dimension(name: &str) -> Option<Dimension> {
-    if name.ends_with(CURVATURE) {
-        return Some(Dimension::DoglegSeverity);
-    }
-    if PLAIN.iter().any(|(end, _)| name.ends_with(end)) {
-        return None;
-    }
-    let (dimension, _) = of_key(name)?;
-    Dimension::ALL
-        .iter()
-        .copied()
-        .find(|of| of.name() == dimension)
+/// The declaration of a column by its name: wherever it stands, it is of the same kind.
+fn named(name: &str) -> Option<outcome::Quantity> {
+    let found = declared().find(|(_, of)| of.name == name);
+    found.map(|(_, of)| of)
 }
 
 /// What people call a column: `hook load`.
 fn words(name: &str) -> String {
-    let plain = PLAIN.iter().find_map(|(end, _)| name.strip_suffix(end));
-    let stem = plain.or_else(|| name.strip_suffix(CURVATURE));
-    let stem = stem
-        .or_else(|| of_key(name).map(|(_, stem)| stem))
-        .unwrap_or(name);
-    match stem {
+    match named(name).map_or(name, |of| of.stem()) {
         "md" => "measured depth".into(),
         "tvd" => "true vertical depth".into(),
         other => other.replace('_', " "),
@@ -93,11 +92,8 @@ pub(super) fn unit(dimension: Option<Dimension>, name: &str, units: UnitSet) -> 
         let unit = dimension.unit_in(units);
         return (pretty(unit.symbol), unit.factor);
     }
-    let plain = PLAIN.iter().find(|(end, _)| name.ends_with(end));
-    (
-        plain.map_or(String::new(), |(_, unit)| (*unit).to_owned()),
-        1.0,
-    )
+    let plain = named(name).map_or("", |of| of.unit);
+    (plain.to_owned(), 1.0)
 }
 
 /// A name and its unit, the first letter large: `Hook load, kN`.

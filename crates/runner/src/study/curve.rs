@@ -1,6 +1,5 @@
 //! A curve of a figure.
 
-use wholestring::outcome::ModelKind;
 use wholestring_study::{Quantity, Statistic};
 
 use super::answers::Series;
@@ -50,7 +49,8 @@ pub(super) fn within(window_s: Option<[f64; 2]>, time_s: f64) -> bool {
     window_s.is_none_or(|[from, to]| (from - 1e-6..=to + 1e-6).contains(&time_s))
 }
 
-/// Whether a soft string is among the curves: it is drawn dashed beside dynamics.
+/// The place of a series' method among all, the most detailed first: the others are drawn dashed
+/// beside it.
 pub(super) fn rank(series: &Series) -> usize {
-    usize::from(series.1 == ModelKind::Soft)
+    series.1.rank()
 }

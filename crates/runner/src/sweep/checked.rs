@@ -37,7 +37,7 @@ const MOST_HELD: usize = 500;
 
 impl Checked {
     fn of(case: Case, holds: bool) -> Self {
-        let dynamic = case.models.contains(&ModelKind::Dynamic);
+        let dynamic = ModelKind::any_in_time(&case.models);
         let operations = if dynamic { &case.operations[..] } else { &[] };
         let efforts: Vec<Effort> = operations
             .iter()

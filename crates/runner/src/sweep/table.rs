@@ -1,27 +1,22 @@
 //! `sweep.csv`: a row for each model and operation of each case of a sweep.
 
 use serde_json::{Map, Value};
-use wholestring::dynamics::DynamicOutcome;
+use wholestring::{dynamics::DynamicOutcome, outcome};
 use wholestring_results::{Column, Data, Level, OperationSummary, Table};
 
 /// Name of the file.
 pub const FILE: &str = "sweep.csv";
 
 /// The scalars of an operation, as `summary.json` names them, in the order of the columns.
-pub const SCALARS: [&str; 12] = [
-    "bit_depth_m",
-    "weight_on_bit_N",
-    "bit_torque_N_m",
-    "hook_load_N",
-    "surface_torque_N_m",
-    "friction_torque_N_m",
-    "axial_friction_N",
-    "side_force_total_N",
-    "twist_rad",
-    "stretch_m",
-    "neutral_point_m",
-    "cutoff_depth_m",
-];
+pub const SCALARS: [&str; outcome::SCALARS.len() + 1] = {
+    let mut names = ["bit_depth_m"; outcome::SCALARS.len() + 1];
+    let mut place = 1;
+    while place < names.len() {
+        names[place] = outcome::SCALARS[place - 1].quantity.name;
+        place += 1;
+    }
+    names
+};
 
 /// What is told of a tuned lift, as `summary.json` names it.
 const LIFT: [&str; 3] = ["hook_load_N", "weight_on_bit_N", "runs"];

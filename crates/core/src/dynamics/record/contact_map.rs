@@ -8,8 +8,8 @@ use crate::{
     dynamics::{
         assembly::Anchor,
         carry::{Reach, reaches},
-        outcome::ContactMap,
     },
+    outcome::ContactMap,
     rod::mesh::Mesh,
 };
 

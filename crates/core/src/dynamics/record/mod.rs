@@ -16,10 +16,10 @@ use super::{
     body::Body,
     chain::{Chain, Rows},
     layout::Layout,
-    outcome::TimeSeries,
 };
 use crate::{
     model::Model,
+    outcome::TimeSeries,
     rod::{mesh::Mesh, number::Real},
 };
 use contact_map::MapKeeper;

@@ -58,7 +58,7 @@ use crate::{model::Model, operation::Operation};
 
 pub use error::SoftError;
 use motion::Sliding;
-pub use profile::{SoftHoleWear, SoftProfile};
+pub use profile::SoftProfile;
 
 /// How the soft string is integrated.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,5 +1,7 @@
 //! What the soft string answers with.
 
+use std::ops::Deref;
+
 use nalgebra::Vector3;
 
 use super::integrate::{Integral, Row};
@@ -7,76 +9,39 @@ use crate::{
     model::Model,
     mud::Hydraulics,
     operation::Operation,
-    outcome::{HOLE_STEP_M, Scalars, cutoff_in_build_m, hole_depths_m, neutral_point_m},
+    outcome::{
+        HOLE_STEP_M, HoleWear, Profile, Scalars, cutoff_in_build_m, hole_depths_m, neutral_point_m,
+    },
 };
 
-/// Loads along the string, from the surface to the bit, and their scalars.
+/// What the soft string answers: loads along the string, from the surface to the bit, and their
+/// scalars.
 ///
-/// All vectors are of the same length; `md_m` grows strictly, from 0 to the depth of the bit. Where a
-/// property jumps (a station of a minimum-curvature path, the end of a component or hole section), side
-/// force and friction are those of the stretch above.
+/// Its profile's columns are read as its own: `soft.tension_N`. `md_m` goes from 0 to the depth of
+/// the bit. Where a property jumps (a station of a minimum-curvature path, the end of a component
+/// or hole section), side force and friction are those of the stretch above. The string lies on the
+/// wall all the time, wherever anything presses it there.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SoftProfile {
-    /// Measured depth, m.
-    pub md_m: Vec<f64>,
-    /// Effective tension, N.
-    pub tension_N: Vec<f64>,
-    /// Torque, N·m.
-    pub torque_N_m: Vec<f64>,
-    /// Magnitude of the load on the wall per length, N/m, positive where the pipe touches the upper
-    /// half of the hole, negative on the lower half.
-    pub side_force_N_per_m: Vec<f64>,
+    /// Along the string.
+    pub profile: Profile,
     /// Unit vector from the hole's axis to where the pipe touches the wall, the direction of the load;
-    /// towards the low side where there is no load.
+    /// towards the low side where there is no load. A row for each of the profile.
     pub contact_direction: Vec<Vector3<f64>>,
-    /// Wall friction along the hole per length, N/m; positive adds to the hook load.
-    pub axial_friction_N_per_m: Vec<f64>,
-    /// Friction torque per length, N·m/m.
-    pub friction_torque_N_m_per_m: Vec<f64>,
-    /// Elongation of the string between the bit and this depth, m, against the unloaded string.
-    pub stretch_m: Vec<f64>,
-    /// Turn of the string at this depth against the bit, rad, positive when the top leads.
-    pub twist_rad: Vec<f64>,
-    /// Angle of the load from the low side, rad, from −π to π, positive to the right looking down the hole; none
-    /// without a load.
-    pub climb_rad: Vec<Option<f64>>,
-    /// Distance of the string's axis from the hole's, m: it lies on the wall.
-    pub lateral_offset_m: Vec<f64>,
-    /// Side force that a tool joint carries, N, that per length times the joints' spacing, positive on the high side;
-    /// none where the string has no joints.
-    pub side_force_per_joint_N: Vec<Option<f64>>,
-    /// Pressure of the mud outside, Pa: its weight and what its flow adds.
-    pub outside_pressure_Pa: Vec<f64>,
-    /// Pressure of the mud inside, Pa.
-    pub inside_pressure_Pa: Vec<f64>,
-    /// Force in the metal, N: [`crate::string::Component::true_tension_N`].
-    pub true_tension_N: Vec<f64>,
-    /// Largest bending moment near the place, N·m: of the hole's curvature, or of a span between tool joints at
-    /// the joints or half-way ([`crate::statics::span`]).
-    pub bending_moment_N_m: Vec<f64>,
-    /// Stress that alternates at the surface of the body as it turns, Pa: that moment over the section modulus.
-    pub bending_stress_Pa: Vec<f64>,
-    /// Von Mises stress where the body's surface bears most, Pa: [`crate::string::BodySection::von_mises_Pa`].
-    pub von_mises_stress_Pa: Vec<f64>,
-    /// That stress over the minimum yield strength, where it is known.
-    pub yield_use: Vec<Option<f64>>,
-    /// Power of friction per metre of string, W/m: force times sliding speed.
-    pub wear_power_W_per_m: Vec<f64>,
-    /// The same along the hole.
-    pub wear: SoftHoleWear,
+    /// Along the hole.
+    pub wear: HoleWear,
     /// The operation's scalars.
     pub scalars: Scalars,
     /// What the mud does; none without a rheology.
     pub hydraulics: Option<Hydraulics>,
 }
 
-/// Power of friction on the hole, from the surface to the bit, one row per [`HOLE_STEP_M`].
-#[derive(Debug, Clone, PartialEq)]
-pub struct SoftHoleWear {
-    /// Measured depth of the middle of the stretch, m.
-    pub md_m: Vec<f64>,
-    /// Power per metre of hole, W/m: friction force times sliding speed.
-    pub wear_power_W_per_m: Vec<f64>,
+impl Deref for SoftProfile {
+    type Target = Profile;
+
+    fn deref(&self) -> &Profile {
+        &self.profile
+    }
 }
 
 impl SoftProfile {
@@ -117,15 +82,17 @@ impl SoftProfile {
                 &side_force_N_per_m,
             ),
         };
-        Self {
+        let contact_direction = rows
+            .iter()
+            .map(|row| {
+                let load = row.load.q_N_per_m.try_normalize(0.0);
+                load.unwrap_or(-row.high_side)
+            })
+            .collect();
+        let touches = |force: &f64| f64::from(u8::from(*force != 0.0));
+        let profile = Profile {
+            contact_fraction: side_force_N_per_m.iter().map(touches).collect(),
             torque_N_m: column(|row| row.totals.torque_N_m),
-            contact_direction: rows
-                .iter()
-                .map(|row| {
-                    let load = row.load.q_N_per_m.try_normalize(0.0);
-                    load.unwrap_or(-row.high_side)
-                })
-                .collect(),
             axial_friction_N_per_m: column(|row| row.load.axial_friction_N_per_m),
             friction_torque_N_m_per_m: column(|row| row.load.friction_torque_N_m_per_m),
             stretch_m: column(|row| row.totals.stretch_m),
@@ -141,13 +108,20 @@ impl SoftProfile {
             von_mises_stress_Pa: column(|row| row.bearing.von_mises_stress_Pa),
             yield_use: maybe(|row| row.bearing.yield_use),
             wear_power_W_per_m: column(|row| row.bearing.wear_power_W_per_m),
-            wear: SoftHoleWear {
-                md_m: hole_depths_m(hole_W.len()),
-                wear_power_W_per_m: hole_W.iter().map(|power| power / HOLE_STEP_M).collect(),
-            },
             md_m,
             tension_N,
             side_force_N_per_m,
+            // What varies in time is left out.
+            ..Profile::default()
+        };
+        Self {
+            profile,
+            contact_direction,
+            wear: HoleWear {
+                md_m: hole_depths_m(hole_W.len()),
+                wear_power_W_per_m: hole_W.iter().map(|power| power / HOLE_STEP_M).collect(),
+                wear_work_J_per_m: Vec::new(),
+            },
             scalars,
             hydraulics,
         }

@@ -1,0 +1,167 @@
+//! The profile along the string: one type for every method, its columns declared once.
+
+use super::{
+    method::ModelKind,
+    quantity::{IN_TIME, columns, unlike_declared},
+};
+
+columns! {
+    /// The profile along the string, from the surface to the bit: a row per node.
+    ///
+    /// All columns that the method knows are of the same length, the others are empty; `md_m` grows
+    /// strictly. Of dynamics the values are means over the window where they do not say otherwise,
+    /// and tension and torque those of the two elements at the node.
+    #[derive(Debug, Clone, PartialEq, Default)]
+    pub struct Profile, "What a profile along the string holds, in the order of `nodes.parquet`."
+    PROFILE {
+        md_m: Vec<f64> => Depth, "Measured depth of the node";
+        tension_N: Vec<f64> => Force, "Effective tension; negative in compression";
+        torque_N_m: Vec<f64> => Torque, "Torque that the string carries";
+        side_force_N_per_m: Vec<f64> => ForcePerLength,
+            "Side force of the wall on the string per length; positive where the string lies on \
+             the high side";
+        contact_fraction: Vec<f64> => Ratio, "Share of the time in contact with the wall";
+        tension_std_N: Vec<f64> => Force, "Standard deviation of `tension_N`", known_by IN_TIME;
+        torque_std_N_m: Vec<f64> => Torque,
+            "Standard deviation of `torque_N_m`", known_by IN_TIME;
+        contact_force_N: Vec<f64> => Force, "Contact force of the node itself", known_by IN_TIME;
+        contact_force_std_N: Vec<f64> => Force,
+            "Standard deviation of `contact_force_N`", known_by IN_TIME;
+        contact_force_max_N: Vec<f64> => Force,
+            "Largest contact force of any sample", known_by IN_TIME;
+        climb_rad: Vec<Option<f64>> => Angle,
+            "Angle of the mean contact force from the low side, from −π to π; positive to the \
+             right looking down the hole, `null` where nothing touched",
+            null_where "nothing touched";
+        lateral_offset_m: Vec<f64> => Length,
+            "Distance between the string's axis and the hole's; a soft string lies on the wall";
+        axial_friction_N_per_m: Vec<f64> => ForcePerLength,
+            "Wall friction along the string per length; positive adds to hook load";
+        friction_torque_N_m_per_m: Vec<f64> => TorquePerLength,
+            "Torque of wall friction per length";
+        wear_work_J_per_m: Vec<f64> => WorkPerLength,
+            "Work of friction over the window per metre of string: force times sliding distance",
+            known_by IN_TIME;
+        wear_power_W_per_m: Vec<f64> => PowerPerLength,
+            "Its mean rate, of a soft string the rate: friction force times sliding speed per \
+             metre of string";
+        twist_rad: Vec<f64> => Angle, "Turn of the node against the bit; positive where it leads";
+        stretch_m: Vec<f64> => Length, "Elongation of the string between the node and the bit";
+        contact_class = contact_classes => Ratio,
+            "`none`, `intermittent` or `continuous`: in contact for less than 1 %, up to 99 % or \
+             more of the time";
+        contact_side = contact_sides => Ratio,
+            "`high` or `low`, by the sign of the mean side force; `none` where nothing presses";
+        side_force_per_joint_N: Vec<Option<f64>> => Force,
+            "Side force that a tool joint carries, `side_force_N_per_m` over the spacing of the \
+             joints; `null` where the string has none",
+            null_where "the string has no joints";
+        tension_p05_N: Vec<f64> => Force, "5th percentile of `tension_N`", known_by IN_TIME;
+        tension_p50_N: Vec<f64> => Force, "Median of `tension_N`", known_by IN_TIME;
+        tension_p95_N: Vec<f64> => Force, "95th percentile of `tension_N`", known_by IN_TIME;
+        torque_p05_N_m: Vec<f64> => Torque, "5th percentile of `torque_N_m`", known_by IN_TIME;
+        torque_p50_N_m: Vec<f64> => Torque, "Median of `torque_N_m`", known_by IN_TIME;
+        torque_p95_N_m: Vec<f64> => Torque, "95th percentile of `torque_N_m`", known_by IN_TIME;
+        side_force_p05_N_per_m: Vec<f64> => ForcePerLength,
+            "5th percentile of `side_force_N_per_m`", known_by IN_TIME;
+        side_force_p50_N_per_m: Vec<f64> => ForcePerLength,
+            "Median of `side_force_N_per_m`", known_by IN_TIME;
+        side_force_p95_N_per_m: Vec<f64> => ForcePerLength,
+            "95th percentile of `side_force_N_per_m`", known_by IN_TIME;
+        contact_force_p05_N: Vec<f64> => Force,
+            "5th percentile of `contact_force_N`", known_by IN_TIME;
+        contact_force_p50_N: Vec<f64> => Force, "Median of `contact_force_N`", known_by IN_TIME;
+        contact_force_p95_N: Vec<f64> => Force,
+            "95th percentile of `contact_force_N`", known_by IN_TIME;
+        true_tension_N: Vec<f64> => Force,
+            "Force in the metal, `T + p_i A_i − p_o A_o + ρ Q²/A_i`: effective tension and what \
+             the mud's pressures and its stream add";
+        outside_pressure_Pa: Vec<f64> => Pressure,
+            "Pressure of the mud in the annulus: of its weight and its flow";
+        inside_pressure_Pa: Vec<f64> => Pressure, "Pressure of the mud in the bore";
+        bending_moment_N_m: Vec<f64> => Torque,
+            "Bending moment, whatever its direction; of a soft string the larger of that at tool \
+             joints and half-way";
+        bending_moment_max_N_m: Vec<f64> => Torque,
+            "Largest bending moment of any sample", known_by IN_TIME;
+        bending_moment_p05_N_m: Vec<f64> => Torque,
+            "5th percentile of `bending_moment_N_m`", known_by IN_TIME;
+        bending_moment_p50_N_m: Vec<f64> => Torque,
+            "Median of `bending_moment_N_m`", known_by IN_TIME;
+        bending_moment_p95_N_m: Vec<f64> => Torque,
+            "95th percentile of `bending_moment_N_m`", known_by IN_TIME;
+        bending_stress_Pa: Vec<f64> => Pressure,
+            "Stress that alternates at the body's surface as it turns, `M D/2I`";
+        von_mises_stress_Pa: Vec<f64> => Pressure,
+            "Von Mises stress where the body's surface bears most";
+        von_mises_stress_max_Pa: Vec<f64> => Pressure,
+            "Largest von Mises stress of any sample", known_by IN_TIME;
+        yield_use: Vec<Option<f64>> => Ratio,
+            "Largest von Mises stress, of a soft string `von_mises_stress_Pa`, over the minimum \
+             yield strength; `null` where that is not known",
+            null_where "the yield strength is not known";
+        whirl_rate_rad_per_s: Vec<f64> => RotarySpeed,
+            "Mean angular velocity of the string's axis about the hole's; positive with the \
+             rotation", known_by IN_TIME;
+        whirl_coherence: Vec<f64> => Ratio,
+            "How much of the lateral motion that whirl is, from 0 to 1", known_by IN_TIME;
+        lateral_speed_rms_m_per_s: Vec<f64> => Speed,
+            "Root mean square of the lateral speed", known_by IN_TIME;
+    }
+}
+
+/// How much of the time a node touches the wall.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ContactClass {
+    /// In less than a hundredth of the samples.
+    None,
+    /// Now and then.
+    Intermittent,
+    /// In more than ninety-nine hundredths of the samples.
+    Continuous,
+}
+
+impl ContactClass {
+    /// The class of a part of the samples.
+    pub fn of(contact_fraction: f64) -> Self {
+        if contact_fraction < 0.01 {
+            Self::None
+        } else if contact_fraction <= 0.99 {
+            Self::Intermittent
+        } else {
+            Self::Continuous
+        }
+    }
+
+    /// Name in results.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Intermittent => "intermittent",
+            Self::Continuous => "continuous",
+        }
+    }
+}
+
+fn contact_classes(of: &Profile) -> Vec<&'static str> {
+    let class = |fraction: &f64| ContactClass::of(*fraction).name();
+    of.contact_fraction.iter().map(class).collect()
+}
+
+fn contact_sides(of: &Profile) -> Vec<&'static str> {
+    let side = |force: &f64| match *force {
+        force if force > 0.0 => "high",
+        force if force < 0.0 => "low",
+        _ => "none",
+    };
+    of.side_force_N_per_m.iter().map(side).collect()
+}
+
+impl Profile {
+    /// The columns that are not as their declaration says for this method: left out though it knows
+    /// them, there though it does not, or of another length than the others. None of a sound
+    /// profile.
+    pub fn unlike_declared(&self, model: ModelKind) -> Vec<&'static str> {
+        unlike_declared(PROFILE, self, model)
+    }
+}

@@ -1,0 +1,124 @@
+//! The methods that solve an operation, and what each of them can answer: one table.
+
+use serde::Serialize;
+
+/// How long a method takes for an operation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Cost {
+    /// Milliseconds: it is solved again rather than read back.
+    Milliseconds,
+    /// Minutes to hours.
+    Minutes,
+}
+
+/// What is known of a method before it has solved anything.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Method {
+    /// Name in case files and results.
+    pub name: &'static str,
+    /// Name in tables and sentences for people.
+    pub long_name: &'static str,
+    /// Name in legends: what its curve shows.
+    pub curve_name: &'static str,
+    /// Whether it answers in time: series, statistics over a window, spectra, frames; what a
+    /// schedule changes on the way. The others answer with one state of equilibrium.
+    pub in_time: bool,
+    /// How long it takes.
+    pub cost: Cost,
+}
+
+/// Declares the methods and what is known of them, from the simplest to the most detailed.
+macro_rules! methods {
+    ($($(#[$about:meta])* $model:ident => $method:expr;)*) => {
+        /// A method that solves an operation. What it is called and what it can answer stands in
+        /// its [`Method`].
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+        pub enum ModelKind {
+            $($(#[$about])* $model,)*
+        }
+
+        impl ModelKind {
+            /// Every method, from the simplest to the most detailed.
+            pub const ALL: &[Self] = &[$(Self::$model,)*];
+
+            /// What is known of it.
+            pub const fn method(self) -> &'static Method {
+                match self {
+                    $(Self::$model => const { &$method },)*
+                }
+            }
+        }
+    };
+}
+
+methods! {
+    /// Soft string: statics without bending stiffness.
+    Soft => Method {
+        name: "soft",
+        long_name: "soft string",
+        curve_name: "soft string",
+        in_time: false,
+        cost: Cost::Milliseconds,
+    };
+    /// Dynamics of the whole string in time.
+    Dynamic => Method {
+        name: "dynamic",
+        long_name: "dynamics",
+        curve_name: "dynamics, mean",
+        in_time: true,
+        cost: Cost::Minutes,
+    };
+}
+
+impl ModelKind {
+    /// The name of each, in the same order.
+    pub const NAMES: &[&'static str] = &{
+        let mut names = [""; Self::ALL.len()];
+        let mut place = 0;
+        while place < names.len() {
+            names[place] = Self::ALL[place].name();
+            place += 1;
+        }
+        names
+    };
+
+    /// Name in case files and results.
+    pub const fn name(self) -> &'static str {
+        self.method().name
+    }
+
+    /// The method of that [`ModelKind::name`].
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.iter().copied().find(|of| of.name() == name)
+    }
+
+    /// Whether it answers in time.
+    pub const fn in_time(self) -> bool {
+        self.method().in_time
+    }
+
+    /// Whether one of them answers in time.
+    pub fn any_in_time(all: &[Self]) -> bool {
+        all.iter().any(|of| of.in_time())
+    }
+
+    /// How many methods are more detailed than it.
+    pub fn rank(self) -> usize {
+        let more_detailed = Self::ALL.iter().rev();
+        more_detailed.take_while(|of| **of != self).count()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ModelKind;
+
+    #[test]
+    fn a_method_is_found_by_its_name_and_has_a_rank_of_its_own() {
+        for (index, kind) in ModelKind::ALL.iter().copied().enumerate() {
+            assert_eq!(ModelKind::named(kind.name()), Some(kind));
+            assert_eq!(kind.rank(), ModelKind::ALL.len() - 1 - index);
+        }
+        assert_eq!(ModelKind::named("dynamics"), None);
+    }
+}

@@ -1,0 +1,112 @@
+//! The scalars that every method answers with, declared once.
+
+use serde::{Deserialize, Serialize};
+
+use super::quantity::{Quantity, QuantityKind};
+
+/// A scalar of [`Scalars`].
+#[derive(Debug)]
+pub struct Scalar {
+    /// What it is.
+    pub quantity: Quantity,
+    /// What people call it.
+    pub label: &'static str,
+    /// Its row in tables for people, counted from one.
+    pub row: u8,
+    /// Its value.
+    pub of: fn(&Scalars) -> Option<f64>,
+}
+
+/// The scalars in the order of [`Scalar::row`].
+pub fn scalars_by_row() -> Vec<&'static Scalar> {
+    let mut all: Vec<&Scalar> = SCALARS.iter().collect();
+    all.sort_by_key(|of| of.row);
+    all
+}
+
+/// Declares the structure and the list of its fields at once, in the order of `summary.json`: kind,
+/// what people call it and in which row of their tables, meaning, and where there is none.
+macro_rules! scalars {
+    (
+        $(#[$about:meta])*
+        pub struct $name:ident {
+            $(
+                $(#[$more:meta])*
+                $scalar:ident: $type:ty => $kind:ident, $label:literal row $row:literal,
+                $meaning:literal $(, null_where $null_where:literal)?;
+            )*
+        }
+    ) => {
+        $(#[$about])*
+        pub struct $name {
+            $(
+                #[doc = $meaning]
+                #[doc = ""]
+                #[doc = concat!("Kind: `", stringify!($kind), "`.")]
+                $(#[$more])*
+                pub $scalar: $type,
+            )*
+        }
+
+        /// Every scalar, in the order of `summary.json`.
+        pub const SCALARS: &[Scalar] = &[$(
+            Scalar {
+                quantity: Quantity::number(stringify!($scalar), QuantityKind::$kind, $meaning)
+                    $(.null_where($null_where))?,
+                label: $label,
+                row: $row,
+                of: |of| of.$scalar.into(),
+            },
+        )*];
+    };
+}
+
+scalars! {
+    /// Torque and drag of one operation: the quantities that every method reports under the same
+    /// names, so that their answers can be compared. A dynamic one reports means over its window.
+    #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+    pub struct Scalars {
+        #[serde(with = "crate::finite::unsigned_zero")]
+        weight_on_bit_N: f64 => Force, "Weight on bit" row 3, "Weight on bit as solved";
+        #[serde(with = "crate::finite::unsigned_zero")]
+        bit_torque_N_m: f64 => Torque, "Bit torque" row 7, "Bit torque as solved";
+        #[serde(with = "crate::finite::unsigned_zero")]
+        hook_load_N: f64 => Force, "Hook load without block" row 1,
+            "Tension at the top of the string; block and top drive excluded";
+        #[serde(with = "crate::finite::unsigned_zero")]
+        surface_torque_N_m: f64 => Torque, "Surface torque" row 5,
+            "Torque at the top of the string";
+        #[serde(with = "crate::finite::unsigned_zero")]
+        friction_torque_N_m: f64 => Torque, "Friction torque" row 6,
+            "Part of the surface torque that comes from wall contact alone";
+        #[serde(with = "crate::finite::unsigned_zero")]
+        axial_friction_N: f64 => Force, "Axial friction" row 2,
+            "Wall friction along the string; positive adds to hook load";
+        #[serde(with = "crate::finite::unsigned_zero")]
+        side_force_total_N: f64 => Force, "Side force, total" row 4,
+            "Integral of the magnitude of the side force";
+        #[serde(with = "crate::finite::unsigned_zero")]
+        twist_rad: f64 => Angle, "Twist" row 8,
+            "Turn of the top against the bit; positive when the top leads";
+        #[serde(with = "crate::finite::unsigned_zero")]
+        stretch_m: f64 => Length, "Stretch" row 9, "Elongation against the unloaded string";
+        neutral_point_m: Option<f64> => Depth, "Neutral point" row 10,
+            "Measured depth of the shallowest zero of effective tension",
+            null_where "there is none";
+        cutoff_depth_m: Option<f64> => Depth, "Cut-off depth" row 11,
+            "Deepest change from high-side to low-side contact between the kick-off and 30 m below \
+             the build",
+            null_where "there is none";
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_scalar_has_a_row_of_its_own() {
+        let rows: Vec<usize> = scalars_by_row().iter().map(|of| of.row.into()).collect();
+        assert_eq!(rows, (1..=SCALARS.len()).collect::<Vec<_>>());
+    }
+}

@@ -1,0 +1,98 @@
+//! What a method answers of one operation: the same parts, whatever the method.
+
+use super::{
+    along_string::Profile, contact_map::ContactMap, hole_wear::HoleWear, method::ModelKind,
+    scalars::Scalars, time_series::TimeSeries,
+};
+use crate::{
+    dynamics::{DynamicOutcome, Indicators, Numerics, Statistic, TableUse},
+    mud::Hydraulics,
+    statics::soft::SoftProfile,
+};
+
+/// The answer of a method, for whoever writes it down, draws it or compares it.
+#[derive(Debug, Clone, Copy)]
+pub struct Solution<'a> {
+    /// The method.
+    pub model: ModelKind,
+    /// Torque and drag.
+    pub scalars: Scalars,
+    /// What the mud does; none without a rheology.
+    pub hydraulics: Option<Hydraulics>,
+    /// Along the string.
+    pub profile: &'a Profile,
+    /// Along the hole.
+    pub wear: &'a HoleWear,
+    /// In time; none of a method that answers with a state of equilibrium.
+    pub in_time: Option<InTime<'a>>,
+}
+
+/// What a method in time answers besides.
+#[derive(Debug, Clone, Copy)]
+pub struct InTime<'a> {
+    /// Distributions over the window of the scalars that vary, by their name.
+    pub statistics: &'a [(&'static str, Statistic)],
+    /// How it was computed.
+    pub numerics: &'a Numerics,
+    /// What the motion amounts to.
+    pub indicators: &'a Indicators,
+    /// How often a bit with a table was where the table is not; none of another bit.
+    pub bit_table: Option<TableUse>,
+    /// Contact over depth and time.
+    pub contact: &'a ContactMap,
+    /// Scalars against time.
+    pub series: &'a TimeSeries,
+}
+
+impl<'a> From<&'a SoftProfile> for Solution<'a> {
+    fn from(of: &'a SoftProfile) -> Self {
+        // Every field is named: a new one is either a part of every solution or the method's own.
+        let SoftProfile {
+            profile,
+            contact_direction: _,
+            wear,
+            scalars,
+            hydraulics,
+        } = of;
+        Self {
+            model: ModelKind::Soft,
+            scalars: *scalars,
+            hydraulics: *hydraulics,
+            profile,
+            wear,
+            in_time: None,
+        }
+    }
+}
+
+impl<'a> From<&'a DynamicOutcome> for Solution<'a> {
+    fn from(of: &'a DynamicOutcome) -> Self {
+        let DynamicOutcome {
+            scalars,
+            statistics,
+            hydraulics,
+            numerics,
+            indicators,
+            bit_table,
+            nodes,
+            wear,
+            contact,
+            series,
+        } = of;
+        Self {
+            model: ModelKind::Dynamic,
+            scalars: *scalars,
+            hydraulics: *hydraulics,
+            profile: nodes,
+            wear,
+            in_time: Some(InTime {
+                statistics,
+                numerics,
+                indicators,
+                bit_table: *bit_table,
+                contact,
+                series,
+            }),
+        }
+    }
+}

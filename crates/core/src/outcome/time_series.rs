@@ -1,0 +1,107 @@
+//! Scalars against time, declared once.
+
+use serde::{Deserialize, Serialize};
+
+use super::quantity::{IN_TIME, columns};
+use crate::{
+    damage::{Damaged, sound},
+    dynamics::Probed,
+};
+
+columns! {
+    /// Scalars against time, from time zero; rows are samples, contact quantities averages over
+    /// them.
+    #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+    pub struct TimeSeries, "What a series against time holds, in the order of `time.parquet`."
+    TIME_SERIES {
+        time_s: Vec<f64> => Time, "Simulated time from the start, settling included",
+            known_by IN_TIME;
+        bit_depth_m: Vec<f64> => Depth, "Measured depth of the bit", known_by IN_TIME;
+        weight_on_bit_N: Vec<f64> => Force, "Weight on bit", known_by IN_TIME;
+        bit_torque_N_m: Vec<f64> => Torque, "Torque at the bit", known_by IN_TIME;
+        bit_force_high_N: Vec<f64> => Force,
+            "Force of rock and hole on the bit across the hole, towards its high side",
+            known_by IN_TIME;
+        bit_force_right_N: Vec<f64> => Force, "The same to the right, looking down the hole",
+            known_by IN_TIME;
+        bit_moment_N_m: Vec<f64> => Torque,
+            "Bending moment of solid rock on the bit, whatever its direction; 0 of other laws",
+            known_by IN_TIME;
+        depth_of_cut_m: Vec<f64> => Length,
+            "Rock that a revolution of the bit takes away; 0 where a motor turns it at a speed \
+             that is not given", known_by IN_TIME;
+        rate_of_penetration_m_per_s: Vec<f64> => RateOfPenetration,
+            "Rock that the bit takes away per time", known_by IN_TIME;
+        motor_speed_rad_per_s: Vec<Option<f64>> => RotarySpeed,
+            "Speed of the mud motor against the string; `null` without a motor", known_by IN_TIME,
+            null_where "there is no motor";
+        motor_pressure_Pa: Vec<Option<f64>> => Pressure,
+            "Pressure that the mud motor takes off the mud; `null` without a motor or where its \
+             speed alone is given", known_by IN_TIME,
+            null_where "there is no motor, or its speed alone is given";
+        hook_load_N: Vec<f64> => Force,
+            "Tension at the top of the string; block and top drive excluded", known_by IN_TIME;
+        surface_torque_N_m: Vec<f64> => Torque, "Torque at the top of the string", known_by IN_TIME;
+        friction_torque_N_m: Vec<f64> => Torque, "Torque of wall friction, summed along the string",
+            known_by IN_TIME;
+        axial_friction_N: Vec<f64> => Force,
+            "Wall friction along the string, summed; positive adds to hook load", known_by IN_TIME;
+        side_force_total_N: Vec<f64> => Force,
+            "Magnitude of the side force, summed along the string", known_by IN_TIME;
+        twist_rad: Vec<f64> => Angle,
+            "Turn of the top against the bit; positive where the top leads", known_by IN_TIME;
+        stretch_m: Vec<f64> => Length, "Elongation against the unloaded string", known_by IN_TIME;
+        neutral_point_m: Vec<Option<f64>> => Depth,
+            "Measured depth of the shallowest zero of effective tension; `null` if none",
+            known_by IN_TIME,
+            null_where "there is none";
+        cutoff_depth_m: Vec<Option<f64>> => Depth,
+            "Deepest change of the side force, averaged over the second before, from high to low \
+             side: a value a second, `null` between and if none", known_by IN_TIME,
+            null_where "there is none, and between whole seconds";
+        block_velocity_m_per_s: Vec<f64> => Speed,
+            "Speed of the travelling block; positive downwards", known_by IN_TIME;
+        bit_rotary_speed_rad_per_s: Vec<f64> => RotarySpeed,
+            "Rotary speed of the string at the bit; a mud motor's comes on top", known_by IN_TIME;
+        rotary_speed_rad_per_s: Vec<f64> => RotarySpeed, "Rotary speed at surface",
+            known_by IN_TIME;
+        rotary_speed_set_rad_per_s: Vec<f64> => RotarySpeed,
+            "What the rotary speed at surface is set to", known_by IN_TIME;
+        block_velocity_set_m_per_s: Vec<Option<f64>> => Speed,
+            "What the speed of the block is set to; positive downwards, `null` where something \
+             else is", known_by IN_TIME,
+            null_where "something else is set";
+        weight_on_bit_set_N: Vec<Option<f64>> => Force,
+            "What the autodriller is set to hold; `null` where it is not in control",
+            known_by IN_TIME,
+            null_where "the autodriller is not in control";
+        flow_rate_m3_per_s: Vec<f64> => FlowRate, "What the pumps deliver", known_by IN_TIME;
+        pump_pressure_Pa: Vec<Option<f64>> => Pressure,
+            "Pressure that the pumps deliver at; `null` without a rheology", known_by IN_TIME,
+            null_where "the mud has no rheology";
+    }
+    beside {
+        /// Line of the schedule that began last, counted from one; zero before the first.
+        schedule_line: Vec<usize>;
+        /// What single nodes showed, as the settings ask for it.
+        probes: Vec<Probed>;
+    }
+}
+
+impl TimeSeries {
+    /// Whether a stored series is one of so many nodes, all its columns of one length; how many
+    /// rows it has.
+    pub(crate) fn check(&self, nodes: usize) -> Result<usize, Damaged> {
+        let rows = self.time_s.len();
+        let fits = TIME_SERIES
+            .iter()
+            .all(|column| (column.of)(self).len() == rows)
+            && self.schedule_line.len() == rows
+            && self
+                .probes
+                .iter()
+                .all(|probe| probe.node < nodes && probe.samples.len() == rows);
+        sound(fits, "the series against time")?;
+        Ok(rows)
+    }
+}
