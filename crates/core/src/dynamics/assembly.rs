@@ -12,10 +12,9 @@ use crate::{
     rod::{
         element::{Pose, Stiffness},
         mesh::Mesh,
-        number::Real,
         stability::StepPlan,
-        vector::Vector,
     },
+    simd::{number::Real, vector::Vector},
     wall::{Bore, BorePoint, contact},
     well::Path,
 };

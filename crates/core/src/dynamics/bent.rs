@@ -8,11 +8,12 @@ use super::{
     chain::{Chain, element, node},
     step::StepInput,
 };
-use crate::rod::{
-    bent::{carried, director_below, moment_above, moment_below, pose_below},
-    element::{Pose, energy, react},
-    number::Real,
-    vector::Vector,
+use crate::{
+    rod::{
+        bent::{carried, director_below, moment_above, moment_below, pose_below},
+        element::{Pose, energy, react},
+    },
+    simd::{number::Real, vector::Vector},
 };
 
 /// A bend at a node: the element below it, of the same number, stands askew on the node's director.

@@ -10,11 +10,12 @@ use super::{
     imbalance::Imbalance,
     step::StepInput,
 };
-use crate::damage::{Damaged, sound};
 use crate::{
     GRAVITY_M_PER_S2,
+    damage::{Damaged, sound},
     model::Model,
-    rod::{self, bent::transported, element::Pose, mesh::Mesh, number::Real, vector::Vector},
+    rod::{self, bent::transported, element::Pose, mesh::Mesh},
+    simd::{number::Real, vector::Vector},
 };
 
 /// Forces and moments on single nodes beside those of the step, all at the positions before it.

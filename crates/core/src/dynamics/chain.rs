@@ -15,8 +15,8 @@ use serde::{Deserialize, Serialize};
 use super::layout::{Layout, Strands};
 use crate::{
     damage::{Damaged, sound},
-    rod::{
-        element::{Pose, Stiffness},
+    rod::element::{Pose, Stiffness},
+    simd::{
         lanes::SINGLES,
         number::{Number, Real},
         vector::Vector,

@@ -12,7 +12,8 @@ use super::{
 };
 use crate::{
     GRAVITY_M_PER_S2,
-    rod::{element, mesh::Mesh, number::Real},
+    rod::{element, mesh::Mesh},
+    simd::number::Real,
 };
 
 /// Energies at the middle of the last step, J.

@@ -9,7 +9,7 @@ use super::{
     record::{Look, Strength},
     signal::NodeSignal,
 };
-use crate::rod::{number::Real, vector::Vector};
+use crate::simd::{number::Real, vector::Vector};
 
 /// A group of quantities that a frame holds of every node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]

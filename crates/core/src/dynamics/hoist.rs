@@ -6,8 +6,7 @@ use super::{
     chain::{Chain, node},
     settings::{Autodriller, HoistControl, HoistLine},
 };
-use crate::GRAVITY_M_PER_S2;
-use crate::rod::number::Real;
+use crate::{GRAVITY_M_PER_S2, simd::number::Real};
 
 /// The hoist that carries the top of the string.
 #[derive(Debug, Clone, Serialize, Deserialize)]

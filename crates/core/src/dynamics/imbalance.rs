@@ -6,7 +6,10 @@ use super::{
     body::Loads,
     chain::{Chain, node},
 };
-use crate::rod::{bent::carried, number::Real, vector::Vector};
+use crate::{
+    rod::bent::carried,
+    simd::{number::Real, vector::Vector},
+};
 
 /// Passes in which momentum and moment of momentum agree. Each leaves the square of the offset over the radius of
 /// gyration, a twentieth at most, of what was left before.

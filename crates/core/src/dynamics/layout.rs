@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::rod::{lanes::DOUBLES, number::Real};
+use crate::simd::{lanes::DOUBLES, number::Real};
 
 /// How long the strands are that a chain is cut into.
 ///
@@ -121,7 +121,7 @@ impl Layout {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{dynamics::chain::Chain, rod::lanes::SINGLES};
+    use crate::{dynamics::chain::Chain, simd::lanes::SINGLES};
 
     /// A block's lanes are those of its part of the chain's row, and no node is without.
     fn assert_blocks_stand_beside_rows<R: Real>() {

@@ -17,10 +17,8 @@ use crate::{
     model::Model,
     operation::Operation,
     rock::{Alone, Executor, bit_face::BottomHole},
-    rod::{
-        counted::Flops,
-        mesh::{Mesh, MeshNode},
-    },
+    rod::mesh::{Mesh, MeshNode},
+    simd::counted::Flops,
 };
 
 /// Shortest elements that single precision serves, m. Positions are known to 2e-9 m, and what that strains an element

@@ -18,10 +18,9 @@ use crate::{
     rock::DrillingError,
     rod::{
         mesh::Mesh,
-        number::Real,
         stability::{self, StepPlan},
-        wide::Registers,
     },
+    simd::{number::Real, wide::Registers},
     statics::soft::SoftError,
 };
 

@@ -27,10 +27,9 @@ use crate::{
     rock::{Drilling, Executor, bit_face::BottomHole},
     rod::{
         mesh::{Mesh, MeshNode},
-        number::Real,
         stability::StepPlan,
-        vector::Vector,
     },
+    simd::{number::Real, vector::Vector},
 };
 
 mod balance;

@@ -18,7 +18,8 @@ use crate::{
     model::Model,
     operation::{Operation, OperationKind},
     random::Random,
-    rod::{element::react, mesh::Mesh, vector::Vector},
+    rod::{element::react, mesh::Mesh},
+    simd::vector::Vector,
     statics::soft::{self, SoftError, SoftSettings},
 };
 

@@ -29,7 +29,7 @@ use super::{
     chain::{Chain, element, node},
     settings::{SpeedController, TopDriveSettings},
 };
-use crate::rod::number::Real;
+use crate::simd::number::Real;
 
 /// Lower edge of Z-Torque's band where none is given, as a part of the string's own frequency.
 const BAND_BELOW_STRING: f64 = 0.2;

@@ -19,13 +19,13 @@ use super::{
     energy::middle_m,
     flow_pressures::FlowPressures,
 };
-use crate::damage::{Damaged, sound};
-use crate::rod::number::Real;
 use crate::{
+    damage::{Damaged, sound},
     model::Model,
     mud::{Annulus, AnnulusDrag, Hydraulics, Motion, Mud, bore, hydraulics::pressure_strain},
     operation::Operation,
     rod::mesh::Mesh,
+    simd::number::Real,
 };
 
 /// Change of an element's motion, as a part of all that shears the mud there, after which its drag is found

@@ -4,7 +4,7 @@ use super::{carry::LONGEST_REACH_M, chain::Chain};
 use crate::{
     damage::{Damaged, sound},
     outcome::{HOLE_STEP_M, hole_steps, spread},
-    rod::number::Real,
+    simd::number::Real,
 };
 
 /// Work of friction since the window began: force times sliding distance, J.

@@ -18,9 +18,9 @@
 //! velocity across it, so that thousands of revolutions are harmless; the moments below are the ones
 //! that do the work `M τ'`.
 
-use super::{
+use super::section::Section;
+use crate::simd::{
     number::{Number, Real},
-    section::Section,
     vector::Vector,
 };
 

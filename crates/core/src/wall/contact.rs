@@ -6,7 +6,7 @@
 //! with the default dissipation rebounds with 0.47 of 0.01 m/s, 0.33 of 0.1, 0.22 of 0.5 and 0.13 of 2 m/s;
 //! the law itself gives 0.997, 0.97, 0.86 and 0.59.
 
-use crate::rod::number::Number;
+use crate::simd::number::Number;
 
 /// Smallest clearance `R − r` that the Hertz stiffness is computed with, m. A tool as large as its
 /// hole would have an infinite one.

@@ -41,11 +41,11 @@ use super::{
     chain::{Chain, node},
     crew::Crew,
 };
-use crate::damage::Damaged;
 use crate::{
+    damage::Damaged,
     operation::Operation,
     rock::Drilling,
-    rod::{number::Real, vector::Vector},
+    simd::{number::Real, vector::Vector},
 };
 
 /// The bit: held to the hole's axis, and on bottom pressed against the rock that it cuts.

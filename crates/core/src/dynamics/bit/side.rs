@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::rod::vector::Vector;
+use crate::simd::vector::Vector;
 
 /// The rock beside the bit.
 ///

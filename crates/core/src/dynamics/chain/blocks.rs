@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::rows::{CopyLane, Row, Rows};
-use crate::rod::number::Real;
+use crate::simd::number::Real;
 
 /// A block of rows.
 macro_rules! block {

@@ -22,12 +22,12 @@ macro_rules! element {
 macro_rules! number {
     ($chain:expr, $index:expr, $blocks:ident, $field:ident) => {{
         let (row, lane) = $chain.place($index);
-        $crate::rod::number::Real::to_f64($chain.$blocks[row].$field.0[lane])
+        $crate::simd::number::Real::to_f64($chain.$blocks[row].$field.0[lane])
     }};
     ($chain:expr, $index:expr, $blocks:ident, $field:ident = $value:expr) => {{
         let value: f64 = $value;
         let (row, lane) = $chain.place($index);
-        $chain.$blocks[row].$field.0[lane] = $crate::rod::number::Real::from_f64(value);
+        $chain.$blocks[row].$field.0[lane] = $crate::simd::number::Real::from_f64(value);
     }};
     ($chain:expr, $index:expr, $blocks:ident, $field:ident $assign:tt $value:expr) => {{
         let value: f64 = $value;

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::rod::{lanes::DOUBLES, number::Real};
+use crate::simd::{lanes::DOUBLES, number::Real};
 
 /// One number for each lane.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]

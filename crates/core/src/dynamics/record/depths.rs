@@ -4,11 +4,11 @@
 use serde::{Deserialize, Serialize};
 
 use super::Record;
-use crate::rod::number::Real;
 use crate::{
     dynamics::{assembly::Anchor, carry, chain::Chain},
     outcome,
     rod::mesh::Mesh,
+    simd::number::Real,
     well::Path,
 };
 

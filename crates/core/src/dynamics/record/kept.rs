@@ -4,8 +4,11 @@
 use serde::{Deserialize, Serialize};
 
 use super::look::{Lane, Look};
-use crate::damage::{Damaged, sound};
-use crate::{dynamics::outcome::percentile, rod::lanes::DOUBLES};
+use crate::{
+    damage::{Damaged, sound},
+    dynamics::outcome::percentile,
+    simd::lanes::DOUBLES,
+};
 
 /// What is kept of every node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -8,7 +8,7 @@ use crate::{
         chain::{Chain, Rows},
         layout::Layout,
     },
-    rod::{lanes::DOUBLES, number::Real, vector::Vector},
+    simd::{lanes::DOUBLES, number::Real, vector::Vector},
 };
 
 /// One number for each lane.

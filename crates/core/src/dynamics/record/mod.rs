@@ -9,9 +9,6 @@ mod sums;
 #[cfg(test)]
 mod tests;
 
-use crate::damage::{Damaged, sound};
-use serde::{Deserialize, Serialize};
-
 use super::{
     body::Body,
     chain::{Chain, Rows},
@@ -19,9 +16,13 @@ use super::{
     outcome::TimeSeries,
 };
 use crate::{
+    damage::{Damaged, sound},
     model::Model,
-    rod::{mesh::Mesh, number::Real},
+    rod::mesh::Mesh,
+    simd::number::Real,
 };
+use serde::{Deserialize, Serialize};
+
 use contact_map::MapKeeper;
 use depths::Sides;
 use kept::Kept;

@@ -3,11 +3,12 @@
 use serde::{Deserialize, Serialize};
 
 use super::look::Lane;
-use crate::damage::{Damaged, sound};
 use crate::{
+    damage::{Damaged, sound},
     dynamics::layout::Layout,
     model::Model,
-    rod::{lanes::DOUBLES, mesh::Mesh},
+    rod::mesh::Mesh,
+    simd::lanes::DOUBLES,
     string::BodySection,
 };
 

@@ -12,7 +12,7 @@ use crate::{
         body::Body,
         chain::{Chain, Rows},
     },
-    rod::{lanes::DOUBLES, number::Real},
+    simd::{lanes::DOUBLES, number::Real},
 };
 
 /// Sums over the window for a block of nodes, and for the elements below them.

@@ -11,7 +11,8 @@ use crate::{
     },
     mud::Mud,
     rig::Rig,
-    rod::{stability, vector::Vector},
+    rod::stability,
+    simd::vector::Vector,
     string::{ComponentLength, ComponentSpec, Material, StringSpec},
     well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Station, TieIn, Well},
 };

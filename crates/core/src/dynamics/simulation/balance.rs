@@ -6,7 +6,7 @@ use crate::{
         energy::{self, Energies, EnergyBalance},
         viscous::Viscous,
     },
-    rod::number::Real,
+    simd::number::Real,
 };
 
 impl<R: Real> Run<R> {

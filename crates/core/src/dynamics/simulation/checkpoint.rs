@@ -14,7 +14,7 @@ use crate::{
     },
     model::Model,
     operation::Operation,
-    rod::wide::Registers,
+    simd::wide::Registers,
 };
 
 /// Everything of a run that changes while it goes on, as plain data; what the model, the operation and

@@ -24,7 +24,8 @@ use crate::{
     },
     model::Model,
     operation::Operation,
-    rod::{torsion, wide::Registers},
+    rod::torsion,
+    simd::wide::Registers,
 };
 
 impl<R: Registers> Run<R> {

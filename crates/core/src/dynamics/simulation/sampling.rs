@@ -8,7 +8,7 @@ use crate::{
         chain::node, energy::Ledger, record, settings::HoistControl, settling::Settling,
         viscous::Viscous,
     },
-    rod::number::Real,
+    simd::number::Real,
 };
 
 /// Scalars summed since the last sample.

@@ -4,7 +4,7 @@ use super::{Run, Stepper, node};
 use crate::{
     dynamics::step::StepInput,
     rock,
-    rod::{counted::Flops, wide::Registers},
+    simd::{counted::Flops, wide::Registers},
 };
 
 impl<R: Registers> Run<R> {

@@ -4,7 +4,7 @@
 use super::lane::{add, at, at3, lanes, put, put3};
 use crate::{
     dynamics::chain::{Chain, Row},
-    rod::number::{Number, Real},
+    simd::number::{Number, Real},
 };
 
 /// What mass-proportional damping does over some time.

@@ -6,10 +6,8 @@ use super::{
 };
 use crate::{
     dynamics::chain::{ElementBlock, Row, Rows, StateBlock},
-    rod::{
-        element::{self, Chord, Pose, Stiffness, Strain},
-        number::{Number, Real},
-    },
+    rod::element::{self, Chord, Pose, Stiffness, Strain},
+    simd::number::{Number, Real},
 };
 
 /// What a row of elements does to its ends, in the words of [`crate::rod::element::Reaction`].

@@ -2,7 +2,7 @@
 
 use crate::{
     dynamics::chain::{Row, Rows},
-    rod::{
+    simd::{
         number::{Number, Real},
         vector::Vector,
     },

@@ -21,7 +21,7 @@ mod nodes;
 mod touch;
 
 use super::chain::{Chain, ElementBlock, Row, StateBlock};
-use crate::rod::{
+use crate::simd::{
     counted::{self, Counted, Flops},
     number::{Number, Real},
     peak,
@@ -171,10 +171,10 @@ impl<R: Registers> Stepper<R> {
         let mut all = Vec::new();
         #[cfg(target_arch = "x86_64")]
         {
-            if crate::rod::wide::has_avx512() {
+            if crate::simd::wide::has_avx512() {
                 all.push(choose!(avx512, avx512_calm, avx512_peak, "AVX-512"));
             }
-            if crate::rod::wide::has_avx2() {
+            if crate::simd::wide::has_avx2() {
                 all.push(choose!(avx2, avx2_calm, avx2_peak, "AVX2"));
             }
         }
@@ -233,8 +233,8 @@ impl<R: Real> Losses<R> {
 
 /// Where a node lies from the hole's axis as its wall has it, and the clearance there, m: without a step in time.
 #[cfg(test)]
-pub fn met(chain: &Chain, index: usize) -> (crate::rod::vector::Vector<f64>, f64) {
-    use crate::rod::vector::Vector;
+pub fn met(chain: &Chain, index: usize) -> (crate::simd::vector::Vector<f64>, f64) {
+    use crate::simd::vector::Vector;
 
     let (row, lane) = chain.place(index);
     let input = StepInput {

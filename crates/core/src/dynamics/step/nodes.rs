@@ -7,10 +7,8 @@ use super::{
 };
 use crate::{
     dynamics::chain::{NodeBlock, Row, Rows, StateBlock},
-    rod::{
-        element::across,
-        number::{Number, Real},
-    },
+    rod::element::across,
+    simd::number::{Number, Real},
     wall::friction,
 };
 

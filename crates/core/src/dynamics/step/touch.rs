@@ -5,7 +5,7 @@ use super::{
     lane::{at, at3, put, put3},
     nodes::Flight,
 };
-use crate::{dynamics::chain::NodeBlock, rod::number::Number, wall::contact};
+use crate::{dynamics::chain::NodeBlock, simd::number::Number, wall::contact};
 
 /// Contact forces of a row of nodes.
 #[inline(always)]

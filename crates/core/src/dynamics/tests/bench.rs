@@ -15,8 +15,8 @@ use crate::{
         mesh::Mesh,
         section::Section,
         stability::{self, StepPlan},
-        vector::Vector,
     },
+    simd::vector::Vector,
     string::{ComponentLength, ComponentSpec, Material, StringSpec},
     well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Station, TieIn, Well},
 };

@@ -7,7 +7,7 @@ use crate::{
         hoist::{Hoist, HoistStep, Target},
         settings::{Autodriller, HoistControl, HoistLine},
     },
-    rod::vector::Vector,
+    simd::vector::Vector,
 };
 
 const MASS_KG: f64 = 5e3;

@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     dynamics::{chain::node, energy::Energies, imbalance::Imbalance},
-    rod::vector::Vector,
+    simd::vector::Vector,
 };
 
 const EAST: Vector<f64> = Vector(1.0, 0.0, 0.0);

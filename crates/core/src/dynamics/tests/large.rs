@@ -9,7 +9,8 @@ use super::{
 };
 use crate::{
     dynamics::{bent::Bend, energy::Energies},
-    rod::{section::Section, vector::Vector},
+    rod::section::Section,
+    simd::vector::Vector,
 };
 
 fn number(value: &Value) -> f64 {

@@ -7,7 +7,7 @@ use super::{
 use crate::{
     dynamics::{assembly, chain::node},
     mud::Mud,
-    rod::vector::Vector,
+    simd::vector::Vector,
 };
 
 const HOLE_M: f64 = 0.2159;

@@ -5,7 +5,7 @@ use crate::{
         chain::{Chain, node},
         step::{Abilities, StepInput, Stepper},
     },
-    rod::vector::Vector,
+    simd::vector::Vector,
     wall::friction::STRIBECK_SPEED_M_PER_S,
 };
 

@@ -10,7 +10,8 @@ use crate::{
     model::Model,
     mud::Mud,
     rig::Rig,
-    rod::{mesh::Mesh, stability, vector::Vector},
+    rod::{mesh::Mesh, stability},
+    simd::vector::Vector,
     string::{ComponentLength, ComponentSpec, StringSpec},
     well::{
         Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Roughness, Station, TieIn, Well,

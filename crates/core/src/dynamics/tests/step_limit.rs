@@ -8,8 +8,8 @@ use crate::{
     rod::{
         element::react,
         stability::{self, SAFETY},
-        vector::Vector,
     },
+    simd::vector::Vector,
 };
 
 /// Sections of a bottom-hole assembly, m, from the bit up; short ones among them.

@@ -9,7 +9,8 @@ use crate::{
         chain::{element, node},
         step::{Abilities, Stepper},
     },
-    rod::{torsion, vector::Vector},
+    rod::torsion,
+    simd::vector::Vector,
     string::Material,
 };
 

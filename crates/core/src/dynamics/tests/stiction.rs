@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     dynamics::chain::{element, node},
-    rod::vector::Vector,
+    simd::vector::Vector,
 };
 
 /// Time of loading and of unloading, s: a hundred times that of a wave.

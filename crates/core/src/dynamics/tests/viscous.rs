@@ -12,7 +12,7 @@ use crate::{
     },
     mud::{Annulus, Motion, Mud, Rheology},
     operation::{Operation, OperationKind},
-    rod::vector::Vector,
+    simd::vector::Vector,
 };
 
 const HOLE_M: f64 = 0.2159;

@@ -8,7 +8,7 @@ use crate::{
         chain::{Chain, node},
         step::{Abilities, StepInput, Stepper},
     },
-    rod::vector::Vector,
+    simd::vector::Vector,
     wall::contact::{contact_modulus_Pa, hertz_stiffness},
 };
 

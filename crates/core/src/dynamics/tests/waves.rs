@@ -6,7 +6,7 @@ use wholestring_verification::{Row, Tolerance, report};
 use super::bench::{Bench, COLLAR_M, PIPE_M, STEEL, Support};
 use crate::{
     dynamics::chain::{element, node},
-    rod::vector::Vector,
+    simd::vector::Vector,
 };
 
 pub fn file(name: &str) -> Value {

@@ -17,11 +17,11 @@ use super::{
     constants::Constants,
     grid::{GROUP, Grid},
 };
-use crate::rod::number::Number;
+use crate::simd::number::Number;
 #[cfg(not(target_arch = "x86_64"))]
-use crate::rod::wide::Pair;
+use crate::simd::wide::Pair;
 #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
-use crate::rod::wide::Registers;
+use crate::simd::wide::Registers;
 use nodes::{drift, kick};
 pub use slab::{RowBook, Slab};
 
@@ -142,10 +142,10 @@ impl Stepper {
         let mut all = Vec::new();
         #[cfg(target_arch = "x86_64")]
         {
-            if crate::rod::wide::has_avx512() {
+            if crate::simd::wide::has_avx512() {
                 all.push(choose!(avx512_begin, avx512_work, avx512_end, "AVX-512"));
             }
-            if crate::rod::wide::has_avx2() {
+            if crate::simd::wide::has_avx2() {
                 all.push(choose!(avx2_begin, avx2_work, avx2_end, "AVX2"));
             }
         }

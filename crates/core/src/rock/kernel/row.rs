@@ -6,7 +6,7 @@ use crate::{
         brick::{Modes, Motion, pulls, spread, square, turned},
         constants::MOST_SQUEEZED,
     },
-    rod::number::Number,
+    simd::number::Number,
 };
 
 /// What a row of bricks pulls at its nodes, N.

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Constants, Fields, Grid, drift, kick, row};
-use crate::rod::number::Number;
+use crate::simd::number::Number;
 
 /// Books of a row of bricks.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]

@@ -6,8 +6,8 @@ use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
 use super::RunIn;
-use crate::damage::Damaged;
 use crate::{
+    damage::Damaged,
     dynamics::{
         assembly::Anchor,
         bit::{BitStep, Came, motor::Drive},
@@ -15,7 +15,7 @@ use crate::{
         crew::Crew,
     },
     rock::{BitMotion, Drilling, DrillingSpec, Inertia, bit_face::Pose},
-    rod::{number::Real, vector::Vector},
+    simd::{number::Real, vector::Vector},
 };
 
 /// Time over which what pushes and turns the bit is averaged, s: that average acts on the bit evenly, and a motor follows that

@@ -4,7 +4,7 @@ use super::*;
 use crate::{
     dynamics::chain::element,
     mud::Rheology,
-    rod::vector::Vector,
+    simd::vector::Vector,
     string::{BodyBend, Cavity, Eccentricity},
 };
 

@@ -21,7 +21,7 @@ use crate::{
         crew::Crew,
     },
     operation::{Operation, OperationKind},
-    rod::vector::Vector,
+    simd::vector::Vector,
 };
 
 const MASS_KG: f64 = 150.0;

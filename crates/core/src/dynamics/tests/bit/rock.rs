@@ -15,7 +15,7 @@ use crate::{
         BitShape, DrillingSpec, Edge, Rock,
         bit_face::{PdcBit, Pose},
     },
-    rod::vector::Vector,
+    simd::vector::Vector,
 };
 
 const ROTARY_KG_M2: f64 = 5.0;

@@ -67,7 +67,7 @@ fn keep<N: Number, const COUNT: usize>(numbers: [N; COUNT]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rod::counted::{Counted, count};
+    use crate::simd::counted::{Counted, count};
 
     /// What it says that it did, it did; only the sum at the end is not in it.
     #[test]

@@ -133,7 +133,7 @@ impl<R: Real> Number for Counted<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rod::vector::Vector;
+    use crate::simd::vector::Vector;
 
     /// Counts that can be made by hand.
     #[test]
