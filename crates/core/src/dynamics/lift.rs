@@ -4,13 +4,12 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{
-    precision::Simulation,
-    settings::{DynamicsSettings, FrictionLaw, HoistControl},
-    setup::SetupError,
-    simulation::Diverged,
-};
+use super::settings::{DynamicsSettings, FrictionLaw, HoistControl};
 use crate::{
+    dynamics::{
+        assemble::basis::SetupError,
+        simulation::{Simulation, numbers::Diverged},
+    },
     model::Model,
     operation::{Operation, OperationKind},
     rock::Executor,

@@ -1,58 +1,39 @@
 //! The whole string in time: 3D nonlinear rod, wall contact and friction, top drive, hoist and bit.
 
-mod assembly;
-mod bent;
-mod bit;
+mod assemble;
 mod body;
-mod carry;
-mod chain;
-mod crew;
-mod drift;
-mod energy;
-mod flow_pressures;
-mod frame;
-mod hoist;
-mod imbalance;
-mod indicators;
-mod layout;
+mod boundary;
+mod initial_state;
+mod kernel;
 mod lift;
-mod outcome;
-mod precision;
-mod record;
-mod schedule;
+mod output;
 mod settings;
-mod settling;
-mod setup;
-mod signal;
 mod simulation;
-mod start;
-mod step;
-mod summary;
 #[cfg(test)]
 mod tests;
-mod top_drive;
-mod viscous;
-mod wear;
 
-pub use bit::{
+pub use assemble::basis::{Effort, SetupError};
+pub use boundary::bit::{
     Band, BitLaw, BitSettings, BitTable, Cutters, DetournayDefournyLaw, Excitation, Motor,
     MudMotor, RateLaw, RegenerativeLaw, RockLaw, SteadyCut, TableFault, TableLaw, TablePoint,
     TableUse,
 };
-pub use energy::EnergyBalance;
-pub use frame::{Channel, Frame};
-pub use indicators::{Indicators, StickSlip, TorqueUse, Whirl};
 pub use lift::{LIFT_TOLERANCE, LiftError, MOST_LIFT_RUNS, TunedLift, tune_lift};
-pub use outcome::{
+pub use output::energy::EnergyBalance;
+pub use output::frame::{Channel, Frame};
+pub use output::indicators::{Indicators, StickSlip, TorqueUse, Whirl};
+pub use output::outcome::{
     ContactClass, ContactMap, DynamicOutcome, HoleWear, NodeProfile, Numerics, Percentiles,
     Statistic, TimeSeries,
 };
-pub use precision::Simulation;
-pub use schedule::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep};
+pub use output::signal::{NodeSignal, Probe, Probed, Signal};
+pub use settings::schedule::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep};
 pub use settings::{
     Autodriller, CentredStart, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine,
     Precision, RodDamping, SpeedController, Start, StartTension, TopDriveSettings, UntilSteady,
 };
-pub use setup::{Effort, SetupError};
-pub use signal::{NodeSignal, Probe, Probed, Signal};
-pub use simulation::{Checkpoint, Diverged, ResumeError};
+pub use simulation::{
+    Simulation,
+    checkpoint::{Checkpoint, ResumeError},
+    numbers::Diverged,
+};

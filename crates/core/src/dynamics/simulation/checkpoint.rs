@@ -4,13 +4,13 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Run, state::State};
+use super::{run::Run, state::State};
 use crate::{
     damage::Damaged,
     dynamics::{
-        chain::Chain,
+        assemble::basis::{Basis, SetupError},
+        kernel::chain::Chain,
         settings::DynamicsSettings,
-        setup::{Basis, SetupError},
     },
     model::Model,
     operation::Operation,

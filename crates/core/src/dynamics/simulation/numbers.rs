@@ -1,7 +1,7 @@
 //! Whether the numbers of a run still mean anything.
 
-use super::Run;
-use crate::{dynamics::chain::node, simd::number::Real};
+use super::run::Run;
+use crate::{dynamics::kernel::chain::node, simd::number::Real};
 
 /// Speed beyond which a run has diverged, m/s: no drill string moves at that of a bullet.
 const DIVERGED_M_PER_S: f64 = 1e3;

@@ -2,11 +2,13 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Run;
+use super::{run::Run, settling::Settling};
 use crate::{
     dynamics::{
-        chain::node, energy::Ledger, record, settings::HoistControl, settling::Settling,
-        viscous::Viscous,
+        boundary::mud::viscous::Viscous,
+        kernel::chain::node,
+        output::{energy::Ledger, record},
+        settings::HoistControl,
     },
     simd::number::Real,
 };

@@ -1,8 +1,11 @@
 //! What the speed of a run is measured with.
 
-use super::{Run, Stepper, node};
+use super::run::Run;
 use crate::{
-    dynamics::step::StepInput,
+    dynamics::kernel::{
+        chain::node,
+        step::{StepInput, Stepper},
+    },
     rock,
     simd::{counted::Flops, wide::Registers},
 };

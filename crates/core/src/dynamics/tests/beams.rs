@@ -5,7 +5,7 @@ use wholestring_verification::{Row, Tolerance, report};
 
 use super::bench::{Bench, PIPE_M, STEEL, Support};
 use crate::{
-    dynamics::chain::node,
+    dynamics::kernel::chain::node,
     rod::{element::Stiffness, section::Section},
     simd::vector::Vector,
 };

@@ -3,8 +3,8 @@
 use crate::{
     GRAVITY_M_PER_S2,
     dynamics::{
-        chain::{Chain, node},
-        hoist::{Hoist, HoistStep, Target},
+        boundary::hoist::{Hoist, HoistStep, Target},
+        kernel::chain::{Chain, node},
         settings::{Autodriller, HoistControl, HoistLine},
     },
     simd::vector::Vector,

@@ -10,7 +10,7 @@ use super::{
     waves::file,
 };
 use crate::{
-    dynamics::{chain::node, energy::Energies, imbalance::Imbalance},
+    dynamics::{body::imbalance::Imbalance, kernel::chain::node, output::energy::Energies},
     simd::vector::Vector,
 };
 

@@ -8,7 +8,7 @@ use super::{
     waves::file,
 };
 use crate::{
-    dynamics::{bent::Bend, energy::Energies},
+    dynamics::{body::bend::Bend, output::energy::Energies},
     rod::section::Section,
     simd::vector::Vector,
 };

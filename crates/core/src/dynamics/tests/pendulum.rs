@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     GRAVITY_M_PER_S2,
-    dynamics::chain::node,
+    dynamics::kernel::chain::node,
     rod::{element::Stiffness, section::Section},
     simd::vector::Vector,
 };

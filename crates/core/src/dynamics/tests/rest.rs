@@ -1,7 +1,7 @@
 //! A contact at rest holds more than one that slides.
 
 use crate::{
-    dynamics::{
+    dynamics::kernel::{
         chain::{Chain, node},
         step::{Abilities, StepInput, Stepper},
     },

@@ -4,7 +4,7 @@ use nalgebra::DMatrix;
 
 use super::bench::{Bench, COLLAR_M, PIPE_M};
 use crate::{
-    dynamics::{chain::node, energy},
+    dynamics::{kernel::chain::node, output::energy},
     rod::{
         element::react,
         stability::{self, SAFETY},

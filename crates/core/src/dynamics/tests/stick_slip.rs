@@ -5,7 +5,7 @@ use wholestring_verification::{Row, Tolerance, report};
 
 use super::bench::{Bench, Support};
 use crate::{
-    dynamics::{
+    dynamics::kernel::{
         chain::{element, node},
         step::{Abilities, Stepper},
     },

@@ -8,7 +8,7 @@ use super::{
     waves::file,
 };
 use crate::{
-    dynamics::chain::{element, node},
+    dynamics::kernel::chain::{element, node},
     simd::vector::Vector,
 };
 

@@ -5,10 +5,12 @@ use nalgebra::Vector3;
 use super::bench::{Bench, PIPE_M};
 use crate::{
     dynamics::{
-        assembly::{Anchor, Surroundings},
-        chain::node,
+        boundary::{
+            hole::{Anchor, Surroundings},
+            mud::viscous::Viscous,
+        },
+        kernel::chain::node,
         settings::ContactLaw,
-        viscous::Viscous,
     },
     mud::{Annulus, Motion, Mud, Rheology},
     operation::{Operation, OperationKind},

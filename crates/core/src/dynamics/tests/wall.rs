@@ -4,7 +4,7 @@ use serde_json::Value;
 use wholestring_verification::{Row, Tolerance, report, report_worst};
 
 use crate::{
-    dynamics::{
+    dynamics::kernel::{
         chain::{Chain, node},
         step::{Abilities, StepInput, Stepper},
     },

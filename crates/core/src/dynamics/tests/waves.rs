@@ -5,7 +5,7 @@ use wholestring_verification::{Row, Tolerance, report};
 
 use super::bench::{Bench, COLLAR_M, PIPE_M, STEEL, Support};
 use crate::{
-    dynamics::chain::{element, node},
+    dynamics::kernel::chain::{element, node},
     simd::vector::Vector,
 };
 

@@ -15,10 +15,12 @@ use nalgebra::Vector3;
 
 use crate::{
     dynamics::{
-        assembly::Anchor,
-        bit::{Bit, BitSettings, BitStep, Came},
-        chain::{Chain, node},
-        crew::Crew,
+        boundary::{
+            bit::{Bit, BitSettings, BitStep, Came},
+            crew::Crew,
+            hole::Anchor,
+        },
+        kernel::chain::{Chain, node},
     },
     operation::{Operation, OperationKind},
     simd::vector::Vector,

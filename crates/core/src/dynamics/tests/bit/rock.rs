@@ -5,11 +5,15 @@ use nalgebra::{Matrix3, Vector3};
 use super::{MASS_KG, OPERATION, POLAR_KG_M2};
 use crate::{
     dynamics::{
-        assembly::Anchor,
-        bit::{Bit, BitLaw, BitSettings, BitStep, Came, Motor, MudMotor, RockLaw, RunIn, Standing},
-        chain::{Chain, node},
-        crew::Crew,
-        energy::kinetic_J,
+        boundary::{
+            bit::{
+                Bit, BitLaw, BitSettings, BitStep, Came, Motor, MudMotor, RockLaw, RunIn, Standing,
+            },
+            crew::Crew,
+            hole::Anchor,
+        },
+        kernel::chain::{Chain, node},
+        output::energy::kinetic_J,
     },
     rock::{
         BitShape, DrillingSpec, Edge, Rock,

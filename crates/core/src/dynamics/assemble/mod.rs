@@ -1,0 +1,3 @@
+//! From model, operation and settings to what a run is made of.
+
+pub mod basis;
