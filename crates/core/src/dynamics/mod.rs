@@ -12,28 +12,34 @@ mod simulation;
 #[cfg(test)]
 mod tests;
 
-pub use assemble::basis::{Effort, SetupError};
+pub use assemble::{basis::Effort, error::SetupError};
 pub use boundary::bit::{
     Band, BitLaw, BitSettings, BitTable, Cutters, DetournayDefournyLaw, Excitation, Motor,
     MudMotor, RateLaw, RegenerativeLaw, RockLaw, SteadyCut, TableFault, TableLaw, TablePoint,
     TableUse,
 };
-pub use lift::{LIFT_TOLERANCE, LiftError, MOST_LIFT_RUNS, TunedLift, tune_lift};
-pub use output::energy::EnergyBalance;
-pub use output::frame::{Channel, Frame};
-pub use output::indicators::{Indicators, StickSlip, TorqueUse, Whirl};
-pub use output::outcome::{
-    ContactClass, ContactMap, DynamicOutcome, HoleWear, NodeProfile, Numerics, Percentiles,
-    Statistic, TimeSeries,
+pub use lift::{LiftError, MOST_LIFT_RUNS, TunedLift, tune_lift};
+pub use output::{
+    energy::EnergyBalance,
+    frame::{Channel, Frame},
+    indicators::{Indicators, StickSlip, TorqueUse, Whirl},
+    node_profile::{NodeProfile, Percentiles},
+    outcome::{ContactClass, ContactMap, DynamicOutcome, HoleWear, Numerics},
+    probe::{NodeSignal, Probe, Probed},
+    signal::Signal,
+    statistic::Statistic,
+    time_series::TimeSeries,
 };
-pub use output::signal::{NodeSignal, Probe, Probed, Signal};
 pub use settings::schedule::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep};
 pub use settings::{
-    Autodriller, CentredStart, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine,
-    Precision, RodDamping, SpeedController, Start, StartTension, TopDriveSettings, UntilSteady,
+    Autodriller, CentredStart, DynamicsSettings, FrictionLaw, HoistControl, HoistLine,
+    LIFT_TOLERANCE, Precision, RodDamping, SpeedController, Start, StartTension, TopDriveSettings,
+    UntilSteady,
 };
 pub use simulation::{
     Simulation,
     checkpoint::{Checkpoint, ResumeError},
-    numbers::Diverged,
+    diverged::Diverged,
 };
+
+pub use crate::wall::contact::ContactLaw;

@@ -1,80 +1,26 @@
 //! What a run is before its string is laid: settings that can be used, the hoist, the mesh and the step.
 
+use super::{chain, error::SetupError, hoisting::hoisting};
 use crate::{
     dynamics::{
         boundary::{
             bit::{Band, BitLaw, BitSettings, Cutters, Excitation, Motor, MudMotor},
-            hole::{self, Surroundings},
+            hole::Surroundings,
         },
         initial_state,
         kernel::step::{Abilities, Stepper},
-        settings::{
-            ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, SpeedController, Start,
-            TopDriveSettings,
-            schedule::{HoistSetPoint, ScheduleFault},
-        },
+        settings::{DynamicsSettings, FrictionLaw, SpeedController, Start, TopDriveSettings},
         simulation::settling::Settling,
     },
     model::Model,
     operation::Operation,
-    rock::DrillingError,
     rod::{
         mesh::Mesh,
         stability::{self, StepPlan},
     },
     simd::{number::Real, wide::Registers},
-    statics::soft::SoftError,
+    wall::contact::ContactLaw,
 };
-
-/// Why a run cannot begin.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum SetupError {
-    /// The soft string, which the start is laid by, has no solution.
-    #[error("the string cannot be laid in the hole: {0}")]
-    Start(#[from] SoftError),
-    /// A setting that no run can use.
-    #[error("{name} is {value}, expected {expected}")]
-    Setting {
-        /// Which.
-        name: &'static str,
-        /// Its value.
-        value: f64,
-        /// What it should be.
-        expected: &'static str,
-    },
-    /// A bit and solid rock that cannot be.
-    #[error(transparent)]
-    Rock(#[from] DrillingError),
-    /// A bit that is lighter than the rock that it touches.
-    #[error(
-        "the bit's node has {bit:.3} {unit} {direction} and the rock that it touches up to {rock:.3} {unit}, expected less: \
-         lower the density factor or the size of the bricks, or raise the length of the elements"
-    )]
-    LightBit {
-        /// In which direction.
-        direction: &'static str,
-        /// Unit of the two.
-        unit: &'static str,
-        /// Of the bit's node.
-        bit: f64,
-        /// Of the rock.
-        rock: f64,
-    },
-    /// Single precision, where it does not serve.
-    #[error("single precision does not serve here: {0}")]
-    Precision(&'static str),
-    /// A schedule that cannot be followed.
-    #[error("line {line} of the schedule: {fault}")]
-    Schedule {
-        /// Which line, counted from one.
-        line: usize,
-        /// What is wrong with it.
-        fault: ScheduleFault,
-    },
-    /// The [executor](crate::rock::Executor::stopped) asked to stop while the bit was run in.
-    #[error("stopped while the bit was run in")]
-    Stopped,
-}
 
 /// Refuses settings that no run can use.
 pub(in crate::dynamics) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
@@ -275,33 +221,6 @@ fn drive_numbers(drive: &TopDriveSettings) -> Vec<(&'static str, f64)> {
     numbers
 }
 
-/// What the hoist does at time zero, and the axial velocity that the string so has, m/s.
-pub(in crate::dynamics) fn hoisting(
-    operation: &Operation,
-    settings: &DynamicsSettings,
-) -> (HoistControl, f64) {
-    let start = settings.schedule.at_time_zero(operation);
-    let own = settings.bit.axial_velocity_m_per_s(
-        operation,
-        start.weight_on_bit_N,
-        start.rotary_speed_rad_per_s,
-    );
-    let usual = if operation.kind.on_bottom() {
-        HoistControl::Autodriller
-    } else {
-        HoistControl::BlockVelocity(own)
-    };
-    let control = match settings.schedule.hoist_at_time_zero() {
-        Some(HoistSetPoint::BlockVelocity(velocity)) => HoistControl::BlockVelocity(velocity),
-        Some(HoistSetPoint::WeightOnBit(_)) => HoistControl::Autodriller,
-        None => settings.hoist_control.unwrap_or(usual),
-    };
-    match control {
-        HoistControl::BlockVelocity(velocity) => (control, velocity),
-        _ => (control, own),
-    }
-}
-
 /// Where the bit stands at time zero: half the run above or below the operation's depth, m; at that depth
 /// where a schedule moves the hoist. Where settling ends by itself, the least of it counts.
 pub(in crate::dynamics) fn first_bit_md_m(
@@ -325,7 +244,7 @@ fn mesh_and_plan(
     let mesh = Mesh::new(&model.string, settings.element_length_m);
     let settling = Settling::of(operation, settings, &mesh);
     let bit_md_m = first_bit_md_m(operation, settings, &settling);
-    let lateral = hole::lateral_mass_kg_per_m(model, &mesh, bit_md_m);
+    let lateral = chain::lateral_mass_kg_per_m(model, &mesh, bit_md_m);
     let plan = stability::plan(&mesh, &lateral, settings.damping.stiffness_s);
     (mesh, settling, plan)
 }

@@ -2,14 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Loads;
+use super::loads::Loads;
 use crate::{
-    dynamics::{
-        boundary::hole,
-        kernel::{
-            chain::{Chain, element, node},
-            step::StepInput,
-        },
+    dynamics::kernel::{
+        chain::{Chain, element, node},
+        half_step::half_a_step_before,
+        step::StepInput,
     },
     rod::{
         bent::{carried, director_below, moment_above, moment_below, pose_below},
@@ -104,7 +102,7 @@ impl Bend {
         // that turn about different axes would gain energy of first order in the step.
         let halfway = Pose {
             twist: pose.twist,
-            ..hole::half_a_step_before(pose, input.dt)
+            ..half_a_step_before(pose, input.dt)
         };
         pose.twist = react(&k, &halfway, input.dt, 0.0).twist;
         let bent = react(&k, &pose, 0.0, input.stiffness_damping);
@@ -132,7 +130,7 @@ impl Bend {
     /// Elastic energy that the bend adds to that of the chain at the middle of the last step, J.
     pub(in crate::dynamics) fn energy_J(&self, chain: &Chain<impl Real>, dt: f64) -> f64 {
         let k = chain.stiffness(self.index);
-        let before = |pose| energy(&k, &hole::half_a_step_before(pose, dt));
+        let before = |pose| energy(&k, &half_a_step_before(pose, dt));
         before(self.pose(chain)) - before(chain.pose(self.index))
     }
 }

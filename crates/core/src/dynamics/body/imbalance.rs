@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Loads;
+use super::loads::Loads;
 use crate::{
     dynamics::kernel::chain::{Chain, node},
     rod::bent::carried,

@@ -1,5 +1,6 @@
 //! What acts on the string at its ends and along it: hole, mud, hoist, top drive and bit.
 
+pub mod anchor;
 pub mod bit;
 pub mod crew;
 pub mod hoist;

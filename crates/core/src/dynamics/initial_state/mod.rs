@@ -12,8 +12,10 @@ use super::{
 };
 use crate::{
     dynamics::{
+        assemble::chain,
         boundary::{
-            hole::{self, Anchor, Surroundings},
+            anchor::Anchor,
+            hole::{self, Surroundings},
             mud::viscous::Viscous,
         },
         kernel::{
@@ -167,7 +169,7 @@ pub fn lay(
         }
     }
     string.chain.clear_sums();
-    let hook_load_N = guide.tension_N[0] + hole::top_weight_N(&string.chain);
+    let hook_load_N = guide.tension_N[0] + chain::top_weight_N(&string.chain);
     Ok(Initial {
         chain: string.chain,
         anchors: string.anchors,
@@ -396,7 +398,7 @@ impl Laying<'_> {
             rigid_velocity: 0.0,
             rigid_spin: operation.rotation_rad_per_s(),
         };
-        hole::hold(&mut self.chain);
+        chain::hold(&mut self.chain);
         if !operation.kind.rotates() {
             // A string that does not turn slides sideways freely while it slides along.
             for block in &mut self.chain.node_blocks {
@@ -421,7 +423,7 @@ impl Laying<'_> {
                 self.chain.find_drag(input.dt);
             }
         }
-        hole::release(&mut self.chain);
+        chain::release(&mut self.chain);
         for i in 0..self.mesh.nodes.len() {
             let md = self.anchors[i].md_m;
             self.surroundings

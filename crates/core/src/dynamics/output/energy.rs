@@ -8,11 +8,12 @@ use crate::{
     dynamics::{
         body::Body,
         boundary::{
-            hole::{Anchor, half_a_step_before},
+            anchor::{Anchor, middle_m},
             mud::viscous::Viscous,
         },
         kernel::{
             chain::{Chain, node},
+            half_step::half_a_step_before,
             step::StepLosses,
         },
     },
@@ -52,17 +53,6 @@ impl Energies {
     pub fn total(&self) -> f64 {
         self.kinetic + self.elastic + self.gravity
     }
-}
-
-/// Where a node is at the middle of the last step, m.
-pub fn middle_m(
-    chain: &Chain<impl Real>,
-    anchors: &[Anchor],
-    index: usize,
-    dt: f64,
-) -> Vector3<f64> {
-    anchors[index].position_m + Vector3::from(chain.displacement(index))
-        - 0.5 * dt * Vector3::from(chain.velocity(index))
 }
 
 /// Kinetic energy at the middle of the last step, J.

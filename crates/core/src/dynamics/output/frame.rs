@@ -3,13 +3,13 @@
 use serde::Serialize;
 
 use super::{
+    probe::NodeSignal,
     record::{Look, Strength},
-    signal::NodeSignal,
 };
 use crate::{
     dynamics::{
         body::Body,
-        boundary::hole::Anchor,
+        boundary::anchor::Anchor,
         kernel::chain::{Chain, Rows, element, node},
     },
     simd::{number::Real, vector::Vector},

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::outcome::{NodeProfile, Statistic, TimeSeries};
+use super::{node_profile::NodeProfile, statistic::Statistic, time_series::TimeSeries};
 use crate::rod::mesh::Mesh;
 
 /// A bit that turns slower than this is stuck, rad/s: one revolution a minute.

@@ -4,11 +4,13 @@ pub mod schedule;
 
 use serde::{Deserialize, Serialize};
 
-use super::lift::LIFT_TOLERANCE;
 use crate::{
-    dynamics::{boundary::bit::BitSettings, output::signal::Probe, settings::schedule::Schedule},
-    wall::friction::STRIBECK_SPEED_M_PER_S,
+    dynamics::{boundary::bit::BitSettings, output::probe::Probe, settings::schedule::Schedule},
+    wall::{contact::ContactLaw, friction::STRIBECK_SPEED_M_PER_S},
 };
+
+/// How far the mean weight on bit may be from what is asked for where nobody says, as a fraction of it.
+pub const LIFT_TOLERANCE: f64 = 0.01;
 
 /// How the string lies at time zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -68,35 +70,6 @@ pub enum FrictionLaw {
     /// law of the article *New Analysis Theory and Method for Drag and Torque Based on Full-Hole
     /// System Dynamics in Highly Deviated Well*, its (9) and (11). Up to √2 too strong in sum.
     Independent,
-}
-
-/// How the wall answers penetration.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub enum ContactLaw {
-    /// `N = K_h α^1.5 (1 + d α')`, `K_h` from the elastic constants and radii of pipe and hole.
-    Hertz {
-        /// Hunt-Crossley dissipation `d`, s/m. Raising it makes impacts rebound less.
-        dissipation_s_per_m: f64,
-    },
-    /// `N = k α + c α'`, never in tension.
-    Linear {
-        /// Stiffness `k` of one contact (a node), N/m.
-        stiffness_N_per_m: f64,
-        /// `c` as a fraction of the critical damping of the node on `k`.
-        damping_ratio: f64,
-    },
-}
-
-impl ContactLaw {
-    /// Hunt-Crossley dissipation, s/m; the linear law has none.
-    pub(super) fn dissipation_s_per_m(&self) -> f64 {
-        match self {
-            Self::Hertz {
-                dissipation_s_per_m,
-            } => *dissipation_s_per_m,
-            Self::Linear { .. } => 0.0,
-        }
-    }
 }
 
 /// How the top of the string is moved along the hole.

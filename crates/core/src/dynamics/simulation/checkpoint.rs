@@ -8,7 +8,7 @@ use super::{run::Run, state::State};
 use crate::{
     damage::Damaged,
     dynamics::{
-        assemble::basis::{Basis, SetupError},
+        assemble::{basis::Basis, error::SetupError},
         kernel::chain::Chain,
         settings::DynamicsSettings,
     },

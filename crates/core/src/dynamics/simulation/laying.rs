@@ -1,9 +1,14 @@
 //! The beginning of a run.
 
-use super::{run::Run, sampling::SinceSample, settling::FADING_S, state::State};
+use super::{run::Run, settling::FADING_S, since_sample::SinceSample, state::State};
 use crate::{
     dynamics::{
-        assemble::basis::{self, Basis, SetupError},
+        assemble::{
+            self,
+            basis::{self, Basis},
+            error::SetupError,
+            hoisting,
+        },
         body::Body,
         boundary::{
             bit::{Bit, RunIn, Standing},
@@ -18,7 +23,7 @@ use crate::{
             chain::{Row, node},
             step::{StepInput, Stepper},
         },
-        output::{energy::Ledger, record::Record, signal::Probed, wear::Wear},
+        output::{energy::Ledger, probe::Probed, record::Record, wear::Wear},
         settings::{DynamicsSettings, Start, schedule::SetPoints},
     },
     model::Model,
@@ -45,10 +50,10 @@ impl<R: Registers> Run<R> {
     ) -> Result<Self, SetupError> {
         let basis = Basis::<R>::new(model, operation, settings)?;
         let (mesh, dt) = (&basis.mesh, basis.plan.dt_s);
-        let (control, velocity) = basis::hoisting(operation, settings);
+        let (control, velocity) = hoisting::hoisting(operation, settings);
         let mut first = settings.schedule.at_time_zero(operation);
         let bit_md_m = basis::first_bit_md_m(operation, settings, &basis.settling);
-        let chain = hole::chain(model, mesh, &basis.plan);
+        let chain = assemble::chain::chain(model, mesh, &basis.plan);
         let mut viscous = Viscous::new(model, mesh, &first, velocity, bit_md_m);
         let input = StepInput {
             dt,

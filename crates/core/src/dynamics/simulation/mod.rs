@@ -2,11 +2,13 @@
 
 mod balance;
 pub mod checkpoint;
+pub mod diverged;
 mod laying;
-pub mod numbers;
+mod numbers;
 mod run;
 mod sampling;
 pub mod settling;
+mod since_sample;
 mod speed;
 mod state;
 
@@ -17,13 +19,13 @@ use nalgebra::Vector3;
 use super::settings::{DynamicsSettings, HoistControl, Precision};
 use crate::{
     dynamics::{
-        assemble::basis::SetupError,
+        assemble::error::SetupError,
         boundary::crew::Crew,
         kernel::step::{Abilities, Stepper},
         output::{frame::Frame, outcome::DynamicOutcome},
         simulation::{
             checkpoint::{Checkpoint, ResumeError},
-            numbers::Diverged,
+            diverged::Diverged,
             run::Run,
         },
     },

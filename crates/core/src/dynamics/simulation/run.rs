@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use super::{numbers::Diverged, settling::Settling, state::State};
+use super::{diverged::Diverged, settling::Settling, state::State};
 use crate::{
     dynamics::{
         assemble::basis::Basis,
@@ -22,7 +22,8 @@ use crate::{
         output::{
             energy::StepWork,
             frame::{self, Frame},
-            outcome::{DynamicOutcome, Statistic},
+            outcome::DynamicOutcome,
+            statistic::Statistic,
             summary,
         },
         settings::{

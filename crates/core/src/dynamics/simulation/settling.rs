@@ -2,11 +2,11 @@
 
 use crate::{
     dynamics::{
-        assemble::basis,
+        assemble::hoisting,
         output::{
             drift::{Drift, MATTERS, SIGNIFICANT, mean},
-            outcome::TimeSeries,
-            summary::{scales, varying},
+            time_series::TimeSeries,
+            varying::{scales, varying},
         },
         settings::{DynamicsSettings, Start},
     },
@@ -101,7 +101,7 @@ impl Settling {
             Start::Centred => settings.centred.ramp_s,
         };
         let planned_s = settings.schedule.end_s();
-        let travel_m = basis::hoisting(operation, settings).1.abs() * until.most_s;
+        let travel_m = hoisting::hoisting(operation, settings).1.abs() * until.most_s;
         let travels = travel_m > TRAVELS_M && !settings.schedule.moves_the_hoist();
         let least_s = settings.settle_s.max(start_s).max(planned_s) + stretch_s;
         let least_s = if travels {

@@ -2,15 +2,15 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{sampling::SinceSample, settling::Settled};
+use super::{settling::Settled, since_sample::SinceSample};
 use crate::{
     damage::{Damaged, sound},
     dynamics::{
         body::Body,
         boundary::{
+            anchor::Anchor,
             bit::Bit,
             hoist::Hoist,
-            hole::Anchor,
             mud::{squeezed::Squeezed, viscous::Viscous},
             top_drive::TopDrive,
         },

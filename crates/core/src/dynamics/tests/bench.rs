@@ -2,8 +2,8 @@
 
 use crate::{
     dynamics::{
+        assemble::chain,
         body::Body,
-        boundary::hole,
         kernel::{
             chain::{Chain, node},
             step::{Abilities, Calming, StepInput, StepLosses, Stepper},
@@ -161,9 +161,9 @@ impl Bench {
             rig: Rig::default(),
         };
         let mesh = Mesh::new(&model.string, element_length_m);
-        let lateral = hole::lateral_mass_kg_per_m(&model, &mesh, length_m);
+        let lateral = chain::lateral_mass_kg_per_m(&model, &mesh, length_m);
         let plan = stability::plan(&mesh, &lateral, stiffness_damping_s);
-        let mut chain = hole::chain(&model, &mesh, &plan);
+        let mut chain = chain::chain(&model, &mesh, &plan);
         for index in 0..chain.elements() {
             chain.set_anchor_chord(index, Vector(0.0, 0.0, mesh.elements[index].length_m));
         }

@@ -2,7 +2,8 @@
 
 use crate::{
     dynamics::{
-        boundary::hole::{self, Anchor, Surroundings},
+        assemble::chain,
+        boundary::{anchor::Anchor, hole::Surroundings},
         kernel::{chain::node, step},
         settings::DynamicsSettings,
     },
@@ -77,9 +78,9 @@ fn model() -> Model {
 fn met(model: &Model, element_length_m: f64, md_m: f64, along_m: f64) -> [f64; 8] {
     let mesh = Mesh::new(&model.string, element_length_m);
     let settings = DynamicsSettings::default();
-    let lateral = hole::lateral_mass_kg_per_m(model, &mesh, LENGTH_M);
+    let lateral = chain::lateral_mass_kg_per_m(model, &mesh, LENGTH_M);
     let plan = stability::plan(&mesh, &lateral, settings.damping.stiffness_s);
-    let mut chain = hole::chain(model, &mesh, &plan);
+    let mut chain = chain::chain(model, &mesh, &plan);
     let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
     assert!(surroundings.intricate);
     let anchor = Anchor {

@@ -5,16 +5,13 @@ use nalgebra::Vector3;
 use super::bench::{Bench, PIPE_M};
 use crate::{
     dynamics::{
-        boundary::{
-            hole::{Anchor, Surroundings},
-            mud::viscous::Viscous,
-        },
+        boundary::{anchor::Anchor, hole::Surroundings, mud::viscous::Viscous},
         kernel::chain::node,
-        settings::ContactLaw,
     },
     mud::{Annulus, Motion, Mud, Rheology},
     operation::{Operation, OperationKind},
     simd::vector::Vector,
+    wall::contact::ContactLaw,
 };
 
 const HOLE_M: f64 = 0.2159;

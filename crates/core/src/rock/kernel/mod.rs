@@ -9,43 +9,19 @@
 //! worked on and is kicked after them, by what both have found. So slabs may be worked on at the same time, and the
 //! sums are taken in one order.
 
+mod fields;
 mod nodes;
 mod row;
 mod slab;
 
-use super::{
-    constants::Constants,
-    grid::{GROUP, Grid},
-};
-use crate::simd::number::Number;
+use super::{constants::Constants, grid::Grid};
 #[cfg(not(target_arch = "x86_64"))]
 use crate::simd::wide::Pair;
 #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
 use crate::simd::wide::Registers;
+pub use fields::{Fields, RowBook};
 use nodes::{drift, kick};
-pub use slab::{RowBook, Slab};
-
-/// Where the state of a block lies.
-#[derive(Debug, Clone, Copy)]
-pub struct Fields {
-    /// Displacement, m, velocity, m/s, one over mass, 1/kg, of the nodes.
-    pub displacement: [*mut f64; 3],
-    pub velocity: [*mut f64; 3],
-    pub inverse_mass: *const f64,
-    /// Stress, Pa, and intact part of the bricks; a removed brick has a negative intact part.
-    pub stress: [*mut f64; 6],
-    pub intact: *mut f64,
-    /// Bricks left in each group.
-    pub left: *const u8,
-    /// Books of the rows of bricks.
-    pub books: *mut RowBook,
-}
-
-// SAFETY: each slab reads and writes its own bricks, books and inner layers of nodes, and reads the layers of nodes that it
-// shares with its neighbours, which nothing writes meanwhile.
-unsafe impl Send for Fields {}
-// SAFETY: as above.
-unsafe impl Sync for Fields {}
+pub use slab::Slab;
 
 /// Which code does the step: the processor's best instructions.
 #[derive(Clone, Copy)]
@@ -197,10 +173,4 @@ impl Stepper {
         // SAFETY: as for `begin`.
         unsafe { (self.end)(fields, grid, dt, slab, above) }
     }
-}
-
-/// First lanes of the registers of a group.
-#[inline(always)]
-fn lanes<N: Number>() -> impl Iterator<Item = usize> {
-    (0..GROUP).step_by(N::WIDTH)
 }

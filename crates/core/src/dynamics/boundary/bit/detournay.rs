@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Cutters, Excitation, SteadyCut, front::Stretch};
+use super::{Cutters, Excitation, SteadyCut, rate_segment::Stretch};
 
 /// The law of Detournay and Defourny for drag bits, with the three regimes that Detournay, Richard and Shepherd measured
 /// (*International Journal of Rock Mechanics and Mining Sciences* 45, 2008).

@@ -1,35 +1,17 @@
 //! A rock front that the bit cuts away, for the laws that know no more of the bottom than its depth.
 
-use std::f64::consts::TAU;
-
-use super::settings::BitLaw;
-use crate::damage::{Damaged, sound};
-use serde::{Deserialize, Serialize};
-
 use super::{
-    Answer, Approach, DetournayDefournyLaw, TableLaw,
+    DetournayDefournyLaw, TableLaw,
     excitation::{Shake, Shaker},
     motor::{Drive, Turned},
     rate::Rate,
+    rate_segment::Stretch,
+    settings::BitLaw,
+    step::{Answer, Approach},
     table::{Counter, TableUse},
 };
-
-/// A straight part of the rate at which a bit advances against its weight.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Stretch {
-    pub(super) from_N: f64,
-    pub(super) to_N: f64,
-    /// Rate at its beginning, m/s.
-    pub(super) from_m_per_s: f64,
-    /// How the rate grows with the weight, m/s/N.
-    pub(super) slope_m_per_s_per_N: f64,
-}
-
-impl Stretch {
-    pub(super) fn rate_m_per_s(&self, weight_N: f64) -> f64 {
-        self.from_m_per_s + self.slope_m_per_s_per_N * (weight_N - self.from_N)
-    }
-}
+use crate::damage::{Damaged, sound};
+use serde::{Deserialize, Serialize};
 
 /// The rock front that the bit cuts away.
 ///
@@ -214,14 +196,5 @@ impl FrontCut {
             }
             _ => drive.turn(at.spin_rad_per_s, at.turning_mobility, wanted_N_m, 0.0),
         }
-    }
-}
-
-/// Depth of cut per revolution at a rate of penetration, m.
-pub(super) fn depth_of_cut_m(rate_m_per_s: f64, speed_rad_per_s: f64) -> f64 {
-    if speed_rad_per_s > 0.0 {
-        rate_m_per_s * TAU / speed_rad_per_s
-    } else {
-        0.0
     }
 }

@@ -7,10 +7,12 @@ mod excitation;
 mod front;
 mod motor;
 mod rate;
+mod rate_segment;
 mod regenerative;
 mod rock;
 mod settings;
 mod side;
+mod step;
 mod table;
 
 use serde::{Deserialize, Serialize};
@@ -24,6 +26,7 @@ pub use self::{
     regenerative::RegenerativeLaw,
     rock::{RockLaw, RunIn, Standing},
     settings::{BitLaw, BitSettings},
+    step::{BitStep, Came},
     table::{BitTable, TableFault, TableLaw, TablePoint, TableUse},
 };
 use self::{
@@ -34,9 +37,10 @@ use self::{
     regenerative::RegenerativeCut,
     rock::RockCut,
     side::Side,
+    step::{Answer, Approach},
     table::Counter,
 };
-use super::{crew::Crew, hole::Anchor};
+use super::{anchor::Anchor, crew::Crew};
 use crate::{
     damage::Damaged,
     dynamics::kernel::chain::{Chain, node},
@@ -61,83 +65,6 @@ enum Cut {
     Front(Box<FrontCut>),
     Regenerative(RegenerativeCut),
     Rock(Box<RockCut>),
-}
-
-/// How the bit's node came into a step.
-#[derive(Debug, Clone, Copy)]
-pub struct Came {
-    /// Its velocity, m/s.
-    pub velocity: Vector<f64>,
-    /// Its spin, rad/s.
-    pub spin: f64,
-}
-
-/// The bit's node as the step left it, without the rock.
-#[derive(Debug, Clone, Copy)]
-struct Approach {
-    /// Measured depth of the bit, m.
-    depth_m: f64,
-    /// Its velocity along the hole, m/s, positive downwards.
-    velocity_m_per_s: f64,
-    /// Velocity per axial force, s/kg.
-    axial_mobility_s_per_kg: f64,
-    /// Spin of the string before the step, rad/s.
-    spin_before_rad_per_s: f64,
-    /// Spin that the step gave it, rad/s.
-    spin_rad_per_s: f64,
-    /// Spin per torque, 1/(N·m·s).
-    turning_mobility: f64,
-    /// Step, s.
-    dt: f64,
-}
-
-/// What the rock answers.
-#[derive(Debug, Clone, Copy, Default)]
-struct Answer {
-    weight_N: f64,
-    /// Against the string's rotation.
-    torque_N_m: f64,
-    /// Spin that the torque leaves the string, exactly zero of a bit without motor that it holds.
-    spin_rad_per_s: f64,
-    depth_of_cut_m: f64,
-    /// Rock that is taken away per time, m/s.
-    rate_m_per_s: f64,
-}
-
-/// What the bit did in a step.
-#[derive(Debug, Clone, Copy)]
-pub struct BitStep {
-    /// Weight on bit, N.
-    pub weight_on_bit_N: f64,
-    /// Torque on bit, N·m.
-    pub torque_N_m: f64,
-    /// Rock that a revolution takes away, m.
-    pub depth_of_cut_m: f64,
-    /// Rock that is taken away per time, m/s.
-    pub rate_of_penetration_m_per_s: f64,
-    /// Force of rock and hole on the bit, N.
-    pub force_N: Vector<f64>,
-    /// Bending moment of the rock on the bit, N·m.
-    pub moment_N_m: f64,
-    /// Speed of the motor against the string, rad/s.
-    pub motor_speed_rad_per_s: f64,
-    /// Work done on the string, J.
-    pub work_J: f64,
-}
-
-impl Default for BitStep {
-    fn default() -> Self {
-        Self {
-            weight_on_bit_N: 0.0,
-            torque_N_m: 0.0,
-            depth_of_cut_m: 0.0,
-            rate_of_penetration_m_per_s: 0.0,
-            force_N: Vector::zero(),
-            moment_N_m: 0.0,
-            motor_speed_rad_per_s: 0.0,
-            work_J: 0.0,
-        }
-    }
 }
 
 impl Bit {

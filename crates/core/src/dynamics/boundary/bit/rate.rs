@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Excitation, front::Stretch, motor::Drive};
+use super::{Excitation, motor::Drive, rate_segment::Stretch};
 use crate::operation::{Operation, OperationKind};
 
 /// The rate law: on rock that lies where the bit has cut to, pressed with the force `W`, the bit advances

@@ -2,9 +2,13 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Answer, Approach, Cutters, SteadyCut, bottom::Bottom, motor::Drive};
-use crate::damage::Damaged;
-use crate::operation::Operation;
+use super::{
+    Cutters, SteadyCut,
+    bottom::Bottom,
+    motor::Drive,
+    step::{Answer, Approach},
+};
+use crate::{damage::Damaged, operation::Operation};
 
 /// The law of Richard, Germay and Detournay for drag bits (*Journal of Sound and Vibration* 305, 2007),
 /// on the cutting law of Detournay and Defourny (1992).

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::{
     Excitation, SteadyCut,
     excitation::Spread,
-    front::{Stretch, depth_of_cut_m},
+    rate_segment::{Stretch, depth_of_cut_m},
 };
 
 /// The table and what goes with it.

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    dynamics::boundary::hole::Anchor,
+    dynamics::boundary::anchor::Anchor,
     model::MudColumn,
     rod::mesh::{Mesh, MeshElement},
 };

@@ -17,9 +17,11 @@ use super::flow_pressures::FlowPressures;
 use crate::{
     damage::{Damaged, sound},
     dynamics::{
-        boundary::hole::{Anchor, Surroundings},
+        boundary::{
+            anchor::{Anchor, middle_m},
+            hole::Surroundings,
+        },
         kernel::chain::{Chain, node},
-        output::energy::middle_m,
     },
     model::Model,
     mud::{Annulus, AnnulusDrag, Hydraulics, Motion, Mud, bore, hydraulics::pressure_strain},

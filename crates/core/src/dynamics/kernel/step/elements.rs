@@ -1,8 +1,9 @@
 //! What the elements do to their ends.
 
 use super::{
-    Losses, StepInput,
+    input::StepInput,
     lane::{add, at, at3, put, put3},
+    losses::Losses,
 };
 use crate::{
     dynamics::kernel::chain::{ElementBlock, Row, Rows, StateBlock},

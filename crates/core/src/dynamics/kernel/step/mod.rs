@@ -16,7 +16,9 @@
 
 mod calm;
 mod elements;
+mod input;
 mod lane;
+mod losses;
 mod nodes;
 mod touch;
 
@@ -29,33 +31,12 @@ use crate::simd::{
 };
 pub use calm::Calming;
 use elements::{Pull, Strains, bend, chord, strain, twist};
+pub use input::StepInput;
 use lane::lanes;
+use losses::Losses;
+pub use losses::StepLosses;
 use nodes::{Flight, fly, land, reach, rub, turn};
 use touch::push;
-
-/// What is the same for all nodes in a step.
-#[derive(Debug, Clone, Copy)]
-pub struct StepInput {
-    /// Step, s.
-    pub dt: f64,
-    /// Stiffness-proportional damping, s.
-    pub stiffness_damping: f64,
-    /// Hunt-Crossley dissipation of the Hertz law, s/m.
-    pub dissipation: f64,
-    /// Sliding speed at which the friction at rest has half decayed to the kinetic one, m/s.
-    pub stribeck_speed: f64,
-}
-
-/// Energies that left the string in a step, J. What friction on the wall took is summed with the nodes.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct StepLosses {
-    /// To the wall's contact forces.
-    pub contact: f64,
-    /// To the mud; mass-proportional damping is booked with it.
-    pub mud: f64,
-    /// To stiffness-proportional damping.
-    pub damping: f64,
-}
 
 /// What the stepper must be able to do; less is faster.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -209,25 +190,6 @@ impl<R: Real> Stepper<R> {
     pub fn step(&self, chain: &mut Chain<R>, input: &StepInput) -> StepLosses {
         // SAFETY: `all` lists only code whose instructions the processor was found to have.
         unsafe { (self.step)(chain, input) }
-    }
-}
-
-/// Energy lost by each lane: the contact's over half the step, twice the mud's in J, the damping's
-/// power in W.
-struct Losses<R: Real> {
-    contact: Row<R>,
-    mud: Row<R>,
-    damping: Row<R>,
-}
-
-impl<R: Real> Losses<R> {
-    fn none() -> Self {
-        let zero = Row::filled(0.0);
-        Self {
-            contact: zero,
-            mud: zero,
-            damping: zero,
-        }
     }
 }
 

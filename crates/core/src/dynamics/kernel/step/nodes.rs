@@ -1,9 +1,10 @@
 //! What a step does to the nodes.
 
 use super::{
-    Losses, StepInput,
     elements::Pull,
+    input::StepInput,
     lane::{add, at, at3, put, put3},
+    losses::Losses,
 };
 use crate::{
     dynamics::kernel::chain::{NodeBlock, Row, Rows, StateBlock},

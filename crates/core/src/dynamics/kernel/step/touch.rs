@@ -1,7 +1,7 @@
 //! How the wall pushes back.
 
 use super::{
-    StepInput,
+    input::StepInput,
     lane::{at, at3, put, put3},
     nodes::Flight,
 };

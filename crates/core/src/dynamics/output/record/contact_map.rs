@@ -2,11 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Record;
 use crate::{
     damage::{Damaged, sound},
     dynamics::{
-        boundary::hole::Anchor,
+        boundary::anchor::Anchor,
         output::{
             carry::{Reach, reaches},
             outcome::ContactMap,
@@ -98,6 +97,44 @@ impl MapKeeper {
         self.before.fill([0.0; 2]);
     }
 
+    /// Counts a sample of a run that takes `run_samples`; whether a row of the map is full.
+    pub(super) fn count(&mut self, run_samples: u64) -> bool {
+        self.samples += 1;
+        self.samples >= run_samples.div_ceil(MOST_ROWS).max(1)
+    }
+
+    /// Closes a row of the map with the samples since the last one, if there are any. `sums` are those of a node's signed
+    /// contact force and of its magnitude, N.
+    pub(super) fn close_row(
+        &mut self,
+        anchors: &[Anchor],
+        time_s: f64,
+        sums: impl Fn(usize) -> [f64; 2],
+    ) {
+        let samples = std::mem::take(&mut self.samples) as f64;
+        if samples == 0.0 {
+            return;
+        }
+        let sums: Vec<[f64; 2]> = (0..self.before.len()).map(sums).collect();
+        let since = sums.iter().zip(&self.before);
+        let since = since.map(|(sums, before)| [0, 1].map(|k| (sums[k] - before[k]) / samples));
+        let per_metre = self.per_metre(&since.collect::<Vec<_>>());
+        self.before = sums;
+        let map = &mut self.map;
+        for (of, [side, contact]) in self.stretches.iter().zip(per_metre) {
+            let ends_m = anchors[of.first].md_m + anchors[of.last].md_m;
+            map.time_s.push(time_s);
+            map.md_m.push(0.5 * ends_m);
+            map.side_force_N_per_m.push(side);
+            map.contact_force_N_per_m.push(contact);
+        }
+    }
+
+    /// The map so far.
+    pub(super) fn map(&self) -> &ContactMap {
+        &self.map
+    }
+
     /// What the nodes' contact forces are of each stretch, per metre. A joint carries the string about it: by stretches of
     /// so few joints that one has two of them and the next has three, the map would have stripes.
     fn per_metre(&self, forces: &[[f64; 2]]) -> Vec<[f64; 2]> {
@@ -123,49 +160,6 @@ impl MapKeeper {
             }
         }
         shares
-    }
-}
-
-impl Record {
-    /// Counts a sample of a run that takes `run_samples`, and closes a row of the map where one is full.
-    pub fn map_contact(&mut self, anchors: &[Anchor], time_s: f64, run_samples: u64) {
-        self.contact.samples += 1;
-        if self.contact.samples >= run_samples.div_ceil(MOST_ROWS).max(1) {
-            self.close_contact_row(anchors, time_s);
-        }
-    }
-
-    /// Closes a row of the map with the samples since the last one, if there are any.
-    pub fn close_contact_row(&mut self, anchors: &[Anchor], time_s: f64) {
-        let samples = std::mem::take(&mut self.contact.samples) as f64;
-        if samples == 0.0 {
-            return;
-        }
-        let sums: Vec<[f64; 2]> = (0..self.contact.before.len())
-            .map(|i| {
-                [
-                    self.sum_of(i, |s| &s.signed),
-                    self.sum_of(i, |s| &s.normal[0]),
-                ]
-            })
-            .collect();
-        let since = sums.iter().zip(&self.contact.before);
-        let since = since.map(|(sums, before)| [0, 1].map(|k| (sums[k] - before[k]) / samples));
-        let per_metre = self.contact.per_metre(&since.collect::<Vec<_>>());
-        self.contact.before = sums;
-        let map = &mut self.contact.map;
-        for (of, [side, contact]) in self.contact.stretches.iter().zip(per_metre) {
-            let ends_m = anchors[of.first].md_m + anchors[of.last].md_m;
-            map.time_s.push(time_s);
-            map.md_m.push(0.5 * ends_m);
-            map.side_force_N_per_m.push(side);
-            map.contact_force_N_per_m.push(contact);
-        }
-    }
-
-    /// The map so far.
-    pub fn contact_map(&self) -> &ContactMap {
-        &self.contact.map
     }
 }
 

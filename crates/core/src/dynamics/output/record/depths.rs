@@ -3,9 +3,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Record;
 use crate::{
-    dynamics::{boundary::hole::Anchor, kernel::chain::Chain, output::carry},
+    dynamics::{boundary::anchor::Anchor, kernel::chain::Chain, output::carry},
     outcome,
     rod::mesh::Mesh,
     simd::number::Real,
@@ -41,6 +40,38 @@ impl Sides {
         self.before.fill(0.0);
         self.samples = 0;
     }
+
+    /// Counts a sample; whether a second has passed since the last look.
+    pub(super) fn is_due(&mut self, sample_interval_s: f64) -> bool {
+        self.samples += 1;
+        let due = (self.samples as f64 + 0.5) * sample_interval_s >= SIDE_S;
+        if due {
+            self.samples = 0;
+        }
+        due
+    }
+
+    /// Where the side force changed from the high to the low side since the last look, m. `sum` is that of a node's signed
+    /// contact force, N.
+    pub(super) fn cutoff_depth_m(
+        &mut self,
+        mesh: &Mesh,
+        path: &Path,
+        anchors: &[Anchor],
+        sum: impl Fn(usize) -> f64,
+    ) -> Option<f64> {
+        let signed: Vec<f64> = (0..mesh.nodes.len())
+            .map(|i| {
+                let sum = sum(i);
+                sum - std::mem::replace(&mut self.before[i], sum)
+            })
+            .collect();
+        let carries = carry::carried(mesh, |i| signed[i] != 0.0);
+        let side_force = carry::spread(&carries, signed.len(), |i| signed[i]);
+        let md_m: Vec<f64> = anchors.iter().map(|a| a.md_m).collect();
+        let bit_depth_m = anchors.last()?.md_m;
+        outcome::cutoff_in_build_m(path, bit_depth_m, &md_m, &side_force)
+    }
 }
 
 /// Measured depth of the shallowest zero of effective tension, m: between the middles of elements. The
@@ -58,33 +89,4 @@ pub fn neutral_point_m(
     let hanging = chain.strands_above_N(outcome::SLACK * largest_N);
     let tensions_N = chain.tensions_N(hanging.saturating_sub(1));
     outcome::neutral_point_among(tensions_N, largest_N, md_m)
-}
-
-impl Record {
-    /// Once a second, after as many samples of `sample_interval_s`: where the side force changed from the
-    /// high to the low side over that second, m.
-    pub fn cutoff_depth_m(
-        &mut self,
-        mesh: &Mesh,
-        path: &Path,
-        anchors: &[Anchor],
-        sample_interval_s: f64,
-    ) -> Option<f64> {
-        self.sides.samples += 1;
-        if (self.sides.samples as f64 + 0.5) * sample_interval_s < SIDE_S {
-            return None;
-        }
-        self.sides.samples = 0;
-        let signed: Vec<f64> = (0..mesh.nodes.len())
-            .map(|i| {
-                let sum = self.sum_of(i, |s| &s.signed);
-                sum - std::mem::replace(&mut self.sides.before[i], sum)
-            })
-            .collect();
-        let carries = carry::carried(mesh, |i| signed[i] != 0.0);
-        let side_force = carry::spread(&carries, signed.len(), |i| signed[i]);
-        let md_m: Vec<f64> = anchors.iter().map(|a| a.md_m).collect();
-        let bit_depth_m = anchors.last()?.md_m;
-        outcome::cutoff_in_build_m(path, bit_depth_m, &md_m, &side_force)
-    }
 }

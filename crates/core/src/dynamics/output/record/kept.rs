@@ -3,10 +3,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::look::{Lane, Look};
+use super::{lane::Lane, look::Look};
 use crate::{
     damage::{Damaged, sound},
-    dynamics::output::outcome::percentile,
+    dynamics::output::statistic::percentile,
     simd::lanes::DOUBLES,
 };
 

@@ -1,7 +1,10 @@
 //! What a block of nodes, and the elements below them, show at a moment: the one place that reads the chain
 //! for the record.
 
-use super::strength::{Metal, Strength};
+use super::{
+    lane::Lane,
+    strength::{Metal, Strength},
+};
 use crate::{
     dynamics::{
         body::Body,
@@ -12,9 +15,6 @@ use crate::{
     },
     simd::{lanes::DOUBLES, number::Real, vector::Vector},
 };
-
-/// One number for each lane.
-pub type Lane = [f64; DOUBLES];
 
 const NONE: Lane = [0.0; DOUBLES];
 

@@ -3,17 +3,19 @@
 mod contact_map;
 mod depths;
 mod kept;
+mod lane;
 mod look;
 mod strength;
 mod sums;
 #[cfg(test)]
 mod tests;
 
-use super::outcome::TimeSeries;
+use super::{outcome::ContactMap, time_series::TimeSeries};
 use crate::{
     damage::{Damaged, sound},
     dynamics::{
         body::Body,
+        boundary::anchor::Anchor,
         kernel::{
             chain::{Chain, Rows},
             layout::Layout,
@@ -22,13 +24,14 @@ use crate::{
     model::Model,
     rod::mesh::Mesh,
     simd::number::Real,
+    well::Path,
 };
 use serde::{Deserialize, Serialize};
 
 use contact_map::MapKeeper;
 use depths::Sides;
 use kept::Kept;
-use look::Lane;
+use lane::Lane;
 use sums::{Pass, SumBlock, TotalBlock};
 
 pub use depths::neutral_point_m;
@@ -175,6 +178,46 @@ impl Record {
     /// Where what is kept of each node lies.
     pub fn layout(&self) -> Layout {
         self.layout
+    }
+
+    /// Counts a sample of a run that takes `run_samples`, and closes a row of the map where one is full.
+    pub fn map_contact(&mut self, anchors: &[Anchor], time_s: f64, run_samples: u64) {
+        if self.contact.count(run_samples) {
+            self.close_contact_row(anchors, time_s);
+        }
+    }
+
+    /// Closes a row of the map with the samples since the last one, if there are any.
+    pub fn close_contact_row(&mut self, anchors: &[Anchor], time_s: f64) {
+        let (layout, blocks) = (self.layout, &self.sums);
+        self.contact.close_row(anchors, time_s, |index| {
+            let (block, lane) = layout.place(index);
+            [blocks[block].signed[lane], blocks[block].normal[0][lane]]
+        });
+    }
+
+    /// The map so far.
+    pub fn contact_map(&self) -> &ContactMap {
+        self.contact.map()
+    }
+
+    /// Once a second, after as many samples of `sample_interval_s`: where the side force changed from the
+    /// high to the low side over that second, m.
+    pub fn cutoff_depth_m(
+        &mut self,
+        mesh: &Mesh,
+        path: &Path,
+        anchors: &[Anchor],
+        sample_interval_s: f64,
+    ) -> Option<f64> {
+        if !self.sides.is_due(sample_interval_s) {
+            return None;
+        }
+        let (layout, blocks) = (self.layout, &self.sums);
+        self.sides.cutoff_depth_m(mesh, path, anchors, |index| {
+            let (block, lane) = layout.place(index);
+            blocks[block].signed[lane]
+        })
     }
 
     fn sum_of(&self, index: usize, pick: impl Fn(&SumBlock) -> &Lane) -> f64 {

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::look::Lane;
+use super::lane::Lane;
 use crate::{
     damage::{Damaged, sound},
     dynamics::kernel::layout::Layout,

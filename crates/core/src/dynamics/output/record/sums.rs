@@ -2,11 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{
-    kept::KeptRow,
-    look::{Lane, Look},
-    strength::Strength,
-};
+use super::{kept::KeptRow, lane::Lane, look::Look, strength::Strength};
 use crate::{
     dynamics::{
         body::Body,

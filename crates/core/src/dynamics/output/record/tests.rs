@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use super::{kept::Kept, *};
 use crate::{
     dynamics::{
-        boundary::hole,
+        assemble::chain,
         kernel::chain::{Row, element, node},
     },
     mud::Mud,
@@ -76,9 +76,9 @@ fn model() -> Model {
 fn string() -> (Model, Mesh, Chain, Vec<Rows<f64>>) {
     let model = model();
     let mesh = Mesh::new(&model.string, 3.0);
-    let lateral = hole::lateral_mass_kg_per_m(&model, &mesh, 120.0);
+    let lateral = chain::lateral_mass_kg_per_m(&model, &mesh, 120.0);
     let plan = stability::plan(&mesh, &lateral, 0.0);
-    let mut chain = hole::chain(&model, &mesh, &plan);
+    let mut chain = chain::chain(&model, &mesh, &plan);
     for (index, element) in mesh.elements.iter().enumerate() {
         chain.set_anchor_chord(index, Vector(0.0, 0.0, element.length_m));
     }

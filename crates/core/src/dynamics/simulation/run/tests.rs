@@ -7,14 +7,12 @@ mod top;
 
 use super::*;
 use crate::{
-    dynamics::{
-        boundary::crew::Crew,
-        settings::{ContactLaw, FrictionLaw},
-    },
+    dynamics::{boundary::crew::Crew, settings::FrictionLaw},
     mud::Mud,
     operation::OperationKind,
     rig::Rig,
     string::{ComponentLength, ComponentSpec, Material, StringSpec},
+    wall::contact::ContactLaw,
     well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Station, TieIn, Well},
 };
 

@@ -1,7 +1,7 @@
 use std::f64::consts::TAU;
 
 use super::*;
-use crate::{dynamics::output::summary::Gauge, random::Random};
+use crate::{dynamics::output::varying::Gauge, random::Random};
 
 const INTERVAL_S: f64 = 0.01;
 const LENGTH_M: f64 = 3000.0;

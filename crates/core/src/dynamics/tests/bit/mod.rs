@@ -16,9 +16,9 @@ use nalgebra::Vector3;
 use crate::{
     dynamics::{
         boundary::{
+            anchor::Anchor,
             bit::{Bit, BitSettings, BitStep, Came},
             crew::Crew,
-            hole::Anchor,
         },
         kernel::chain::{Chain, node},
     },

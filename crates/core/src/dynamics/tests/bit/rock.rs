@@ -6,11 +6,11 @@ use super::{MASS_KG, OPERATION, POLAR_KG_M2};
 use crate::{
     dynamics::{
         boundary::{
+            anchor::Anchor,
             bit::{
                 Bit, BitLaw, BitSettings, BitStep, Came, Motor, MudMotor, RockLaw, RunIn, Standing,
             },
             crew::Crew,
-            hole::Anchor,
         },
         kernel::chain::{Chain, node},
         output::energy::kinetic_J,

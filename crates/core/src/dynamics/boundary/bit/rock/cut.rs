@@ -10,9 +10,12 @@ use crate::{
     damage::Damaged,
     dynamics::{
         boundary::{
-            bit::{BitStep, Came, motor::Drive},
+            anchor::Anchor,
+            bit::{
+                motor::Drive,
+                step::{BitStep, Came},
+            },
             crew::Crew,
-            hole::Anchor,
         },
         kernel::chain::{Chain, element, node},
     },
@@ -46,15 +49,12 @@ pub struct RockCut {
 
 impl RockCut {
     /// Whether stored rock is that of this bit and block.
-    pub(in crate::dynamics::boundary::bit) fn check(
-        &self,
-        spec: &DrillingSpec,
-    ) -> Result<(), Damaged> {
+    pub(in crate::dynamics) fn check(&self, spec: &DrillingSpec) -> Result<(), Damaged> {
         self.drilling.check(spec)
     }
 
     /// Puts the block on which the bit was run in in the hole where the string's bit is.
-    pub(in crate::dynamics::boundary::bit) fn new(
+    pub(in crate::dynamics) fn new(
         run_in: RunIn,
         chain: &Chain<impl Real>,
         anchor: &Anchor,
@@ -82,7 +82,7 @@ impl RockCut {
     /// rounding, and its work is that on the way that the bit took. What the bit has turned further than its last spin says goes to the twist.
     ///
     /// A motor keeps its speed in the step; that follows the average of the torque, first order in time.
-    pub(in crate::dynamics::boundary::bit) fn drill(
+    pub(in crate::dynamics) fn drill(
         &mut self,
         chain: &mut Chain<impl Real>,
         anchor: &Anchor,
@@ -159,7 +159,7 @@ impl RockCut {
     }
 
     /// The bit and the rock.
-    pub(in crate::dynamics::boundary::bit) fn drilling(&self) -> &Drilling {
+    pub(in crate::dynamics) fn drilling(&self) -> &Drilling {
         &self.drilling
     }
 }

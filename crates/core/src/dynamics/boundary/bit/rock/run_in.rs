@@ -8,7 +8,7 @@ use super::RockLaw;
 use crate::{
     GRAVITY_M_PER_S2,
     dynamics::{
-        assemble::basis::SetupError,
+        assemble::error::SetupError,
         boundary::{
             bit::{BitLaw, BitSettings, motor::Drive},
             crew::Crew,
