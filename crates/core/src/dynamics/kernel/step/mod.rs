@@ -25,6 +25,7 @@ mod touch;
 use super::chain::{Chain, ElementBlock, Row, StateBlock};
 use crate::simd::{
     counted::{self, Counted, Flops},
+    dispatch::{available_instruction_sets, for_each_instruction_set},
     number::{Number, Real},
     peak,
     wide::{Pair, Registers},
@@ -69,44 +70,36 @@ impl<R: Real> std::fmt::Debug for Stepper<R> {
 }
 
 macro_rules! compiled_for {
-    ($name:ident, $calm:ident, $peak:ident, $number:ty, $work:ident $(, $features:literal)?) => {
-        $(#[target_feature(enable = $features)])?
-        fn $name<R: Registers, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
-            chain: &mut Chain<R>,
-            input: &StepInput,
-        ) -> StepLosses {
-            sweep::<$number, HERTZ, VECTOR, FULL>(chain, input)
-        }
+    ($set:ident, $number:ident, $fused:expr $(, $features:literal)?) => {
+        mod $set {
+            use super::*;
+            use crate::simd::dispatch::$number;
 
-        $(#[target_feature(enable = $features)])?
-        fn $calm<R: Registers>(chain: &mut Chain<R>, calming: &Calming) -> f64 {
-            calm::calm::<$number>(chain, calming)
-        }
+            $(#[target_feature(enable = $features)])?
+            pub(super) fn step<R: Registers, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
+                chain: &mut Chain<R>,
+                input: &StepInput,
+            ) -> StepLosses {
+                sweep::<$number<R>, HERTZ, VECTOR, FULL>(chain, input)
+            }
 
-        $(#[target_feature(enable = $features)])?
-        fn $peak<R: Registers>(rounds: usize) -> u64 {
-            peak::$work::<$number>(rounds)
+            $(#[target_feature(enable = $features)])?
+            pub(super) fn calm<R: Registers>(chain: &mut Chain<R>, calming: &Calming) -> f64 {
+                super::calm::calm::<$number<R>>(chain, calming)
+            }
+
+            $(#[target_feature(enable = $features)])?
+            pub(super) fn peak<R: Registers>(rounds: usize) -> u64 {
+                if $fused {
+                    super::peak::work::<$number<R>>(rounds)
+                } else {
+                    super::peak::work_apart::<$number<R>>(rounds)
+                }
+            }
         }
     };
 }
-
-#[cfg(target_arch = "x86_64")]
-compiled_for!(
-    avx512,
-    avx512_calm,
-    avx512_peak,
-    R::Zmm,
-    work,
-    "avx512f,avx512dq,avx512vl,avx2,fma"
-);
-#[cfg(target_arch = "x86_64")]
-compiled_for!(avx2, avx2_calm, avx2_peak, R::Ymm, work, "avx2,fma");
-#[cfg(target_arch = "x86_64")]
-compiled_for!(baseline, baseline_calm, baseline_peak, R::Xmm, work_apart);
-#[cfg(target_arch = "aarch64")]
-compiled_for!(baseline, baseline_calm, baseline_peak, Pair<R::Fused>, work);
-#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
-compiled_for!(baseline, baseline_calm, baseline_peak, Pair<R>, work_apart);
+for_each_instruction_set!(compiled_for);
 
 fn counting<R: Real, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
     chain: &mut Chain<R>,
@@ -117,16 +110,16 @@ fn counting<R: Real, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
 
 /// A function of the step, compiled for the laws that are asked for.
 macro_rules! with_laws {
-    ($function:ident, $abilities:expr) => {
+    ($($function:ident)::+, $abilities:expr) => {
         match ($abilities.hertz, $abilities.vector, $abilities.full) {
-            (true, true, false) => $function::<R, true, true, false>,
-            (true, false, false) => $function::<R, true, false, false>,
-            (false, true, false) => $function::<R, false, true, false>,
-            (false, false, false) => $function::<R, false, false, false>,
-            (true, true, true) => $function::<R, true, true, true>,
-            (true, false, true) => $function::<R, true, false, true>,
-            (false, true, true) => $function::<R, false, true, true>,
-            (false, false, true) => $function::<R, false, false, true>,
+            (true, true, false) => $($function)::+::<R, true, true, false>,
+            (true, false, false) => $($function)::+::<R, true, false, false>,
+            (false, true, false) => $($function)::+::<R, false, true, false>,
+            (false, false, false) => $($function)::+::<R, false, false, false>,
+            (true, true, true) => $($function)::+::<R, true, true, true>,
+            (true, false, true) => $($function)::+::<R, true, false, true>,
+            (false, true, true) => $($function)::+::<R, false, true, true>,
+            (false, false, true) => $($function)::+::<R, false, false, true>,
         }
     };
 }
@@ -140,27 +133,16 @@ impl<R: Registers> Stepper<R> {
     /// Every code that this processor can run, the fastest first; the baseline always is the last.
     pub fn all(abilities: Abilities) -> Vec<Self> {
         macro_rules! choose {
-            ($function:ident, $calm:ident, $peak:ident, $name:literal) => {
+            ($set:ident, $name:literal) => {
                 Self {
-                    step: with_laws!($function, abilities),
-                    calm: $calm::<R>,
-                    peak: $peak::<R>,
+                    step: with_laws!($set::step, abilities),
+                    calm: $set::calm::<R>,
+                    peak: $set::peak::<R>,
                     instructions: $name,
                 }
             };
         }
-        let mut all = Vec::new();
-        #[cfg(target_arch = "x86_64")]
-        {
-            if crate::simd::wide::has_avx512() {
-                all.push(choose!(avx512, avx512_calm, avx512_peak, "AVX-512"));
-            }
-            if crate::simd::wide::has_avx2() {
-                all.push(choose!(avx2, avx2_calm, avx2_peak, "AVX2"));
-            }
-        }
-        all.push(choose!(baseline, baseline_calm, baseline_peak, "baseline"));
-        all
+        available_instruction_sets!(choose)
     }
 }
 
