@@ -3,7 +3,7 @@
 use wholestring::outcome::scalars_by_row;
 use wholestring_results::{Numerics, OperationSummary, Status, Summary};
 use wholestring_runner::findings::quantities::{deviation, shown, symbol};
-use wholestring_units::UnitSet;
+use wholestring_units::{Dimension, UnitSet};
 
 mod drift;
 

@@ -21,6 +21,7 @@ mod random;
 pub mod rig;
 pub mod rock;
 pub mod rod;
+mod simd;
 pub mod statics;
 pub mod string;
 pub mod wall;

@@ -4,21 +4,17 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::{
-    precision::Simulation,
-    settings::{DynamicsSettings, FrictionLaw, HoistControl},
-    setup::SetupError,
-    simulation::Diverged,
-};
+use super::settings::{DynamicsSettings, FrictionLaw, HoistControl};
 use crate::{
+    dynamics::{
+        assemble::error::SetupError,
+        simulation::{Simulation, diverged::Diverged},
+    },
     model::Model,
     operation::{Operation, OperationKind},
     rock::Executor,
     statics::soft::{self, SoftError, SoftSettings},
 };
-
-/// How far the mean weight on bit may be from what is asked for where nobody says, as a fraction of it.
-pub const LIFT_TOLERANCE: f64 = 0.01;
 
 /// Runs after which the search gives up.
 pub const MOST_LIFT_RUNS: usize = 20;
@@ -241,6 +237,7 @@ impl Search {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dynamics::settings::LIFT_TOLERANCE;
 
     /// Tries until a lift is within a hundredth of the target; how many it took.
     fn tries(target_N: f64, first_N: f64, weight_N: impl Fn(f64) -> f64) -> Option<usize> {

@@ -1,58 +1,45 @@
 //! The whole string in time: 3D nonlinear rod, wall contact and friction, top drive, hoist and bit.
 
-mod assembly;
-mod bent;
-mod bit;
+mod assemble;
 mod body;
-mod carry;
-mod chain;
-mod crew;
-mod drift;
-mod energy;
-mod flow_pressures;
-mod frame;
-mod hoist;
-mod imbalance;
-mod indicators;
-mod layout;
+mod boundary;
+mod initial_state;
+mod kernel;
 mod lift;
-mod outcome;
-mod precision;
-mod record;
-mod schedule;
+mod output;
 mod settings;
-mod settling;
-mod setup;
-mod signal;
 mod simulation;
-mod start;
-mod step;
-mod summary;
 #[cfg(test)]
 mod tests;
-mod top_drive;
-mod viscous;
-mod wear;
 
 pub use crate::outcome::{
     ContactClass, ContactMap, HoleWear, Profile as NodeProfile, Signal, TimeSeries,
 };
-pub use bit::{
+pub use assemble::{basis::Effort, error::SetupError};
+pub use boundary::bit::{
     Band, BitLaw, BitSettings, BitTable, Cutters, DetournayDefournyLaw, Excitation, Motor,
     MudMotor, RateLaw, RegenerativeLaw, RockLaw, SteadyCut, TableFault, TableLaw, TablePoint,
     TableUse,
 };
-pub use energy::EnergyBalance;
-pub use frame::{Channel, FRAME, Frame};
-pub use indicators::{Indicators, StickSlip, TorqueUse, Whirl};
-pub use lift::{LIFT_TOLERANCE, LiftError, MOST_LIFT_RUNS, TunedLift, tune_lift};
-pub use outcome::{DynamicOutcome, Numerics, Statistic};
-pub use precision::Simulation;
-pub use schedule::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep};
-pub use settings::{
-    Autodriller, CentredStart, ContactLaw, DynamicsSettings, FrictionLaw, HoistControl, HoistLine,
-    Precision, RodDamping, SpeedController, Start, StartTension, TopDriveSettings, UntilSteady,
+pub use lift::{LiftError, MOST_LIFT_RUNS, TunedLift, tune_lift};
+pub use output::{
+    energy::EnergyBalance,
+    frame::{Channel, FRAME, Frame},
+    indicators::{Indicators, StickSlip, TorqueUse, Whirl},
+    outcome::{DynamicOutcome, Numerics},
+    probe::{NodeSignal, Probe, Probed},
+    statistic::Statistic,
 };
-pub use setup::{Effort, SetupError};
-pub use signal::{NodeSignal, Probe, Probed};
-pub use simulation::{Checkpoint, Diverged, ResumeError};
+pub use settings::schedule::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep};
+pub use settings::{
+    Autodriller, CentredStart, DynamicsSettings, FrictionLaw, HoistControl, HoistLine,
+    LIFT_TOLERANCE, Precision, RodDamping, SpeedController, Start, StartTension, TopDriveSettings,
+    UntilSteady,
+};
+pub use simulation::{
+    Simulation,
+    checkpoint::{Checkpoint, ResumeError},
+    diverged::Diverged,
+};
+
+pub use crate::wall::contact::ContactLaw;

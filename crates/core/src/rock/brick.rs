@@ -13,7 +13,7 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::constants::Constants;
-use crate::rod::number::Number;
+use crate::simd::number::Number;
 
 /// Nine numbers, by row.
 pub type Matrix<N> = [[N; 3]; 3];

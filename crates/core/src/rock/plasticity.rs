@@ -18,7 +18,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::material::{Cone, Rock, RockError};
-use crate::rod::number::Number;
+use crate::simd::number::Number;
 
 /// What the return needs, for a rock in elements of one size.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
@@ -233,7 +233,7 @@ impl Law {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rod::wide::Pair;
+    use crate::simd::wide::Pair;
 
     fn pair([a, b]: [f64; 2]) -> Pair<f64> {
         // SAFETY: two numbers.

@@ -14,10 +14,8 @@
 //! acts on the spin. Nothing else of the element knows about bends, so its forces are the gradient of
 //! one energy with them as without.
 
-use super::{
-    element::{Pose, Reaction},
-    vector::Vector,
-};
+use super::element::{Pose, Reaction};
+use crate::simd::vector::Vector;
 
 /// The director of the element below a bend.
 pub fn director_below(director: Vector<f64>, toward: Vector<f64>, angle_rad: f64) -> Vector<f64> {

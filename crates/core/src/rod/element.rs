@@ -18,9 +18,10 @@
 //! velocity across it, so that thousands of revolutions are harmless; the moments below are the ones
 //! that do the work `M τ'`.
 
-use super::{
+use super::section::Section;
+pub use super::section::shear_factor;
+use crate::simd::{
     number::{Number, Real},
-    section::Section,
     vector::Vector,
 };
 
@@ -41,15 +42,6 @@ pub struct Stiffness<N> {
     pub twist: N,
     /// `EI/L`, N·m: what stiffness-proportional damping acts on, too.
     pub bending: N,
-}
-
-/// Shear correction factor of a thick ring: between 0.53 (thin) and 0.89 (solid); Cowper's formula
-/// for Poisson's ratio `nu` and bore ratio `m` = inner over outer radius.
-///
-/// Source: G. R. Cowper, *The Shear Coefficient in Timoshenko's Beam Theory* (1966), hollow circle.
-pub fn shear_factor(nu: f64, m: f64) -> f64 {
-    let q = (1.0 + m * m).powi(2);
-    6.0 * (1.0 + nu) * q / ((7.0 + 6.0 * nu) * q + (20.0 + 12.0 * nu) * m * m)
 }
 
 impl Stiffness<f64> {

@@ -13,15 +13,11 @@
 //! ```
 
 pub mod bent;
-pub mod counted;
 pub mod dual;
 pub mod element;
-pub mod lanes;
 pub mod mesh;
-pub mod number;
-pub mod peak;
 pub mod section;
 pub mod stability;
 pub mod torsion;
-pub mod vector;
-pub(crate) mod wide;
+
+pub use crate::simd::{counted, lanes, number, peak, vector};

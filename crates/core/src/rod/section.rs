@@ -66,7 +66,7 @@ impl Section {
             );
             let area = component.area_m2();
             let nu = component.material.poisson_ratio();
-            let kappa = super::element::shear_factor(nu, component.id_m / component.od_m);
+            let kappa = shear_factor(nu, component.id_m / component.od_m);
             mean.axial_stiffness_N += part / component.axial_stiffness_N();
             mean.shear_stiffness_N += part / (kappa * g * area);
             mean.bending_stiffness_N_m2 += part / component.bending_stiffness_N_m2();
@@ -91,4 +91,13 @@ impl Section {
     pub fn buoyed_weight_N_per_m(&self, mud_kg_per_m3: f64) -> f64 {
         crate::GRAVITY_M_PER_S2 * (self.steel_kg_per_m - mud_kg_per_m3 * self.steel_m2)
     }
+}
+
+/// Shear correction factor of a thick ring: between 0.53 (thin) and 0.89 (solid); Cowper's formula
+/// for Poisson's ratio `nu` and bore ratio `m` = inner over outer radius.
+///
+/// Source: G. R. Cowper, *The Shear Coefficient in Timoshenko's Beam Theory* (1966), hollow circle.
+pub fn shear_factor(nu: f64, m: f64) -> f64 {
+    let q = (1.0 + m * m).powi(2);
+    6.0 * (1.0 + nu) * q / ((7.0 + 6.0 * nu) * q + (20.0 + 12.0 * nu) * m * m)
 }

@@ -4,29 +4,8 @@ use std::f64::consts::PI;
 
 use serde::Serialize;
 
-use super::{BodyBend, Eccentricity};
+use super::{BodyBend, Eccentricity, Material};
 use crate::GRAVITY_M_PER_S2;
-
-/// Elastic and inertial properties of a component's metal.
-///
-/// `E` and `G` are independent inputs: published models do not always keep them consistent.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Material {
-    /// Density, kg/m³.
-    pub density_kg_per_m3: f64,
-    /// Young's modulus, Pa.
-    pub youngs_modulus_Pa: f64,
-    /// Shear modulus, Pa.
-    pub shear_modulus_Pa: f64,
-}
-
-impl Material {
-    /// Poisson's ratio that goes with the two moduli of an isotropic metal, `ν = E/(2G) - 1`, at most
-    /// the 0.5 of an incompressible one: beyond, contact stiffness would turn negative.
-    pub fn poisson_ratio(&self) -> f64 {
-        (self.youngs_modulus_Pa / (2.0 * self.shear_modulus_Pa) - 1.0).min(0.5)
-    }
-}
 
 /// Tool joints: the thick, short ends of a pipe, the only part of it that usually touches the wall.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

@@ -4,11 +4,13 @@ mod body;
 pub mod catalogue;
 mod component;
 mod drill_string;
+mod material;
 mod spec;
 mod strength;
 
 pub use body::{BodyBend, Cavity, Eccentricity, MOST_ECCENTRIC, NEAREST_BEND_M};
-pub use component::{Blades, Component, Material, ToolJoints};
+pub use component::{Blades, Component, ToolJoints};
 pub use drill_string::{DrillString, Span};
+pub use material::Material;
 pub use spec::{AssemblyError, ComponentLength, ComponentSpec, StringSpec};
 pub use strength::BodySection;

@@ -6,7 +6,38 @@
 //! with the default dissipation rebounds with 0.47 of 0.01 m/s, 0.33 of 0.1, 0.22 of 0.5 and 0.13 of 2 m/s;
 //! the law itself gives 0.997, 0.97, 0.86 and 0.59.
 
-use crate::rod::number::Number;
+use serde::Serialize;
+
+use crate::simd::number::Number;
+
+/// How the wall answers penetration.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub enum ContactLaw {
+    /// `N = K_h α^1.5 (1 + d α')`, `K_h` from the elastic constants and radii of pipe and hole.
+    Hertz {
+        /// Hunt-Crossley dissipation `d`, s/m. Raising it makes impacts rebound less.
+        dissipation_s_per_m: f64,
+    },
+    /// `N = k α + c α'`, never in tension.
+    Linear {
+        /// Stiffness `k` of one contact (a node), N/m.
+        stiffness_N_per_m: f64,
+        /// `c` as a fraction of the critical damping of the node on `k`.
+        damping_ratio: f64,
+    },
+}
+
+impl ContactLaw {
+    /// Hunt-Crossley dissipation, s/m; the linear law has none.
+    pub(crate) fn dissipation_s_per_m(&self) -> f64 {
+        match self {
+            Self::Hertz {
+                dissipation_s_per_m,
+            } => *dissipation_s_per_m,
+            Self::Linear { .. } => 0.0,
+        }
+    }
+}
 
 /// Smallest clearance `R − r` that the Hertz stiffness is computed with, m. A tool as large as its
 /// hole would have an infinite one.

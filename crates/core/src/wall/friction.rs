@@ -3,7 +3,7 @@
 //! A force that would reverse the sliding within the step is cut to the one that stops it: rest is
 //! exact, and a resting string keeps its drag for ever. (A regularised law creeps and loses it.)
 
-use crate::rod::number::Number;
+use crate::simd::number::Number;
 
 /// Sliding speed at which the coefficient at rest has half decayed to the kinetic one where nothing else
 /// is said, m/s.

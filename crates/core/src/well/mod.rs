@@ -3,6 +3,7 @@
 pub mod casing;
 mod curve;
 mod hole;
+mod interpolation;
 mod landmarks;
 mod path;
 mod roughness;
@@ -10,8 +11,9 @@ mod station;
 mod vertical;
 
 pub use hole::{Friction, Hole, HoleError, HoleKind, HoleSection, NARROWEST_BAND};
+pub use interpolation::Interpolation;
 pub(crate) use path::Heading;
-pub use path::{Interpolation, Path, PathError, PathPoint, TieIn};
+pub use path::{Path, PathError, PathPoint, TieIn};
 pub use roughness::{Relief, ReliefPoint, Roughness};
 pub use station::Station;
 

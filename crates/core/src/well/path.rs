@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use serde::{Serialize, Serializer, ser::SerializeStruct};
 
 use super::{
-    Station,
+    Interpolation, Station,
     curve::{self, Piece},
     landmarks,
     vertical::NearVertical,
@@ -19,15 +19,6 @@ const REVERSAL: f64 = 1e-6;
 
 /// Below this sine of the inclination a point has no high side of its own.
 const VERTICAL: f64 = 1e-9;
-
-/// How the curve runs between stations.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub enum Interpolation {
-    /// Circular arcs: the industry's standard. The curvature jumps at stations.
-    MinimumCurvature,
-    /// A curve with continuous curvature through the same directions.
-    Spline,
-}
 
 /// Where the first station lies.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]

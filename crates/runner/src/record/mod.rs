@@ -17,7 +17,7 @@ use wholestring::{
 };
 use wholestring_case::{Case, Records};
 use wholestring_results::{
-    BOTTOM_HOLE, CONTACT, ENGINE_VERSION, FramesSoFar, Friction, GrowingTable, NODES, ResultsError,
+    BOTTOM_HOLE, CONTACT, ENGINE_VERSION, FramesSoFar, GrowingTable, NODES, ResultsError,
     ResultsFolder, SCHEMA_VERSION, SPECTRA, Summary, TIME, Table, TableSoFar, WEAR, digest,
 };
 use wholestring_units::UnitSet;

@@ -4,8 +4,8 @@ use wholestring::{
     dynamics::DynamicOutcome,
     outcome::{self, QuantityKind, TIME_SERIES},
 };
-use wholestring_study::{ColumnName, Quantity, Source};
 use wholestring_results::{CONTACT, FRAMES, NODES, TIME, WEAR};
+use wholestring_study::{ColumnName, Quantity, Source};
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::{

@@ -1,7 +1,7 @@
 //! The data of a figure as a table.
 
-use wholestring_study::{Figure, FigureData};
 use wholestring_results::{Column, Data, Table};
+use wholestring_study::{Figure, FigureData};
 
 use super::{
     answers::{Answers, keys_of},

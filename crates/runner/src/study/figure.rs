@@ -1,7 +1,7 @@
 //! Curves of a figure: what they show.
 
-use wholestring_study::{Figure, FigureData, Quantity, Source, Statistic};
 use wholestring_results::ResultsError;
+use wholestring_study::{Figure, FigureData, Quantity, Source, Statistic};
 
 use super::{
     answers::{Answer, Answers},

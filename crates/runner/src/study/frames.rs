@@ -1,7 +1,7 @@
 //! What frames of the whole string say at a time or at a depth.
 
-use wholestring_study::{Quantity, Source};
 use wholestring_results::ResultsError;
+use wholestring_study::{Quantity, Source};
 
 use super::{
     answers::Answer,

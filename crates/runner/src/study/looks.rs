@@ -1,7 +1,7 @@
 //! How curves of a study look, and what tells them apart.
 
-use wholestring_study::{Figure, FigureData, Level, Source};
 use wholestring_report::figure::{Ink, Key, Mark, Sample, Stroke};
+use wholestring_study::{Figure, FigureData, Level, Source};
 use wholestring_units::{Dimension, UnitSet};
 
 use super::{

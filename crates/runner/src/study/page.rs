@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use wholestring_study::Study;
 use wholestring_report::{StudyPage, StudyPart, study_html};
 use wholestring_results::{ResultsError, ResultsFolder};
+use wholestring_study::Study;
 
 use super::{answers::Answers, data, figure, numbers::Computed, picture, texts};
 use crate::page::{FILE, PROGRAM, write_picture};

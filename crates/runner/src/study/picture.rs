@@ -6,7 +6,7 @@ use wholestring_report::{
         Axis, Direction, Figure as Picture, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape,
     },
 };
-use wholestring_study::{Figure, FigureData, Level, Pointing, Quantity, Source};
+use wholestring_study::{Figure, FigureData, Pointing, Quantity, Source};
 use wholestring_units::UnitSet;
 
 use super::{

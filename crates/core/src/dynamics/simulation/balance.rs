@@ -1,12 +1,12 @@
 //! Energy of a run, and where it goes.
 
-use super::Run;
+use super::run::Run;
 use crate::{
     dynamics::{
-        energy::{self, Energies, EnergyBalance},
-        viscous::Viscous,
+        boundary::mud::viscous::Viscous,
+        output::energy::{self, Energies, EnergyBalance},
     },
-    rod::number::Real,
+    simd::number::Real,
 };
 
 impl<R: Real> Run<R> {

@@ -4,17 +4,17 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Run, state::State};
+use super::{run::Run, state::State};
 use crate::{
     damage::Damaged,
     dynamics::{
-        chain::Chain,
+        assemble::{basis::Basis, error::SetupError},
+        kernel::chain::Chain,
         settings::DynamicsSettings,
-        setup::{Basis, SetupError},
     },
     model::Model,
     operation::Operation,
-    rod::wide::Registers,
+    simd::wide::Registers,
 };
 
 /// Everything of a run that changes while it goes on, as plain data; what the model, the operation and

@@ -1,30 +1,35 @@
 //! The beginning of a run.
 
-use super::{Run, sampling::SinceSample, squeezed::Squeezed, state::State};
+use super::{run::Run, settling::FADING_S, since_sample::SinceSample, state::State};
 use crate::{
     dynamics::{
-        assembly,
-        bit::{Bit, RunIn, Standing},
+        assemble::{
+            self,
+            basis::{self, Basis},
+            error::SetupError,
+            hoisting,
+        },
         body::Body,
-        chain::{Row, node},
-        crew::Crew,
-        energy::Ledger,
-        hoist::{Hoist, Target},
-        record::Record,
-        schedule::SetPoints,
-        settings::{DynamicsSettings, Start},
-        settling::FADING_S,
-        setup::{self, Basis, SetupError},
-        signal::Probed,
-        start::{self, Scene},
-        step::{StepInput, Stepper},
-        top_drive::{StringSeen, TopDrive},
-        viscous::Viscous,
-        wear::Wear,
+        boundary::{
+            bit::{Bit, RunIn, Standing},
+            crew::Crew,
+            hoist::{Hoist, Target},
+            hole,
+            mud::{squeezed::Squeezed, viscous::Viscous},
+            top_drive::{StringSeen, TopDrive},
+        },
+        initial_state::{self, Scene},
+        kernel::{
+            chain::{Row, node},
+            step::{StepInput, Stepper},
+        },
+        output::{energy::Ledger, probe::Probed, record::Record, wear::Wear},
+        settings::{DynamicsSettings, Start, schedule::SetPoints},
     },
     model::Model,
     operation::Operation,
-    rod::{torsion, wide::Registers},
+    rod::torsion,
+    simd::wide::Registers,
 };
 
 impl<R: Registers> Run<R> {
@@ -45,10 +50,10 @@ impl<R: Registers> Run<R> {
     ) -> Result<Self, SetupError> {
         let basis = Basis::<R>::new(model, operation, settings)?;
         let (mesh, dt) = (&basis.mesh, basis.plan.dt_s);
-        let (control, velocity) = setup::hoisting(operation, settings);
+        let (control, velocity) = hoisting::hoisting(operation, settings);
         let mut first = settings.schedule.at_time_zero(operation);
-        let bit_md_m = setup::first_bit_md_m(operation, settings, &basis.settling);
-        let chain = assembly::chain(model, mesh, &basis.plan);
+        let bit_md_m = basis::first_bit_md_m(operation, settings, &basis.settling);
+        let chain = assemble::chain::chain(model, mesh, &basis.plan);
         let mut viscous = Viscous::new(model, mesh, &first, velocity, bit_md_m);
         let input = StepInput {
             dt,
@@ -82,7 +87,7 @@ impl<R: Registers> Run<R> {
         if let Some(run_in) = &run_in {
             first.bit_torque_N_m = run_in.torque_N_m();
         }
-        let (moving, at_rest) = start::motion(&first, velocity, settings);
+        let (moving, at_rest) = initial_state::motion(&first, velocity, settings);
         // Whatever the run is made with, the string is laid in double precision.
         let laying = Stepper::new(basis.abilities);
         let scene = Scene {
@@ -97,7 +102,7 @@ impl<R: Registers> Run<R> {
             input: &input,
             velocity_m_per_s: velocity,
         };
-        let initial = start::lay(&scene, chain, Body::new(model, mesh), bit_md_m)?;
+        let initial = initial_state::lay(&scene, chain, Body::new(model, mesh), bit_md_m)?;
         let (mut chain, anchors) = (initial.chain.converted(), initial.anchors);
         chain.find_drag(dt);
         if let Some(mud) = &mut viscous {
@@ -144,7 +149,7 @@ impl<R: Registers> Run<R> {
         record.series.probes = probes.collect();
         let mut high = vec![[Row::filled(0.0); 3]; layout.blocks()];
         for (index, anchor) in anchors.iter().enumerate() {
-            assembly::note_high_side(&mut high, layout.place(index), anchor);
+            hole::note_high_side(&mut high, layout.place(index), anchor);
         }
         let state = State {
             squeezed: Squeezed::of(mesh, model.mud_column(), &anchors),

@@ -1,29 +1,13 @@
 //! Whether the numbers of a run still mean anything.
 
-use super::Run;
-use crate::{dynamics::chain::node, rod::number::Real};
+use super::{diverged::Diverged, run::Run};
+use crate::{dynamics::kernel::chain::node, simd::number::Real};
 
 /// Speed beyond which a run has diverged, m/s: no drill string moves at that of a bullet.
 const DIVERGED_M_PER_S: f64 = 1e3;
 
 /// Spin beyond which a run has diverged, rad/s: a million revolutions a minute.
 const DIVERGED_RAD_PER_S: f64 = 1e5;
-
-/// A run that left the range of numbers that mean anything.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error(
-    "the run diverged {time_s:.3} s after its start, at {md_m:.1} m measured depth: {quantity} is {value:e}"
-)]
-pub struct Diverged {
-    /// When, s.
-    pub time_s: f64,
-    /// Where: measured depth of the worst node, m.
-    pub md_m: f64,
-    /// Which quantity.
-    pub quantity: &'static str,
-    /// Its value.
-    pub value: f64,
-}
 
 impl<R: Real> Run<R> {
     /// Looks at every number; the run has diverged where one is too large or none.

@@ -1,31 +1,15 @@
 //! What a run notes of itself at each sample.
 
-use serde::{Deserialize, Serialize};
-
-use super::Run;
+use super::{run::Run, settling::Settling};
 use crate::{
     dynamics::{
-        chain::node, energy::Ledger, record, settings::HoistControl, settling::Settling,
-        viscous::Viscous,
+        boundary::mud::viscous::Viscous,
+        kernel::chain::node,
+        output::{energy::Ledger, record},
+        settings::HoistControl,
     },
-    rod::number::Real,
+    simd::number::Real,
 };
-
-/// Scalars summed since the last sample.
-#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
-pub(super) struct SinceSample {
-    pub(super) steps: u64,
-    pub(super) hook_load: f64,
-    pub(super) surface_torque: f64,
-    pub(super) weight_on_bit: f64,
-    pub(super) bit_torque: f64,
-    pub(super) bit_high: f64,
-    pub(super) bit_right: f64,
-    pub(super) bit_moment: f64,
-    pub(super) depth_of_cut: f64,
-    pub(super) rate_of_penetration: f64,
-    pub(super) motor_speed: f64,
-}
 
 impl<R: Real> Run<R> {
     /// Ends a sample: what was summed since the last goes to the record.

@@ -1,10 +1,13 @@
 //! What the speed of a run is measured with.
 
-use super::{Run, Stepper, node};
+use super::run::Run;
 use crate::{
-    dynamics::step::StepInput,
+    dynamics::kernel::{
+        chain::node,
+        step::{StepInput, Stepper},
+    },
     rock,
-    rod::{counted::Flops, wide::Registers},
+    simd::{counted::Flops, wide::Registers},
 };
 
 impl<R: Registers> Run<R> {

@@ -2,13 +2,21 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{sampling::SinceSample, squeezed::Squeezed};
+use super::{settling::Settled, since_sample::SinceSample};
 use crate::{
     damage::{Damaged, sound},
     dynamics::{
-        assembly::Anchor, bit::Bit, body::Body, chain::Rows, energy::Ledger, hoist::Hoist,
-        layout::Layout, record::Record, schedule::SetPoints, settings::DynamicsSettings,
-        settling::Settled, top_drive::TopDrive, viscous::Viscous, wear::Wear,
+        body::Body,
+        boundary::{
+            anchor::Anchor,
+            bit::Bit,
+            hoist::Hoist,
+            mud::{squeezed::Squeezed, viscous::Viscous},
+            top_drive::TopDrive,
+        },
+        kernel::{chain::Rows, layout::Layout},
+        output::{energy::Ledger, record::Record, wear::Wear},
+        settings::{DynamicsSettings, schedule::SetPoints},
     },
     model::Model,
     rod::mesh::Mesh,

@@ -5,8 +5,9 @@ use wholestring_verification::{Row, Tolerance, report};
 
 use super::bench::{Bench, PIPE_M, STEEL, Support};
 use crate::{
-    dynamics::chain::node,
-    rod::{element::Stiffness, section::Section, vector::Vector},
+    dynamics::kernel::chain::node,
+    rod::{element::Stiffness, section::Section},
+    simd::vector::Vector,
 };
 
 fn d09() -> Value {

@@ -2,10 +2,12 @@
 
 use crate::{
     dynamics::{
-        assembly,
+        assemble::chain,
         body::Body,
-        chain::{Chain, node},
-        step::{Abilities, Calming, StepInput, StepLosses, Stepper},
+        kernel::{
+            chain::{Chain, node},
+            step::{Abilities, Calming, StepInput, StepLosses, Stepper},
+        },
     },
     model::Model,
     mud::Mud,
@@ -15,8 +17,8 @@ use crate::{
         mesh::Mesh,
         section::Section,
         stability::{self, StepPlan},
-        vector::Vector,
     },
+    simd::vector::Vector,
     string::{ComponentLength, ComponentSpec, Material, StringSpec},
     well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Station, TieIn, Well},
 };
@@ -159,9 +161,9 @@ impl Bench {
             rig: Rig::default(),
         };
         let mesh = Mesh::new(&model.string, element_length_m);
-        let lateral = assembly::lateral_mass_kg_per_m(&model, &mesh, length_m);
+        let lateral = chain::lateral_mass_kg_per_m(&model, &mesh, length_m);
         let plan = stability::plan(&mesh, &lateral, stiffness_damping_s);
-        let mut chain = assembly::chain(&model, &mesh, &plan);
+        let mut chain = chain::chain(&model, &mesh, &plan);
         for index in 0..chain.elements() {
             chain.set_anchor_chord(index, Vector(0.0, 0.0, mesh.elements[index].length_m));
         }

@@ -3,7 +3,7 @@
 use wholestring_verification::{Row, Tolerance, report};
 
 use super::bench::{Bench, PIPE_M, STEEL, Support};
-use crate::{dynamics::chain::node, mud::Mud, rod::vector::Vector};
+use crate::{dynamics::kernel::chain::node, mud::Mud, simd::vector::Vector};
 
 const LENGTH_M: f64 = 96.0;
 

@@ -4,7 +4,7 @@ use super::{
     beams::beam,
     bench::{PIPE_M, Support},
 };
-use crate::{dynamics::chain::node, rod::vector::Vector};
+use crate::{dynamics::kernel::chain::node, simd::vector::Vector};
 
 /// A pinned pipe that spins at `Ω` and swings in its mode `sin kz` obeys
 /// `(m + I k²) ω² ∓ J k² Ω ω − EI k⁴ = 0`, `I` and `J` the moments of inertia per metre across and about the axis: it

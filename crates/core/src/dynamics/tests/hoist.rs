@@ -3,11 +3,11 @@
 use crate::{
     GRAVITY_M_PER_S2,
     dynamics::{
-        chain::{Chain, node},
-        hoist::{Hoist, HoistStep, Target},
+        boundary::hoist::{Hoist, HoistStep, Target},
+        kernel::chain::{Chain, node},
         settings::{Autodriller, HoistControl, HoistLine},
     },
-    rod::vector::Vector,
+    simd::vector::Vector,
 };
 
 const MASS_KG: f64 = 5e3;

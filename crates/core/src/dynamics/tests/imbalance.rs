@@ -10,8 +10,8 @@ use super::{
     waves::file,
 };
 use crate::{
-    dynamics::{chain::node, energy::Energies, imbalance::Imbalance},
-    rod::vector::Vector,
+    dynamics::{body::imbalance::Imbalance, kernel::chain::node, output::energy::Energies},
+    simd::vector::Vector,
 };
 
 const EAST: Vector<f64> = Vector(1.0, 0.0, 0.0);

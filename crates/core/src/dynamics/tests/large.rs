@@ -8,8 +8,9 @@ use super::{
     waves::file,
 };
 use crate::{
-    dynamics::{bent::Bend, energy::Energies},
-    rod::{section::Section, vector::Vector},
+    dynamics::{body::bend::Bend, output::energy::Energies},
+    rod::section::Section,
+    simd::vector::Vector,
 };
 
 fn number(value: &Value) -> f64 {

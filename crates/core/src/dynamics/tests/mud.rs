@@ -5,9 +5,9 @@ use super::{
     bench::{Bench, PIPE_M, Support},
 };
 use crate::{
-    dynamics::{assembly, chain::node},
+    dynamics::{assemble::chain, kernel::chain::node},
     mud::Mud,
-    rod::vector::Vector,
+    simd::vector::Vector,
 };
 
 const HOLE_M: f64 = 0.2159;
@@ -196,7 +196,7 @@ fn added_mass_is_confined_up_to_a_cap() {
         let parts = [([od, 0.05], 10.0)];
         let bench = Bench::in_mud(&parts, 1.0, 0.0, STILL, HOLE_M);
         let section = &bench.mesh.elements[0].section;
-        let mass = assembly::lateral_mass_kg_per_m(&bench.model, &bench.mesh, 10.0)[0];
+        let mass = chain::lateral_mass_kg_per_m(&bench.model, &bench.mesh, 10.0)[0];
         mass - section.steel_kg_per_m - STILL.density_kg_per_m3 * section.bore_m2
     };
     for (od, expected) in [

@@ -3,7 +3,7 @@
 use wholestring_verification::{Row, Tolerance, report};
 
 use super::{beams::beam, bench::Support};
-use crate::{dynamics::chain::node, rod::vector::Vector};
+use crate::{dynamics::kernel::chain::node, simd::vector::Vector};
 
 /// A pinned pipe struck across in two planes and about its axis, so hard that it swings by a metre: where its middle and
 /// its end are after half a second.

@@ -9,8 +9,9 @@ use super::{
 };
 use crate::{
     GRAVITY_M_PER_S2,
-    dynamics::chain::node,
-    rod::{element::Stiffness, section::Section, vector::Vector},
+    dynamics::kernel::chain::node,
+    rod::{element::Stiffness, section::Section},
+    simd::vector::Vector,
 };
 
 /// Bessel functions of order 0 and 1, by their series: ten digits up to 15.

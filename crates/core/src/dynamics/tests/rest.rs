@@ -1,11 +1,11 @@
 //! A contact at rest holds more than one that slides.
 
 use crate::{
-    dynamics::{
+    dynamics::kernel::{
         chain::{Chain, node},
         step::{Abilities, StepInput, Stepper},
     },
-    rod::vector::Vector,
+    simd::vector::Vector,
     wall::friction::STRIBECK_SPEED_M_PER_S,
 };
 

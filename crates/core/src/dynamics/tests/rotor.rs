@@ -7,7 +7,7 @@ use super::{
     large::section,
     waves::file,
 };
-use crate::{dynamics::chain::node, rod::vector::Vector};
+use crate::{dynamics::kernel::chain::node, simd::vector::Vector};
 
 /// Angular frequency at which D09's shaft, spinning at `spin`, whirls in its mode `mode` when it is started at `whirl`, rad/s.
 fn whirling(spin: f64, mode: usize, whirl: f64, parts: usize) -> f64 {

@@ -2,15 +2,16 @@
 
 use crate::{
     dynamics::{
-        assembly::{self, Anchor, Surroundings},
-        chain::node,
+        assemble::chain,
+        boundary::{anchor::Anchor, hole::Surroundings},
+        kernel::{chain::node, step},
         settings::DynamicsSettings,
-        step,
     },
     model::Model,
     mud::Mud,
     rig::Rig,
-    rod::{mesh::Mesh, stability, vector::Vector},
+    rod::{mesh::Mesh, stability},
+    simd::vector::Vector,
     string::{ComponentLength, ComponentSpec, StringSpec},
     well::{
         Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Roughness, Station, TieIn, Well,
@@ -77,9 +78,9 @@ fn model() -> Model {
 fn met(model: &Model, element_length_m: f64, md_m: f64, along_m: f64) -> [f64; 8] {
     let mesh = Mesh::new(&model.string, element_length_m);
     let settings = DynamicsSettings::default();
-    let lateral = assembly::lateral_mass_kg_per_m(model, &mesh, LENGTH_M);
+    let lateral = chain::lateral_mass_kg_per_m(model, &mesh, LENGTH_M);
     let plan = stability::plan(&mesh, &lateral, settings.damping.stiffness_s);
-    let mut chain = assembly::chain(model, &mesh, &plan);
+    let mut chain = chain::chain(model, &mesh, &plan);
     let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
     assert!(surroundings.intricate);
     let anchor = Anchor {

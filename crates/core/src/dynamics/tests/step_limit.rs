@@ -4,12 +4,12 @@ use nalgebra::DMatrix;
 
 use super::bench::{Bench, COLLAR_M, PIPE_M};
 use crate::{
-    dynamics::{chain::node, energy},
+    dynamics::{kernel::chain::node, output::energy},
     rod::{
         element::react,
         stability::{self, SAFETY},
-        vector::Vector,
     },
+    simd::vector::Vector,
 };
 
 /// Sections of a bottom-hole assembly, m, from the bit up; short ones among them.

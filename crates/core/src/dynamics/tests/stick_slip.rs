@@ -5,11 +5,12 @@ use wholestring_verification::{Row, Tolerance, report};
 
 use super::bench::{Bench, Support};
 use crate::{
-    dynamics::{
+    dynamics::kernel::{
         chain::{element, node},
         step::{Abilities, Stepper},
     },
-    rod::{torsion, vector::Vector},
+    rod::torsion,
+    simd::vector::Vector,
     string::Material,
 };
 

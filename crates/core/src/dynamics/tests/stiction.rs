@@ -8,8 +8,8 @@ use super::{
     waves::file,
 };
 use crate::{
-    dynamics::chain::{element, node},
-    rod::vector::Vector,
+    dynamics::kernel::chain::{element, node},
+    simd::vector::Vector,
 };
 
 /// Time of loading and of unloading, s: a hundred times that of a wave.

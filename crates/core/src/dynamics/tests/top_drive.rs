@@ -5,9 +5,9 @@ use std::f64::consts::TAU;
 use super::bench::{Bench, PIPE_M, Support};
 use crate::{
     dynamics::{
-        chain::{Chain, element, node},
+        boundary::top_drive::{Gains, StringSeen, TopDrive},
+        kernel::chain::{Chain, element, node},
         settings::{SpeedController, TopDriveSettings},
-        top_drive::{Gains, StringSeen, TopDrive},
     },
     rod::torsion,
 };

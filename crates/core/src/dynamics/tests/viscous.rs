@@ -5,14 +5,13 @@ use nalgebra::Vector3;
 use super::bench::{Bench, PIPE_M};
 use crate::{
     dynamics::{
-        assembly::{Anchor, Surroundings},
-        chain::node,
-        settings::ContactLaw,
-        viscous::Viscous,
+        boundary::{anchor::Anchor, hole::Surroundings, mud::viscous::Viscous},
+        kernel::chain::node,
     },
     mud::{Annulus, Motion, Mud, Rheology},
     operation::{Operation, OperationKind},
-    rod::vector::Vector,
+    simd::vector::Vector,
+    wall::contact::ContactLaw,
 };
 
 const HOLE_M: f64 = 0.2159;

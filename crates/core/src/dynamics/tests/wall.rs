@@ -4,11 +4,11 @@ use serde_json::Value;
 use wholestring_verification::{Row, Tolerance, report, report_worst};
 
 use crate::{
-    dynamics::{
+    dynamics::kernel::{
         chain::{Chain, node},
         step::{Abilities, StepInput, Stepper},
     },
-    rod::vector::Vector,
+    simd::vector::Vector,
     wall::contact::{contact_modulus_Pa, hertz_stiffness},
 };
 

@@ -5,8 +5,8 @@ use wholestring_verification::{Row, Tolerance, report};
 
 use super::bench::{Bench, COLLAR_M, PIPE_M, STEEL, Support};
 use crate::{
-    dynamics::chain::{element, node},
-    rod::vector::Vector,
+    dynamics::kernel::chain::{element, node},
+    simd::vector::Vector,
 };
 
 pub fn file(name: &str) -> Value {

@@ -9,43 +9,16 @@
 //! worked on and is kicked after them, by what both have found. So slabs may be worked on at the same time, and the
 //! sums are taken in one order.
 
+mod fields;
 mod nodes;
 mod row;
 mod slab;
 
-use super::{
-    constants::Constants,
-    grid::{GROUP, Grid},
-};
-use crate::rod::number::Number;
-#[cfg(not(target_arch = "x86_64"))]
-use crate::rod::wide::Pair;
-#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
-use crate::rod::wide::Registers;
+use super::{constants::Constants, grid::Grid};
+use crate::simd::dispatch::{available_instruction_sets, for_each_instruction_set};
+pub use fields::{Fields, RowBook};
 use nodes::{drift, kick};
-pub use slab::{RowBook, Slab};
-
-/// Where the state of a block lies.
-#[derive(Debug, Clone, Copy)]
-pub struct Fields {
-    /// Displacement, m, velocity, m/s, one over mass, 1/kg, of the nodes.
-    pub displacement: [*mut f64; 3],
-    pub velocity: [*mut f64; 3],
-    pub inverse_mass: *const f64,
-    /// Stress, Pa, and intact part of the bricks; a removed brick has a negative intact part.
-    pub stress: [*mut f64; 6],
-    pub intact: *mut f64,
-    /// Bricks left in each group.
-    pub left: *const u8,
-    /// Books of the rows of bricks.
-    pub books: *mut RowBook,
-}
-
-// SAFETY: each slab reads and writes its own bricks, books and inner layers of nodes, and reads the layers of nodes that it
-// shares with its neighbours, which nothing writes meanwhile.
-unsafe impl Send for Fields {}
-// SAFETY: as above.
-unsafe impl Sync for Fields {}
+pub use slab::Slab;
 
 /// Which code does the step: the processor's best instructions.
 #[derive(Clone, Copy)]
@@ -66,59 +39,44 @@ impl std::fmt::Debug for Stepper {
 }
 
 macro_rules! compiled_for {
-    ($begin:ident, $work:ident, $end:ident, $number:ty $(, $features:literal)?) => {
-        $(#[target_feature(enable = $features)])?
-        unsafe fn $begin(fields: &Fields, grid: &Grid, dt: f64, layer: usize) {
-            // SAFETY: the caller's.
-            unsafe { drift::<$number>(fields, grid, dt, layer) }
-        }
+    ($set:ident, $number:ident, $fused:expr $(, $features:literal)?) => {
+        mod $set {
+            use super::*;
+            type Number = crate::simd::dispatch::$number<f64>;
 
-        $(#[target_feature(enable = $features)])?
-        unsafe fn $work(fields: &Fields, grid: &Grid, constants: &Constants, slab: &mut Slab) {
-            // SAFETY: the caller's.
-            unsafe { slab::work::<$number>(fields, grid, constants, slab) }
-        }
+            $(#[target_feature(enable = $features)])?
+            pub(super) unsafe fn begin(fields: &Fields, grid: &Grid, dt: f64, layer: usize) {
+                // SAFETY: the caller's.
+                unsafe { drift::<Number>(fields, grid, dt, layer) }
+            }
 
-        $(#[target_feature(enable = $features)])?
-        unsafe fn $end(fields: &Fields, grid: &Grid, dt: f64, slab: &Slab, above: Option<&Slab>) {
-            // SAFETY: the caller's.
-            unsafe { kick::<$number>(fields, grid, dt, slab.from, slab.first(), above.map(Slab::last)) }
+            $(#[target_feature(enable = $features)])?
+            pub(super) unsafe fn work(
+                fields: &Fields,
+                grid: &Grid,
+                constants: &Constants,
+                slab: &mut Slab,
+            ) {
+                // SAFETY: the caller's.
+                unsafe { slab::work::<Number>(fields, grid, constants, slab) }
+            }
+
+            $(#[target_feature(enable = $features)])?
+            pub(super) unsafe fn end(
+                fields: &Fields,
+                grid: &Grid,
+                dt: f64,
+                slab: &Slab,
+                above: Option<&Slab>,
+            ) {
+                let (first, last) = (slab.first(), above.map(Slab::last));
+                // SAFETY: the caller's.
+                unsafe { kick::<Number>(fields, grid, dt, slab.from, first, last) }
+            }
         }
     };
 }
-
-#[cfg(target_arch = "x86_64")]
-compiled_for!(
-    avx512_begin,
-    avx512_work,
-    avx512_end,
-    <f64 as Registers>::Zmm,
-    "avx512f,avx512dq,avx512vl,avx2,fma"
-);
-#[cfg(target_arch = "x86_64")]
-compiled_for!(
-    avx2_begin,
-    avx2_work,
-    avx2_end,
-    <f64 as Registers>::Ymm,
-    "avx2,fma"
-);
-#[cfg(target_arch = "x86_64")]
-compiled_for!(
-    baseline_begin,
-    baseline_work,
-    baseline_end,
-    <f64 as Registers>::Xmm
-);
-#[cfg(target_arch = "aarch64")]
-compiled_for!(
-    baseline_begin,
-    baseline_work,
-    baseline_end,
-    Pair<<f64 as Registers>::Fused>
-);
-#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
-compiled_for!(baseline_begin, baseline_work, baseline_end, Pair<f64>);
+for_each_instruction_set!(compiled_for);
 
 impl Default for Stepper {
     fn default() -> Self {
@@ -130,32 +88,16 @@ impl Stepper {
     /// Every code that this processor can run, the fastest first; the baseline always is the last.
     pub fn all() -> Vec<Self> {
         macro_rules! choose {
-            ($begin:ident, $work:ident, $end:ident, $name:literal) => {
+            ($set:ident, $name:literal) => {
                 Self {
-                    begin: $begin,
-                    work: $work,
-                    end: $end,
+                    begin: $set::begin,
+                    work: $set::work,
+                    end: $set::end,
                     instructions: $name,
                 }
             };
         }
-        let mut all = Vec::new();
-        #[cfg(target_arch = "x86_64")]
-        {
-            if crate::rod::wide::has_avx512() {
-                all.push(choose!(avx512_begin, avx512_work, avx512_end, "AVX-512"));
-            }
-            if crate::rod::wide::has_avx2() {
-                all.push(choose!(avx2_begin, avx2_work, avx2_end, "AVX2"));
-            }
-        }
-        all.push(choose!(
-            baseline_begin,
-            baseline_work,
-            baseline_end,
-            "baseline"
-        ));
-        all
+        available_instruction_sets!(choose)
     }
 
     /// The nodes that a slab shares with the one above it drift.
@@ -197,10 +139,4 @@ impl Stepper {
         // SAFETY: as for `begin`.
         unsafe { (self.end)(fields, grid, dt, slab, above) }
     }
-}
-
-/// First lanes of the registers of a group.
-#[inline(always)]
-fn lanes<N: Number>() -> impl Iterator<Item = usize> {
-    (0..GROUP).step_by(N::WIDTH)
 }

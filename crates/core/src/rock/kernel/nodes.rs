@@ -1,7 +1,8 @@
 //! A layer of nodes moves.
 
-use super::{Fields, Grid};
-use crate::rod::number::Number;
+use super::fields::Fields;
+use crate::rock::grid::Grid;
+use crate::simd::number::Number;
 
 /// The nodes of a layer go where their velocities carry them.
 ///

@@ -1,12 +1,13 @@
 //! A row of bricks.
 
-use super::{Constants, Fields, GROUP, Grid, RowBook, lanes};
+use super::fields::{Fields, RowBook, lanes};
 use crate::{
     rock::{
         brick::{Modes, Motion, pulls, spread, square, turned},
-        constants::MOST_SQUEEZED,
+        constants::{Constants, MOST_SQUEEZED},
+        grid::{GROUP, Grid},
     },
-    rod::number::Number,
+    simd::number::Number,
 };
 
 /// What a row of bricks pulls at its nodes, N.

@@ -1,19 +1,12 @@
 //! Layers of bricks that are worked on together.
 
-use serde::{Deserialize, Serialize};
-
-use super::{Constants, Fields, Grid, drift, kick, row};
-use crate::rod::number::Number;
-
-/// Books of a row of bricks.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub struct RowBook {
-    /// Energy that plastic flow and viscosity have taken, J.
-    pub plastic_J: f64,
-    pub viscous_J: f64,
-    /// The smallest intact part after the last step.
-    pub least_intact: f64,
-}
+use super::{
+    fields::Fields,
+    nodes::{drift, kick},
+    row,
+};
+use crate::rock::{constants::Constants, grid::Grid};
+use crate::simd::number::Number;
 
 /// Layers of bricks that are worked on together, and room for what they do to their nodes.
 #[derive(Debug, Clone)]

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::integrate::{Load, Point, Totals};
+use super::load::{Load, Point, Totals};
 use crate::{
     model::Model,
     operation::Operation,

@@ -1,13 +1,12 @@
 //! Integration from the bit to the surface.
 
-use std::ops::{Add, Mul};
-
 use nalgebra::Vector3;
 
 use super::{
     SoftError, SoftSettings,
     bearing::{Bearing, Carrier},
     circulation::{self, Circulating, Passage},
+    load::{Load, Point, Totals},
     motion::Sliding,
 };
 use crate::{
@@ -16,47 +15,8 @@ use crate::{
     operation::Operation,
     outcome::{hole_steps, spread},
     string::Component,
-    well::{Heading, Path},
+    well::Path,
 };
-
-/// What accumulates from the bit up. Its derivative has the same fields, per metre upwards.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Totals {
-    pub(super) tension_N: f64,
-    pub(super) torque_N_m: f64,
-    pub(super) axial_friction_N: f64,
-    pub(super) side_force_N: f64,
-    pub(super) stretch_m: f64,
-    pub(super) twist_rad: f64,
-}
-
-impl Add for Totals {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Self {
-            tension_N: self.tension_N + other.tension_N,
-            torque_N_m: self.torque_N_m + other.torque_N_m,
-            axial_friction_N: self.axial_friction_N + other.axial_friction_N,
-            side_force_N: self.side_force_N + other.side_force_N,
-            stretch_m: self.stretch_m + other.stretch_m,
-            twist_rad: self.twist_rad + other.twist_rad,
-        }
-    }
-}
-
-impl Mul<f64> for Totals {
-    type Output = Self;
-    fn mul(self, factor: f64) -> Self {
-        Self {
-            tension_N: self.tension_N * factor,
-            torque_N_m: self.torque_N_m * factor,
-            axial_friction_N: self.axial_friction_N * factor,
-            side_force_N: self.side_force_N * factor,
-            stretch_m: self.stretch_m * factor,
-            twist_rad: self.twist_rad * factor,
-        }
-    }
-}
 
 /// A stretch of hole on which everything but the path's direction is constant.
 struct Stretch<'a> {
@@ -79,31 +39,6 @@ struct Stretch<'a> {
     hole_diameter_m: f64,
     circulating: Circulating,
     carrier: Carrier<'a>,
-}
-
-/// Load on the wall at one point.
-pub(super) struct Load {
-    pub(super) q_N_per_m: Vector3<f64>,
-    pub(super) side_force_N_per_m: f64,
-    pub(super) axial_friction_N_per_m: f64,
-    pub(super) friction_torque_N_m_per_m: f64,
-}
-
-/// The hole at one depth.
-pub(super) struct Point {
-    pub(super) tangent: Vector3<f64>,
-    pub(super) curvature_per_m: Vector3<f64>,
-    tvd_m: f64,
-}
-
-impl Point {
-    fn new(heading: Heading, tvd_m: f64) -> Self {
-        Self {
-            tangent: heading.tangent,
-            curvature_per_m: heading.curvature_per_m,
-            tvd_m,
-        }
-    }
 }
 
 /// State and load at one depth.

@@ -6,7 +6,7 @@ use super::{
     regenerative::{identities, pressed},
     *,
 };
-use crate::dynamics::bit::{BitLaw, Cutters, DetournayDefournyLaw};
+use crate::dynamics::boundary::bit::{BitLaw, Cutters, DetournayDefournyLaw};
 
 const TAU: f64 = std::f64::consts::TAU;
 

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::*;
-use crate::dynamics::bit::{Band, BitLaw, Excitation, RateLaw};
+use crate::dynamics::boundary::bit::{Band, BitLaw, Excitation, RateLaw};
 
 const SPIN: f64 = 7.0;
 

@@ -7,7 +7,7 @@ use super::{
     roots::Drilling,
     *,
 };
-use crate::dynamics::bit::{Cutters, RegenerativeLaw};
+use crate::dynamics::boundary::bit::{Cutters, RegenerativeLaw};
 use wholestring_verification::{Row, Tolerance, report};
 
 const TAU: f64 = std::f64::consts::TAU;

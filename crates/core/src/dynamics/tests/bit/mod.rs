@@ -15,13 +15,15 @@ use nalgebra::Vector3;
 
 use crate::{
     dynamics::{
-        assembly::Anchor,
-        bit::{Bit, BitSettings, BitStep, Came},
-        chain::{Chain, node},
-        crew::Crew,
+        boundary::{
+            anchor::Anchor,
+            bit::{Bit, BitSettings, BitStep, Came},
+            crew::Crew,
+        },
+        kernel::chain::{Chain, node},
     },
     operation::{Operation, OperationKind},
-    rod::vector::Vector,
+    simd::vector::Vector,
 };
 
 const MASS_KG: f64 = 150.0;

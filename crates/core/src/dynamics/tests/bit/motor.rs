@@ -6,7 +6,7 @@ use super::{
     regenerative::{LAW, pressed},
     *,
 };
-use crate::dynamics::bit::{
+use crate::dynamics::boundary::bit::{
     BitLaw, Cutters, DetournayDefournyLaw, Motor, MudMotor, RateLaw, RegenerativeLaw,
 };
 

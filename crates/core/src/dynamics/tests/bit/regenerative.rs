@@ -4,7 +4,7 @@ use serde_json::Value;
 use wholestring_verification::{Row, Tolerance, report};
 
 use super::*;
-use crate::dynamics::bit::{BitLaw, Cutters, Motor, RegenerativeLaw};
+use crate::dynamics::boundary::bit::{BitLaw, Cutters, Motor, RegenerativeLaw};
 
 const TAU: f64 = std::f64::consts::TAU;
 

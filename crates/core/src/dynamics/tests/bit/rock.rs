@@ -5,17 +5,21 @@ use nalgebra::{Matrix3, Vector3};
 use super::{MASS_KG, OPERATION, POLAR_KG_M2};
 use crate::{
     dynamics::{
-        assembly::Anchor,
-        bit::{Bit, BitLaw, BitSettings, BitStep, Came, Motor, MudMotor, RockLaw, RunIn, Standing},
-        chain::{Chain, node},
-        crew::Crew,
-        energy::kinetic_J,
+        boundary::{
+            anchor::Anchor,
+            bit::{
+                Bit, BitLaw, BitSettings, BitStep, Came, Motor, MudMotor, RockLaw, RunIn, Standing,
+            },
+            crew::Crew,
+        },
+        kernel::chain::{Chain, node},
+        output::energy::kinetic_J,
     },
     rock::{
         BitShape, DrillingSpec, Edge, Rock,
         bit_face::{PdcBit, Pose},
     },
-    rod::vector::Vector,
+    simd::vector::Vector,
 };
 
 const ROTARY_KG_M2: f64 = 5.0;

@@ -1,7 +1,7 @@
 //! A law that was measured.
 
 use super::{regenerative::pressed, *};
-use crate::dynamics::bit::{
+use crate::dynamics::boundary::bit::{
     Band, BitLaw, BitTable, Excitation, RateLaw, TableFault, TableLaw, TablePoint,
 };
 

@@ -1,0 +1,356 @@
+//! What a run is before its string is laid: settings that can be used, the hoist, the mesh and the step.
+
+use super::{chain, error::SetupError, hoisting::hoisting};
+use crate::{
+    dynamics::{
+        boundary::{
+            bit::{Band, BitLaw, BitSettings, Cutters, Excitation, Motor, MudMotor},
+            hole::Surroundings,
+        },
+        initial_state,
+        kernel::step::{Abilities, Stepper},
+        settings::{DynamicsSettings, FrictionLaw, SpeedController, Start, TopDriveSettings},
+        simulation::settling::Settling,
+    },
+    model::Model,
+    operation::Operation,
+    rod::{
+        mesh::Mesh,
+        stability::{self, StepPlan},
+    },
+    simd::{number::Real, wide::Registers},
+    wall::contact::ContactLaw,
+};
+
+/// Refuses settings that no run can use.
+pub(in crate::dynamics) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
+    let positive = [
+        ("element_length_m", settings.element_length_m),
+        ("duration_s", settings.duration_s),
+        ("sample_interval_s", settings.sample_interval_s),
+        ("stribeck_speed_m_per_s", settings.stribeck_speed_m_per_s),
+        (
+            "hoist_line.stiffness_N_per_m",
+            settings.hoist_line.stiffness_N_per_m,
+        ),
+    ];
+    let not_negative = [
+        (
+            "hoist_line.block_mass_kg",
+            settings.hoist_line.block_mass_kg,
+        ),
+        ("settle_s", settings.settle_s),
+        ("centred.ramp_s", settings.centred.ramp_s),
+        ("damping.mass_per_s", settings.damping.mass_per_s),
+        ("damping.stiffness_s", settings.damping.stiffness_s),
+        (
+            "hoist_line.damping_N_s_per_m",
+            settings.hoist_line.damping_N_s_per_m,
+        ),
+        (
+            "bit.lateral_stiffness_N_per_m",
+            settings.bit.lateral_stiffness_N_per_m,
+        ),
+        ("bit.steerability", settings.bit.steerability),
+    ];
+    check_numbers(&positive, &not_negative)?;
+    if let Some(until) = settings.steady {
+        check_numbers(&[("steady.most_s", until.most_s)], &[])?;
+    }
+    check_numbers(&drive_numbers(&settings.top_drive), &[])?;
+    check_bit(&settings.bit)?;
+    match settings.schedule.fault() {
+        Some((index, fault)) => Err(SetupError::Schedule {
+            line: index + 1,
+            fault,
+        }),
+        None => Ok(()),
+    }
+}
+
+fn check_bit(bit: &BitSettings) -> Result<(), SetupError> {
+    match bit.motor {
+        Motor::Speed(speed) => check_numbers(&[], &[("bit.motor_speed_rad_per_s", speed)])?,
+        Motor::Displacement(motor) => check_motor(&motor)?,
+    }
+    let (stiffness, excitation) = match &bit.law {
+        BitLaw::Regenerative(law) => {
+            check_numbers(&[("bit.blades", f64::from(law.blades))], &[])?;
+            return check_cutters(&law.cutters);
+        }
+        BitLaw::Rate(law) => (law.rock_stiffness_N_per_m, law.excitation),
+        BitLaw::DetournayDefourny(law) => {
+            check_cutters(&law.cutters)?;
+            let full_m = law.full_contact_depth_m;
+            check_numbers(&[], &[("bit.full_contact_depth_m", full_m)])?;
+            if let Some(limit) = law
+                .cleaning_limit_m
+                .filter(|limit| limit.is_nan() || *limit <= full_m)
+            {
+                return Err(SetupError::Setting {
+                    name: "bit.cleaning_limit_m",
+                    value: limit,
+                    expected: "more than the depth of full contact",
+                });
+            }
+            (law.rock_stiffness_N_per_m, law.excitation)
+        }
+        BitLaw::Table(law) => (law.rock_stiffness_N_per_m, law.excitation),
+        BitLaw::Rock(law) => {
+            law.drilling.check()?;
+            return Ok(());
+        }
+    };
+    check_numbers(&[("bit.rock_stiffness_N_per_m", stiffness)], &[])?;
+    excitation.map_or(Ok(()), check_excitation)
+}
+
+fn check_excitation(shaken: Excitation) -> Result<(), SetupError> {
+    let (Band::PerRevolution(band) | Band::PerSecond(band)) = shaken.band;
+    check_numbers(
+        &[("bit.excitation.band", band)],
+        &[
+            ("bit.excitation.amplitude_m", shaken.amplitude_m),
+            ("bit.excitation.roughness_m", shaken.roughness_m),
+            (
+                "bit.excitation.torque_fluctuation",
+                shaken.torque_fluctuation,
+            ),
+        ],
+    )
+}
+
+fn check_cutters(cutters: &Cutters) -> Result<(), SetupError> {
+    let width_m = cutters.radius_m - cutters.core_radius_m;
+    check_numbers(
+        &[
+            ("bit.radius_m", cutters.radius_m),
+            ("bit.radius_m less bit.core_radius_m", width_m),
+            (
+                "bit.intrinsic_specific_energy_Pa",
+                cutters.intrinsic_specific_energy_Pa,
+            ),
+            ("bit.cutter_inclination", cutters.cutter_inclination),
+        ],
+        &[
+            ("bit.core_radius_m", cutters.core_radius_m),
+            ("bit.wear_flat_m", cutters.wear_flat_m),
+            ("bit.contact_strength_Pa", cutters.contact_strength_Pa),
+            ("bit.bit_geometry", cutters.bit_geometry),
+            ("bit.friction", cutters.friction),
+        ],
+    )
+}
+
+fn check_motor(motor: &MudMotor) -> Result<(), SetupError> {
+    let positive = [
+        ("bit.motor.displacement_m3", motor.displacement_m3),
+        ("bit.motor.rated_flow_m3_per_s", motor.rated_flow_m3_per_s),
+        ("bit.motor.max_pressure_Pa", motor.max_pressure_Pa),
+        ("bit.motor.efficiency", motor.efficiency),
+        ("bit.motor.slip below 1", 1.0 - motor.slip),
+        (
+            "bit.motor.stall_torque_N_m above the torque at max_pressure_Pa",
+            motor.stall_torque_N_m - motor.max_torque_N_m(),
+        ),
+    ];
+    check_numbers(&positive, &[("bit.motor.slip", motor.slip)])
+}
+
+/// Numbers with their names: those that must be positive, and those that may be zero.
+fn check_numbers(
+    positive: &[(&'static str, f64)],
+    not_negative: &[(&'static str, f64)],
+) -> Result<(), SetupError> {
+    let wrong = |value: f64, enough: bool| !(value.is_finite() && enough);
+    for &(name, value) in positive {
+        if wrong(value, value > 0.0) {
+            return Err(SetupError::Setting {
+                name,
+                value,
+                expected: "a positive number",
+            });
+        }
+    }
+    for &(name, value) in not_negative {
+        if wrong(value, value >= 0.0) {
+            return Err(SetupError::Setting {
+                name,
+                value,
+                expected: "zero or a positive number",
+            });
+        }
+    }
+    Ok(())
+}
+
+/// What must be positive of a top drive.
+fn drive_numbers(drive: &TopDriveSettings) -> Vec<(&'static str, f64)> {
+    let TopDriveSettings::Driven {
+        inertia_kg_m2,
+        controller,
+        torque_limit_N_m,
+    } = *drive
+    else {
+        return Vec::new();
+    };
+    let mut numbers = vec![("top_drive.inertia_kg_m2", inertia_kg_m2)];
+    numbers.extend(torque_limit_N_m.map(|limit| ("top_drive.torque_limit_N_m", limit)));
+    match controller {
+        SpeedController::Pi {
+            proportional_N_m_s, ..
+        } => numbers.push(("top_drive.proportional_N_m_s", proportional_N_m_s)),
+        SpeedController::SoftTorque {
+            impedance_ratio,
+            frequency_Hz,
+        } => {
+            numbers.push(("top_drive.impedance_ratio", impedance_ratio));
+            numbers.extend(frequency_Hz.map(|hz| ("top_drive.frequency_Hz", hz)));
+        }
+        SpeedController::ZTorque {
+            impedance_ratio,
+            frequency_Hz,
+            proportional_N_m_s,
+            ..
+        } => {
+            numbers.push(("top_drive.impedance_ratio", impedance_ratio));
+            numbers.push(("top_drive.proportional_N_m_s", proportional_N_m_s));
+            numbers.extend(frequency_Hz.map(|hz| ("top_drive.frequency_Hz", hz)));
+        }
+    }
+    numbers
+}
+
+/// Where the bit stands at time zero: half the run above or below the operation's depth, m; at that depth
+/// where a schedule moves the hoist. Where settling ends by itself, the least of it counts.
+pub(in crate::dynamics) fn first_bit_md_m(
+    operation: &Operation,
+    settings: &DynamicsSettings,
+    settling: &Settling,
+) -> f64 {
+    if settings.schedule.moves_the_hoist() {
+        return operation.bit_depth_m;
+    }
+    let middle_s = settling.least_s() + 0.5 * settings.duration_s;
+    operation.bit_depth_m - hoisting(operation, settings).1 * middle_s
+}
+
+/// The string in elements, how it settles, and the step.
+fn mesh_and_plan(
+    model: &Model,
+    operation: &Operation,
+    settings: &DynamicsSettings,
+) -> (Mesh, Settling, StepPlan) {
+    let mesh = Mesh::new(&model.string, settings.element_length_m);
+    let settling = Settling::of(operation, settings, &mesh);
+    let bit_md_m = first_bit_md_m(operation, settings, &settling);
+    let lateral = chain::lateral_mass_kg_per_m(model, &mesh, bit_md_m);
+    let plan = stability::plan(&mesh, &lateral, settings.damping.stiffness_s);
+    (mesh, settling, plan)
+}
+
+/// What the model, the operation and the settings of a run determine: the same at its start and
+/// wherever it is taken up again.
+pub(in crate::dynamics) struct Basis<R: Real> {
+    pub(in crate::dynamics) mesh: Mesh,
+    pub(in crate::dynamics) settling: Settling,
+    pub(in crate::dynamics) plan: StepPlan,
+    pub(in crate::dynamics) surroundings: Surroundings,
+    pub(in crate::dynamics) abilities: Abilities,
+    pub(in crate::dynamics) stepper: Stepper<R>,
+    pub(in crate::dynamics) steps_per_sample: u64,
+}
+
+impl<R: Registers> Basis<R> {
+    pub(in crate::dynamics) fn new(
+        model: &Model,
+        operation: &Operation,
+        settings: &DynamicsSettings,
+    ) -> Result<Self, SetupError> {
+        check(settings)?;
+        let served = settings.precision.serves(operation, settings);
+        served.map_err(SetupError::Precision)?;
+        let (mesh, settling, plan) = mesh_and_plan(model, operation, settings);
+        check_weight_of_bit(settings, &plan)?;
+        let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
+        let abilities = Abilities {
+            hertz: matches!(settings.contact_law, ContactLaw::Hertz { .. }),
+            vector: settings.friction_law == FrictionLaw::Vector,
+            full: surroundings.intricate || model.mud.rheology.is_some(),
+        };
+        let steps_per_sample = (settings.sample_interval_s / plan.dt_s).round().max(1.0) as u64;
+        Ok(Self {
+            mesh,
+            settling,
+            plan,
+            surroundings,
+            abilities,
+            stepper: Stepper::new(abilities),
+            steps_per_sample,
+        })
+    }
+}
+
+/// Refuses a bit on solid rock that is lighter than what it touches: its contact would not be stable.
+fn check_weight_of_bit(settings: &DynamicsSettings, plan: &StepPlan) -> Result<(), SetupError> {
+    let (BitLaw::Rock(law), Some(lowest)) = (&settings.bit.law, plan.inertia.last()) else {
+        return Ok(());
+    };
+    let [touched_kg, touched_kg_m2] = law.touched();
+    for (direction, unit, bit, rock) in [
+        ("along the hole", "kg", lowest.axial_kg, touched_kg),
+        ("across the hole", "kg", lowest.lateral_kg, touched_kg),
+        ("about its axis", "kg·m²", lowest.polar_kg_m2, touched_kg_m2),
+    ] {
+        // The lowest node has half of the lowest element.
+        let bit = 0.5 * bit;
+        if bit <= rock {
+            return Err(SetupError::LightBit {
+                direction,
+                unit,
+                bit,
+                rock,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// What a run would cost.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Effort {
+    /// Number of elements.
+    pub elements: usize,
+    /// Step, s.
+    pub time_step_s: f64,
+    /// Simulated time from the start to the end of the window, s, at most.
+    pub end_s: f64,
+    /// Steps from the laying of the string to the end of the window, at most.
+    pub steps: f64,
+}
+
+impl Effort {
+    /// What the run would cost, found without laying the string.
+    ///
+    /// # Errors
+    /// A setting out of range, or a bit on solid rock that is lighter than what it touches.
+    pub fn of(
+        model: &Model,
+        operation: &Operation,
+        settings: &DynamicsSettings,
+    ) -> Result<Self, SetupError> {
+        check(settings)?;
+        let (mesh, settling, plan) = mesh_and_plan(model, operation, settings);
+        check_weight_of_bit(settings, &plan)?;
+        let laying_s = match settings.start {
+            Start::Prepared => initial_state::SETTLING_S,
+            Start::Centred => 0.0,
+        };
+        Ok(Self {
+            elements: mesh.elements.len(),
+            time_step_s: plan.dt_s,
+            end_s: settling.most_s() + settings.duration_s,
+            steps: (laying_s + settling.most_s() + settings.duration_s) / plan.dt_s,
+        })
+    }
+}

@@ -1,0 +1,111 @@
+//! From model and mesh to the chain that the time loop moves.
+
+use crate::{
+    dynamics::kernel::chain::{Chain, node},
+    model::Model,
+    rod::{element::Stiffness, mesh::Mesh, stability::StepPlan},
+    simd::number::Real,
+};
+
+/// Most mud that is carried along outside, as a multiple of the mud that the pipe displaces: reached where
+/// a pipe fills 82 % of its hole. The formula of the concentric annulus grows without bound where a tool
+/// fills its hole, for it has the mud go round it in a plane; round a stabiliser or a bit, no longer than its hole is
+/// wide, most of it goes round the ends.
+const MOST_ADDED_MUD: f64 = 5.0;
+
+/// Lateral mass of each element, kg/m: steel, mud inside, and the mud that an accelerated cylinder
+/// carries along in an annulus, `ρ π r² (R² + r²)/(R² − r²)`.
+pub fn lateral_mass_kg_per_m(model: &Model, mesh: &Mesh, bit_md_m: f64) -> Vec<f64> {
+    let density = model.mud.density_kg_per_m3;
+    mesh.elements
+        .iter()
+        .zip(&mesh.nodes)
+        .map(|(element, top)| {
+            let section = &element.section;
+            let md = bit_md_m - top.from_bit_m + 0.5 * element.length_m;
+            let hole = 0.5 * model.well.hole.at(md).diameter_m;
+            let r = 0.5 * section.od_m;
+            let (r2, hole2) = (r * r, hole * hole);
+            let confined = ((hole2 + r2) / (hole2 - r2).max(1e-12)).min(MOST_ADDED_MUD);
+            let outside = std::f64::consts::PI * r2 * confined;
+            section.steel_kg_per_m + density * (section.bore_m2 + outside)
+        })
+        .collect()
+}
+
+/// The chain with its inertia, stiffness, weight and drag; nothing is placed yet.
+pub fn chain(model: &Model, mesh: &Mesh, plan: &StepPlan) -> Chain {
+    let mut chain = Chain::patterned(mesh.nodes.len(), mesh.nodes_per_joint());
+    let mud = &model.mud;
+    let last = mesh.nodes.len() - 1;
+    for (index, element) in mesh.elements.iter().enumerate() {
+        let section = &element.section;
+        let inertia = &plan.inertia[index];
+        chain.set_stiffness(index, &Stiffness::new(section, element.length_m));
+        let half = 0.5 * element.length_m;
+        let weight = half * section.buoyed_weight_N_per_m(mud.density_kg_per_m3);
+        for end in [index, index + 1] {
+            node!(chain, end, mass_axial += 0.5 * inertia.axial_kg);
+            node!(chain, end, mass_lateral += 0.5 * inertia.lateral_kg);
+            node!(chain, end, polar += 0.5 * inertia.polar_kg_m2);
+            // Summed here, inverted below.
+            node!(chain, end, inv_rotary += inertia.rotary_kg_m2);
+            node!(chain, end, drag_linear += half * mud.linear_drag_Pa_s);
+            node!(
+                chain,
+                end,
+                drag_quadratic +=
+                    half * 0.5 * mud.density_kg_per_m3 * mud.drag_coefficient * section.od_m
+            );
+            let mut total = chain.weight(end);
+            total.2 += weight;
+            chain.set_weight(end, total);
+        }
+    }
+    for index in 0..=last {
+        let rotary = node!(chain, index, inv_rotary);
+        node!(
+            chain,
+            index,
+            gyroscopic = node!(chain, index, polar) / rotary
+        );
+        node!(chain, index, inv_rotary = 1.0 / rotary);
+    }
+    release(&mut chain);
+    chain
+}
+
+/// Frees the axial motion and the spin of all nodes, but for the spin of the top, which the top drive
+/// prescribes. The top is clamped laterally: it neither leaves the axis nor tilts.
+pub fn release(chain: &mut Chain) {
+    for index in 0..chain.nodes() {
+        node!(
+            chain,
+            index,
+            inv_mass_axial = 1.0 / node!(chain, index, mass_axial)
+        );
+        node!(
+            chain,
+            index,
+            inv_mass_lateral = 1.0 / node!(chain, index, mass_lateral)
+        );
+        node!(chain, index, inv_polar = 1.0 / node!(chain, index, polar));
+    }
+    node!(chain, 0, inv_mass_lateral = 0.0);
+    node!(chain, 0, inv_rotary = 0.0);
+    node!(chain, 0, gyroscopic = 0.0);
+    node!(chain, 0, inv_polar = 0.0);
+}
+
+/// Holds the axial motion and the spin of all nodes: what is left is lateral.
+pub fn hold(chain: &mut Chain) {
+    for block in &mut chain.node_blocks {
+        block.inv_mass_axial.0.fill(0.0);
+        block.inv_polar.0.fill(0.0);
+    }
+}
+
+/// Weight of the node at the top of the chain along the hole, N: part of the hook load.
+pub fn top_weight_N(chain: &Chain<impl Real>) -> f64 {
+    chain.weight(0).dot(chain.tangent(0))
+}

@@ -1,0 +1,55 @@
+//! Why a run cannot begin.
+
+use crate::{
+    dynamics::settings::schedule::ScheduleFault, rock::DrillingError, statics::soft::SoftError,
+};
+
+/// Why a run cannot begin.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SetupError {
+    /// The soft string, which the start is laid by, has no solution.
+    #[error("the string cannot be laid in the hole: {0}")]
+    Start(#[from] SoftError),
+    /// A setting that no run can use.
+    #[error("{name} is {value}, expected {expected}")]
+    Setting {
+        /// Which.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it should be.
+        expected: &'static str,
+    },
+    /// A bit and solid rock that cannot be.
+    #[error(transparent)]
+    Rock(#[from] DrillingError),
+    /// A bit that is lighter than the rock that it touches.
+    #[error(
+        "the bit's node has {bit:.3} {unit} {direction} and the rock that it touches up to {rock:.3} {unit}, expected less: \
+         lower the density factor or the size of the bricks, or raise the length of the elements"
+    )]
+    LightBit {
+        /// In which direction.
+        direction: &'static str,
+        /// Unit of the two.
+        unit: &'static str,
+        /// Of the bit's node.
+        bit: f64,
+        /// Of the rock.
+        rock: f64,
+    },
+    /// Single precision, where it does not serve.
+    #[error("single precision does not serve here: {0}")]
+    Precision(&'static str),
+    /// A schedule that cannot be followed.
+    #[error("line {line} of the schedule: {fault}")]
+    Schedule {
+        /// Which line, counted from one.
+        line: usize,
+        /// What is wrong with it.
+        fault: ScheduleFault,
+    },
+    /// The [executor](crate::rock::Executor::stopped) asked to stop while the bit was run in.
+    #[error("stopped while the bit was run in")]
+    Stopped,
+}

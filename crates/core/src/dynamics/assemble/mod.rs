@@ -1,0 +1,6 @@
+//! From model, operation and settings to what a run is made of.
+
+pub mod basis;
+pub mod chain;
+pub mod error;
+pub mod hoisting;

@@ -1,0 +1,28 @@
+//! Where the nodes' anchors stand on the hole's axis.
+
+use nalgebra::Vector3;
+use serde::{Deserialize, Serialize};
+
+use crate::{dynamics::kernel::chain::Chain, simd::number::Real};
+
+/// Where a node's anchor stands on the hole's axis.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+pub struct Anchor {
+    /// Measured depth, m.
+    pub md_m: f64,
+    /// Position, m.
+    pub position_m: Vector3<f64>,
+    /// Unit vector across the axis towards the high side.
+    pub high_side: Vector3<f64>,
+}
+
+/// Where a node is at the middle of the last step, m.
+pub fn middle_m(
+    chain: &Chain<impl Real>,
+    anchors: &[Anchor],
+    index: usize,
+    dt: f64,
+) -> Vector3<f64> {
+    anchors[index].position_m + Vector3::from(chain.displacement(index))
+        - 0.5 * dt * Vector3::from(chain.velocity(index))
+}

@@ -1,0 +1,104 @@
+//! Detournay and Defourny's law with its three regimes.
+
+use std::f64::consts::TAU;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Cutters, Excitation, SteadyCut, rate_segment::Stretch};
+
+/// The law of Detournay and Defourny for drag bits, with the three regimes that Detournay, Richard and Shepherd measured
+/// (*International Journal of Rock Mechanics and Mining Sciences* 45, 2008).
+///
+/// The weight is what cutting takes and what the wear flats bear, `W = ζ a ε d + W_f`:
+///
+/// 1. Up to the depth of cut `d*` the flats come to lie on the rock, `W_f = σ a l d/d*`.
+/// 2. From there they are in full contact, `W_f = σ a l`, and what the weight grows by cuts.
+/// 3. At the cleaning limit `d†` the bit face is choked with cuttings: what the weight grows by rests on them and rubs as
+///    the wear flats do, and the depth of cut grows no more.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct DetournayDefournyLaw {
+    /// Cutters and rock.
+    pub cutters: Cutters,
+    /// Depth of cut per revolution `d*` from which the wear flats are in full contact, m.
+    pub full_contact_depth_m: f64,
+    /// Largest depth of cut per revolution `d†` that the mud keeps clean, m; `None` where it keeps any.
+    pub cleaning_limit_m: Option<f64>,
+    /// Stiffness of the contact between bit and rock front, N/m.
+    pub rock_stiffness_N_per_m: f64,
+    /// What shakes the bit; `None` for a smooth bottom.
+    pub excitation: Option<Excitation>,
+}
+
+impl DetournayDefournyLaw {
+    /// Weight on bit that takes a depth of cut per revolution, N; no weight takes more than the cleaning limit.
+    pub fn weight_on_bit_N(&self, depth_of_cut_m: f64) -> f64 {
+        let bearing = self.cutters.wear_flat_weight_N();
+        let contact = if depth_of_cut_m < self.full_contact_depth_m {
+            depth_of_cut_m / self.full_contact_depth_m
+        } else {
+            1.0
+        };
+        self.cutters.cutting_N_per_m() * depth_of_cut_m + bearing * contact
+    }
+
+    /// Depth of cut per revolution under a weight on bit, m.
+    pub fn depth_of_cut_m(&self, weight_on_bit_N: f64) -> f64 {
+        let depth = |s: &Stretch| s.rate_m_per_s(weight_on_bit_N);
+        let mut stretches = self.stretches(TAU);
+        let found = stretches.find(|s| weight_on_bit_N <= s.to_N);
+        found.as_ref().map_or(f64::NAN, depth)
+    }
+
+    /// Torque under a weight on bit, N·m.
+    pub fn torque_N_m(&self, weight_on_bit_N: f64) -> f64 {
+        let cutting = self.cutters.cutting_N_per_m() * self.depth_of_cut_m(weight_on_bit_N);
+        let cutting = cutting.min(weight_on_bit_N);
+        self.cutters.torque_N_m(cutting, weight_on_bit_N - cutting)
+    }
+
+    /// How it drills steadily under a weight on bit, turning at a speed.
+    pub fn steady(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> SteadyCut {
+        let depth_of_cut_m = self.depth_of_cut_m(weight_on_bit_N);
+        SteadyCut {
+            depth_of_cut_m,
+            torque_N_m: self.torque_N_m(weight_on_bit_N),
+            rate_of_penetration_m_per_s: depth_of_cut_m * rotary_speed_rad_per_s / TAU,
+        }
+    }
+
+    /// The rate of penetration against the weight at a speed, regime by regime.
+    pub(super) fn stretches(&self, speed_rad_per_s: f64) -> impl Iterator<Item = Stretch> {
+        let pace = speed_rad_per_s.max(0.0) / TAU;
+        let full = self.full_contact_depth_m;
+        let full_N = self.weight_on_bit_N(full);
+        let limit_N = self
+            .cleaning_limit_m
+            .map(|limit| self.weight_on_bit_N(limit));
+        let contact = Stretch {
+            from_N: 0.0,
+            to_N: full_N,
+            from_m_per_s: 0.0,
+            slope_m_per_s_per_N: if full_N > 0.0 {
+                pace * full / full_N
+            } else {
+                0.0
+            },
+        };
+        let cutting = Stretch {
+            from_N: full_N,
+            to_N: limit_N.unwrap_or(f64::INFINITY),
+            from_m_per_s: pace * full,
+            slope_m_per_s_per_N: pace / self.cutters.cutting_N_per_m(),
+        };
+        let choked = self
+            .cleaning_limit_m
+            .zip(limit_N)
+            .map(|(limit, limit_N)| Stretch {
+                from_N: limit_N,
+                to_N: f64::INFINITY,
+                from_m_per_s: pace * limit,
+                slope_m_per_s_per_N: 0.0,
+            });
+        [Some(contact), Some(cutting), choked].into_iter().flatten()
+    }
+}

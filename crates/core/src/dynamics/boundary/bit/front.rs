@@ -1,0 +1,200 @@
+//! A rock front that the bit cuts away, for the laws that know no more of the bottom than its depth.
+
+use super::{
+    DetournayDefournyLaw, TableLaw,
+    excitation::{Shake, Shaker},
+    motor::{Drive, Turned},
+    rate::Rate,
+    rate_segment::Stretch,
+    settings::BitLaw,
+    step::{Answer, Approach},
+    table::{Counter, TableUse},
+};
+use crate::damage::{Damaged, sound};
+use serde::{Deserialize, Serialize};
+
+/// The rock front that the bit cuts away.
+///
+/// The rock front lies where the bit has cut to. Pressed against it with a force, the bit advances it at the rate that the
+/// law says of force and speed, which straight stretches make: so the force at the step's end is found exactly. The bit
+/// leaves the rock freely. Its torque is against the rotation and holds the bit when nothing turns it any more. An
+/// excitation raises and lowers the front under the bit.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(super) struct FrontCut {
+    law: FrontLaw,
+    stiffness_N_per_m: f64,
+    front_m: f64,
+    /// Weight at the end of the step before, N.
+    weight_N: f64,
+    shaker: Option<Shaker>,
+}
+
+/// The laws of the rate.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(super) enum FrontLaw {
+    Rate(Rate),
+    DetournayDefourny(DetournayDefournyLaw),
+    Table(TableLaw, Counter),
+}
+
+/// A bit that presses on its rock while it drills steadily.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pressed {
+    pub(super) depth_m: f64,
+    pub(super) weight_N: f64,
+    /// Speed of the bit, motor included, rad/s.
+    pub(super) turning_rad_per_s: f64,
+}
+
+/// A bit on its rock in a step that the rock is to end.
+#[derive(Debug, Clone, Copy)]
+struct Press {
+    /// How far the bit would be past the front, m.
+    over_m: f64,
+    stiffness_N_per_m: f64,
+    /// Velocity per axial force, s/kg.
+    mobility_s_per_kg: f64,
+    dt: f64,
+}
+
+impl Press {
+    /// The weight at which the rock is compressed by as much as bit and front leave at the step's end, and the
+    /// front's advance.
+    fn on(&self, stretches: impl IntoIterator<Item = Stretch>) -> (f64, f64) {
+        let (k, dt) = (self.stiffness_N_per_m, self.dt);
+        let mut found = (0.0, 0.0);
+        for s in stretches {
+            let yielding = 1.0 + k * dt * (self.mobility_s_per_kg + s.slope_m_per_s_per_N);
+            // Where the rate falls so steeply with the weight, more of it compresses the rock less.
+            if yielding <= 0.0 {
+                continue;
+            }
+            let offset = s.from_m_per_s - s.slope_m_per_s_per_N * s.from_N;
+            let weight = ((k * self.over_m - k * dt * offset) / yielding).max(s.from_N);
+            let advance = dt * s.slope_m_per_s_per_N * (weight - s.from_N) + dt * s.from_m_per_s;
+            found = (weight, advance);
+            if weight <= s.to_N {
+                break;
+            }
+        }
+        found
+    }
+}
+
+impl FrontCut {
+    /// Whether a stored front is one of this law.
+    pub(super) fn check(&self, law: &BitLaw) -> Result<(), Damaged> {
+        let fits = match (&self.law, law) {
+            (FrontLaw::Rate(_), BitLaw::Rate(_)) => true,
+            (FrontLaw::DetournayDefourny(ours), BitLaw::DetournayDefourny(theirs)) => {
+                ours == theirs
+            }
+            (FrontLaw::Table(ours, _), BitLaw::Table(theirs)) => ours == theirs,
+            _ => false,
+        };
+        sound(fits, "the law of the bit")
+    }
+
+    /// The front under a bit that drills steadily.
+    pub(super) fn new(
+        law: FrontLaw,
+        stiffness_N_per_m: f64,
+        shaker: Option<Shaker>,
+        at: Pressed,
+    ) -> Self {
+        let mut cut = Self {
+            law,
+            stiffness_N_per_m,
+            front_m: at.depth_m - at.weight_N / stiffness_N_per_m,
+            weight_N: at.weight_N,
+            shaker,
+        };
+        // The operation begins with its weight, wherever the excitation stands.
+        cut.front_m -= cut.shake(at.turning_rad_per_s, 0.0, 0.0).front_m;
+        cut
+    }
+
+    /// How often the bit was where its table is not, and how far.
+    pub(super) fn table_use(&self) -> Option<TableUse> {
+        match &self.law {
+            FrontLaw::Table(law, used) => used.tell(&law.table),
+            _ => None,
+        }
+    }
+
+    /// Counts anew.
+    pub(super) fn restart(&mut self) {
+        if let FrontLaw::Table(_, used) = &mut self.law {
+            *used = Counter::new();
+        }
+    }
+
+    fn shake(&self, turning: f64, turn_rad: f64, dt: f64) -> Shake {
+        let Some(shaker) = &self.shaker else {
+            return Default::default();
+        };
+        match &self.law {
+            FrontLaw::Table(law, _) => {
+                shaker.next_of(law.spread(self.weight_N, turning), turn_rad, dt)
+            }
+            _ => shaker.next(turn_rad, dt),
+        }
+    }
+
+    pub(super) fn meet(&mut self, at: &Approach, drive: &mut Drive) -> Answer {
+        // The spin that the step gave without the rock is not the bit's: its torque is to come.
+        let turning = at.spin_before_rad_per_s + drive.speed_rad_per_s();
+        let shake = self.shake(turning, turning * at.dt, at.dt);
+        let press = Press {
+            over_m: at.depth_m - (self.front_m + shake.front_m),
+            stiffness_N_per_m: self.stiffness_N_per_m,
+            mobility_s_per_kg: at.axial_mobility_s_per_kg,
+            dt: at.dt,
+        };
+        let (weight, advance) = match &self.law {
+            FrontLaw::Rate(law) => press.on([law.stretch(turning)]),
+            FrontLaw::DetournayDefourny(law) => press.on(law.stretches(turning)),
+            FrontLaw::Table(law, _) => press.on(law.table.stretches(turning)),
+        };
+        self.front_m += advance;
+        self.weight_N = weight;
+        let (steady, depth_of_cut_m) = match &mut self.law {
+            FrontLaw::Rate(law) => (law.torque_N_m(weight), law.depth_of_cut_m(weight)),
+            FrontLaw::DetournayDefourny(law) => {
+                (law.torque_N_m(weight), law.depth_of_cut_m(weight))
+            }
+            FrontLaw::Table(law, used) => {
+                used.count(&law.table, weight, turning);
+                let cut = law.table.steady(weight, turning);
+                (cut.torque_N_m, cut.depth_of_cut_m)
+            }
+        };
+        let wanted = steady * (1.0 + shake.torque).max(0.0);
+        let turned = self.turn(at, drive, wanted);
+        if let Some(shaker) = &mut self.shaker {
+            shaker.advance(turned.bit_rad_per_s * at.dt, at.dt);
+        }
+        Answer {
+            weight_N: weight,
+            torque_N_m: turned.torque_N_m,
+            spin_rad_per_s: turned.string_rad_per_s,
+            depth_of_cut_m,
+            rate_m_per_s: advance / at.dt,
+        }
+    }
+
+    /// Rock stops a bit but never turns it back; the reaction of a motor that does all the turning does turn the string.
+    fn turn(&self, at: &Approach, drive: &mut Drive, wanted_N_m: f64) -> Turned {
+        match &self.law {
+            FrontLaw::Rate(law) if law.slides => {
+                let string = at.spin_rad_per_s - at.turning_mobility * wanted_N_m;
+                Turned {
+                    torque_N_m: wanted_N_m,
+                    string_rad_per_s: string,
+                    bit_rad_per_s: string + drive.speed_rad_per_s(),
+                }
+            }
+            _ => drive.turn(at.spin_rad_per_s, at.turning_mobility, wanted_N_m, 0.0),
+        }
+    }
+}

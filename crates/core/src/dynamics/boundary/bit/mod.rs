@@ -1,0 +1,268 @@
+//! The bit on the rock: what every law shares, and the choice of the law.
+
+mod bottom;
+mod cutters;
+mod detournay;
+mod excitation;
+mod front;
+mod motor;
+mod rate;
+mod rate_segment;
+mod regenerative;
+mod rock;
+mod settings;
+mod side;
+mod step;
+mod table;
+
+use serde::{Deserialize, Serialize};
+
+pub use self::{
+    cutters::{Cutters, SteadyCut},
+    detournay::DetournayDefournyLaw,
+    excitation::{Band, Excitation},
+    motor::{Motor, MudMotor},
+    rate::RateLaw,
+    regenerative::RegenerativeLaw,
+    rock::{RockLaw, RunIn, Standing},
+    settings::{BitLaw, BitSettings},
+    step::{BitStep, Came},
+    table::{BitTable, TableFault, TableLaw, TablePoint, TableUse},
+};
+use self::{
+    excitation::Shaker,
+    front::{FrontCut, FrontLaw, Pressed},
+    motor::Drive,
+    rate::Rate,
+    regenerative::RegenerativeCut,
+    rock::RockCut,
+    side::Side,
+    step::{Answer, Approach},
+    table::Counter,
+};
+use super::{anchor::Anchor, crew::Crew};
+use crate::{
+    damage::Damaged,
+    dynamics::kernel::chain::{Chain, node},
+    operation::Operation,
+    rock::Drilling,
+    simd::{number::Real, vector::Vector},
+};
+
+/// The bit: held to the hole's axis, and on bottom pressed against the rock that it cuts.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct Bit {
+    side: Side,
+    motor: Motor,
+    drive: Drive,
+    /// None off bottom.
+    cut: Option<Cut>,
+}
+
+/// The rock under the bit by one of the laws.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+enum Cut {
+    Front(Box<FrontCut>),
+    Regenerative(RegenerativeCut),
+    Rock(Box<RockCut>),
+}
+
+impl Bit {
+    /// Whether a stored bit is one of these settings.
+    pub(in crate::dynamics) fn check(&self, settings: &BitSettings) -> Result<(), Damaged> {
+        match (&self.cut, &settings.law) {
+            (None, _) => Ok(()),
+            (Some(Cut::Front(front)), law) => front.check(law),
+            (Some(Cut::Regenerative(cut)), BitLaw::Regenerative(_)) => cut.check(),
+            (Some(Cut::Rock(cut)), BitLaw::Rock(law)) => cut.check(&law.drilling),
+            _ => Err(Damaged("the law of the bit")),
+        }
+    }
+
+    /// The bit of `operation` at `depth_m`, pressed on the rock with the operation's weight as it is
+    /// while drilling steadily. `seed` is that of the excitation. Solid rock comes under it with [`Self::stand`].
+    pub fn new(settings: &BitSettings, operation: &Operation, depth_m: f64, seed: u64) -> Self {
+        let drills = operation.weight_on_bit_now_N() > 0.0;
+        let motor = settings.motor;
+        let flow = operation.flow_now_m3_per_s();
+        let drive = Drive::new(motor, flow, operation.bit_torque_now_N_m());
+        let front = |law: FrontLaw, stiffness_N_per_m: f64, excitation: Option<Excitation>| {
+            let weight_N = operation.weight_on_bit_now_N();
+            let turning = operation.rotation_rad_per_s() + drive.speed_rad_per_s();
+            let shaker = excitation.map(|e| Shaker::new(e, seed));
+            let pressed = Pressed {
+                depth_m,
+                weight_N,
+                turning_rad_per_s: turning,
+            };
+            let cut = FrontCut::new(law, stiffness_N_per_m, shaker, pressed);
+            Some(Cut::Front(Box::new(cut)))
+        };
+        let cut = match &settings.law {
+            _ if !drills => None,
+            BitLaw::Regenerative(law) => {
+                let cut = RegenerativeCut::new(*law, operation, depth_m);
+                Some(Cut::Regenerative(cut))
+            }
+            BitLaw::Rock(_) => None,
+            BitLaw::Rate(law) => front(
+                FrontLaw::Rate(Rate::new(operation, &drive)),
+                law.rock_stiffness_N_per_m,
+                law.excitation,
+            ),
+            BitLaw::DetournayDefourny(law) => front(
+                FrontLaw::DetournayDefourny(*law),
+                law.rock_stiffness_N_per_m,
+                law.excitation,
+            ),
+            BitLaw::Table(law) => front(
+                FrontLaw::Table(law.clone(), Counter::new()),
+                law.rock_stiffness_N_per_m,
+                law.excitation,
+            ),
+        };
+        let side_cut_m_per_N = if drills {
+            settings.side_cut_m_per_N(operation)
+        } else {
+            0.0
+        };
+        Self {
+            side: Side::new(settings.lateral_stiffness_N_per_m, side_cut_m_per_N),
+            motor,
+            drive,
+            cut,
+        }
+    }
+
+    /// Stands the string's bit on the rock that it was run in on.
+    pub fn stand(&mut self, run_in: RunIn, chain: &Chain<impl Real>, anchor: &Anchor) {
+        self.drive.resist(run_in.torque_N_m());
+        let cut = RockCut::new(run_in, chain, anchor);
+        self.cut = Some(Cut::Rock(Box::new(cut)));
+    }
+
+    /// The solid rock under the bit, if it is that.
+    pub fn drilling(&self) -> Option<&Drilling> {
+        match &self.cut {
+            Some(Cut::Rock(cut)) => Some(cut.drilling()),
+            _ => None,
+        }
+    }
+
+    /// Changes what flows through the motor, m³/s.
+    pub fn set_flow(&mut self, flow_m3_per_s: f64) {
+        self.drive.set_flow(flow_m3_per_s);
+    }
+
+    /// Pressure that the motor takes off the mud at a torque, Pa, where that is known.
+    pub fn motor_pressure_Pa(&self, torque_N_m: f64) -> Option<f64> {
+        self.motor.pressure_Pa(torque_N_m)
+    }
+
+    /// How far the bit has cut its hole off the axis, m.
+    pub fn side_cut_m(&self) -> Vector<f64> {
+        self.side.cut_m()
+    }
+
+    /// Whether a motor turns the bit.
+    pub fn has_motor(&self) -> bool {
+        self.motor != Motor::Speed(0.0)
+    }
+
+    /// How often the bit was where its table is not, if it has one.
+    pub fn table_use(&self) -> Option<TableUse> {
+        match &self.cut {
+            Some(Cut::Front(cut)) => cut.table_use(),
+            _ => None,
+        }
+    }
+
+    /// From now on [`Self::table_use`] counts.
+    pub fn open_window(&mut self) {
+        if let Some(Cut::Front(cut)) = &mut self.cut {
+            cut.restart();
+        }
+    }
+
+    /// Corrects the bit's node, which the step has moved without it, and advances the rock. The rock
+    /// is evaluated at the step's end: with last step's position it would feed energy in. `anchor` is that of the bit's
+    /// node.
+    pub fn act(
+        &mut self,
+        chain: &mut Chain<impl Real>,
+        anchor: &Anchor,
+        came: Came,
+        crew: &Crew,
+        dt: f64,
+    ) -> BitStep {
+        let index = chain.nodes() - 1;
+        let tangent = chain.tangent(index);
+        let held = self.side.hold(
+            chain.velocity(index),
+            chain.displacement(index),
+            tangent,
+            dt * node!(chain, index, inv_mass_lateral),
+            came.spin + self.drive.speed_rad_per_s(),
+            dt,
+        );
+        if let Some(Cut::Rock(cut)) = &mut self.cut {
+            chain.set_velocity(index, held.velocity);
+            let mut step = cut.drill(chain, anchor, came, &mut self.drive, crew, dt);
+            let mean = (came.velocity + chain.velocity(index)).scaled(0.5);
+            step.work_J += held.force_N.dot(mean) * dt;
+            step.force_N = step.force_N + held.force_N;
+            return step;
+        }
+        let (mut velocity, mut displacement) = (held.velocity, held.displacement);
+        let mut work = held.force_N.dot((came.velocity + velocity).scaled(0.5));
+
+        let mut step = BitStep {
+            force_N: held.force_N,
+            ..BitStep::default()
+        };
+        let approach = Approach {
+            depth_m: anchor.md_m + displacement.dot(tangent),
+            velocity_m_per_s: velocity.dot(tangent),
+            axial_mobility_s_per_kg: dt * node!(chain, index, inv_mass_axial),
+            spin_before_rad_per_s: came.spin,
+            spin_rad_per_s: node!(chain, index, spin),
+            turning_mobility: dt * node!(chain, index, inv_polar),
+            dt,
+        };
+        let answer = match &mut self.cut {
+            Some(Cut::Front(cut)) => Some(cut.meet(&approach, &mut self.drive)),
+            Some(Cut::Regenerative(cut)) => Some(cut.meet(&approach, &mut self.drive)),
+            Some(Cut::Rock(_)) | None => None,
+        };
+        if let Some(Answer {
+            weight_N: weight,
+            torque_N_m: torque,
+            spin_rad_per_s: spin,
+            depth_of_cut_m,
+            rate_m_per_s,
+        }) = answer
+        {
+            let mobility = approach.axial_mobility_s_per_kg;
+            velocity = velocity.minus(tangent, mobility * weight);
+            displacement = displacement.minus(tangent, dt * mobility * weight);
+            node!(chain, index, spin = spin);
+            work -= weight * tangent.dot((came.velocity + velocity).scaled(0.5))
+                + torque * 0.5 * (came.spin + spin);
+            step = BitStep {
+                weight_on_bit_N: weight,
+                torque_N_m: torque,
+                depth_of_cut_m,
+                rate_of_penetration_m_per_s: rate_m_per_s,
+                force_N: step.force_N.minus(tangent, weight),
+                ..step
+            };
+        } else {
+            self.drive.run_free();
+        }
+        chain.set_velocity(index, velocity);
+        chain.set_displacement(index, displacement);
+        step.motor_speed_rad_per_s = self.drive.speed_rad_per_s();
+        step.work_J = work * dt;
+        step
+    }
+}

@@ -1,0 +1,71 @@
+//! The rate law: the bit cuts at a rate that is given.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Excitation, motor::Drive, rate_segment::Stretch};
+use crate::operation::{Operation, OperationKind};
+
+/// The rate law: on rock that lies where the bit has cut to, pressed with the force `W`, the bit advances
+/// at the rate `v = v₀ (W/W₀)(Ω/Ω₀)`, its torque is `T₀ W/W₀`; `v₀`, `W₀`, `Ω₀`, `T₀` are the operation's.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct RateLaw {
+    /// Stiffness of the contact between bit and rock front, N/m.
+    pub rock_stiffness_N_per_m: f64,
+    /// What shakes the bit; `None` for a smooth bottom.
+    pub excitation: Option<Excitation>,
+}
+
+/// The rate law with the numbers of an operation.
+///
+/// The torque holds the bit when the string no longer turns it. A sliding string's bit is turned by its motor: the
+/// front advances at the motor's pace and the string carries the reaction.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(super) struct Rate {
+    /// Whether the string stands and a motor of which no more is known than its speed does all the turning.
+    pub(super) slides: bool,
+    /// Advance of the front per force and second at nominal speed, m/s/N.
+    rate_m_per_s_per_N: f64,
+    /// Torque per weight, m.
+    torque_per_weight_m: f64,
+    /// Speed of the bit, motor included, at which the rate holds.
+    nominal_rad_per_s: f64,
+}
+
+impl Rate {
+    pub(super) fn new(operation: &Operation, drive: &Drive) -> Self {
+        let weight = operation.weight_on_bit_now_N();
+        Self {
+            slides: operation.kind == OperationKind::Slide && drive.is_ideal(),
+            rate_m_per_s_per_N: operation.rate_of_penetration_m_per_s / weight,
+            torque_per_weight_m: operation.bit_torque_N_m / weight,
+            nominal_rad_per_s: operation.rotation_rad_per_s() + drive.speed_rad_per_s(),
+        }
+    }
+
+    pub(super) fn stretch(&self, speed_rad_per_s: f64) -> Stretch {
+        let pace = if self.slides || self.nominal_rad_per_s == 0.0 {
+            1.0
+        } else {
+            (speed_rad_per_s / self.nominal_rad_per_s).max(0.0)
+        };
+        Stretch {
+            from_N: 0.0,
+            to_N: f64::INFINITY,
+            from_m_per_s: 0.0,
+            slope_m_per_s_per_N: self.rate_m_per_s_per_N * pace,
+        }
+    }
+
+    pub(super) fn torque_N_m(&self, weight_N: f64) -> f64 {
+        self.torque_per_weight_m * weight_N
+    }
+
+    /// Depth of cut under a weight; of a motor whose speed nobody gave it is not known, and zero.
+    pub(super) fn depth_of_cut_m(&self, weight_N: f64) -> f64 {
+        if self.nominal_rad_per_s > 0.0 {
+            self.rate_m_per_s_per_N * weight_N * std::f64::consts::TAU / self.nominal_rad_per_s
+        } else {
+            0.0
+        }
+    }
+}

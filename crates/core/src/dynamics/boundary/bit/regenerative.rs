@@ -1,0 +1,126 @@
+//! The regenerative law: the depth of cut is what the bit's passage before has left.
+
+use serde::{Deserialize, Serialize};
+
+use super::{
+    Cutters, SteadyCut,
+    bottom::Bottom,
+    motor::Drive,
+    step::{Answer, Approach},
+};
+use crate::{damage::Damaged, operation::Operation};
+
+/// The law of Richard, Germay and Detournay for drag bits (*Journal of Sound and Vibration* 305, 2007),
+/// on the cutting law of Detournay and Defourny (1992).
+///
+/// `n` blades cut `d_n` each: the depth of the bit less that of the surface which the preceding blade has
+/// left. With `d = n d_n`, cutting takes `W_c = ζ a ε d` and `T_c = a² ε d/2`; the wear flats bear up to
+/// `W_f = σ a l` while the bit goes down, nothing while it goes up, and rub with `T_f = μ γ a W_f/2`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct RegenerativeLaw {
+    /// Cutters and rock.
+    pub cutters: Cutters,
+    /// Blades `n`.
+    pub blades: u32,
+}
+
+impl RegenerativeLaw {
+    /// Weight that cutting takes per depth of cut of one blade, `n ζ a ε`, N/m.
+    pub fn stiffness_N_per_m(&self) -> f64 {
+        f64::from(self.blades) * self.cutters.cutting_N_per_m()
+    }
+
+    /// How it drills steadily under a weight on bit, turning at a speed: `W = ζ a ε d + σ a l`. Under a
+    /// weight that the wear flats bear alone it turns without cutting.
+    pub fn steady(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> SteadyCut {
+        let bearing = self.cutters.wear_flat_weight_N().min(weight_on_bit_N);
+        let cutting = weight_on_bit_N - bearing;
+        let depth_of_cut_m = cutting / self.cutters.cutting_N_per_m();
+        SteadyCut {
+            depth_of_cut_m,
+            torque_N_m: self.cutters.torque_N_m(cutting, bearing),
+            rate_of_penetration_m_per_s: depth_of_cut_m * rotary_speed_rad_per_s
+                / std::f64::consts::TAU,
+        }
+    }
+}
+
+/// The rock under a bit that follows the law.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(super) struct RegenerativeCut {
+    law: RegenerativeLaw,
+    bottom: Bottom,
+    /// Depth of the bit at the end of the step before, m.
+    depth_m: f64,
+    /// Angle by which the bit stands back from where it has cut to, rad.
+    back_rad: f64,
+}
+
+impl RegenerativeCut {
+    /// Whether a stored bottom is whole.
+    pub(super) fn check(&self) -> Result<(), Damaged> {
+        self.bottom.check()
+    }
+
+    pub(super) fn new(law: RegenerativeLaw, operation: &Operation, depth_m: f64) -> Self {
+        let weight = operation.weight_on_bit_now_N();
+        let depth_of_cut = law.steady(weight, 0.0).depth_of_cut_m;
+        Self {
+            law,
+            bottom: Bottom::new(law.blades, depth_m, depth_of_cut / f64::from(law.blades)),
+            depth_m,
+            back_rad: 0.0,
+        }
+    }
+
+    pub(super) fn meet(&mut self, at: &Approach, drive: &mut Drive) -> Answer {
+        let law = &self.law;
+        let mobility = at.axial_mobility_s_per_kg;
+        // A torque bends the angle by dt², and the rock ahead slopes by a thousandth: the turn can be
+        // foretold, the depth cannot.
+        let turn = at.dt * (at.spin_before_rad_per_s + drive.speed_rad_per_s()) - self.back_rad;
+        let over = at.depth_m - self.bottom.ahead_m(turn);
+        let (mut weight, mut depth_of_cut) = (0.0, 0.0);
+        if over > 0.0 {
+            let k = law.stiffness_N_per_m();
+            let yielding = 1.0 + k * at.dt * mobility;
+            let going_up = k * over / yielding;
+            let going_down = (k * over + law.cutters.wear_flat_weight_N()) / yielding;
+            // Between the two the wear flats bear what stops the bit; nothing pulls it into the rock.
+            let stops = at.velocity_m_per_s / mobility;
+            weight = stops
+                .max(going_up)
+                .min(going_down)
+                .min(over / (at.dt * mobility));
+            depth_of_cut = (over - at.dt * mobility * weight).max(0.0);
+        }
+        let cutting = (law.stiffness_N_per_m() * depth_of_cut).min(weight);
+        let bearing = weight - cutting;
+
+        // A bit that has been turned back cuts nothing until it is where it was.
+        let rubbing = law.cutters.torque_N_m(0.0, bearing);
+        let forward = if self.back_rad == 0.0 {
+            law.cutters.torque_N_m(cutting, bearing)
+        } else {
+            rubbing
+        };
+        let turned = drive.turn(at.spin_rad_per_s, at.turning_mobility, forward, rubbing);
+
+        let depth_m = at.depth_m - at.dt * mobility * weight;
+        let turn = at.dt * turned.bit_rad_per_s - self.back_rad;
+        let mut depth_of_turn_m = 0.0;
+        if turn > 0.0 {
+            self.bottom.cut(turn, self.depth_m, depth_m);
+            depth_of_turn_m = f64::from(law.blades) * depth_of_cut * turn / std::f64::consts::TAU;
+        }
+        self.back_rad = (-turn).max(0.0);
+        self.depth_m = depth_m;
+        Answer {
+            weight_N: weight,
+            torque_N_m: turned.torque_N_m,
+            spin_rad_per_s: turned.string_rad_per_s,
+            depth_of_cut_m: f64::from(law.blades) * depth_of_cut,
+            rate_m_per_s: depth_of_turn_m / at.dt,
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! Solid rock as a law of the bit.
+
+use std::f64::consts::TAU;
+
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    dynamics::boundary::bit::{Cutters, SteadyCut},
+    rock::{BitShape, DrillingSpec},
+};
+
+/// Part of the nodes of the bottom that a bit touches at the most: twice what bits of 60 and 216 mm on bricks of 3 to 12 mm did.
+const TOUCHED: f64 = 0.125;
+
+/// Inclination of the force on an insert that scrapes, over that around: a face raked back by 45°.
+const INSERT_RAKE_RAD: f64 = std::f64::consts::FRAC_PI_4;
+
+/// Solid rock: the face of the bit breaks bricks, and feels what they answer in all six components.
+///
+/// Sideways the bit's own spring holds it besides: a wall of bricks leaves its gauge room to bang about.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RockLaw {
+    /// The bit and its rock.
+    pub drilling: DrillingSpec,
+}
+
+impl RockLaw {
+    /// What Detournay and Defourny's law would have for it: an **estimate**, by which the hoist begins and the soft string is twisted,
+    /// and nothing more.
+    ///
+    /// Sharp cutters whose intrinsic specific energy is the rock's unconfined strength, as it is about (Richard, Dagrain, Poyol
+    /// and Detournay, *Engineering Geology* 147, 2012); `ζ = tan(θ + ψ)` of the back rake `θ` and the friction angle `ψ`
+    /// between rock and cutter.
+    pub fn estimate(&self) -> Cutters {
+        let (diameter_m, core_m, rake_rad) = match &self.drilling.bit {
+            BitShape::Pdc(bit) => (bit.diameter_m, bit.core_diameter_m, bit.back_rake_rad),
+            BitShape::Insert(bit) => (bit.diameter_m, 0.0, INSERT_RAKE_RAD),
+        };
+        let friction = self.drilling.contact.friction;
+        Cutters {
+            radius_m: 0.5 * diameter_m,
+            core_radius_m: 0.5 * core_m,
+            intrinsic_specific_energy_Pa: self.drilling.block.rock.ucs_Pa(),
+            cutter_inclination: (rake_rad + friction.atan()).tan(),
+            wear_flat_m: 0.0,
+            contact_strength_Pa: 0.0,
+            bit_geometry: 1.0,
+            friction,
+        }
+    }
+
+    /// How it may be expected to drill under a weight on bit, turning at a speed: [`Self::estimate`].
+    pub fn steady(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> SteadyCut {
+        let cutters = self.estimate();
+        let depth_of_cut_m = weight_on_bit_N / cutters.cutting_N_per_m();
+        SteadyCut {
+            depth_of_cut_m,
+            torque_N_m: cutters.torque_N_m(weight_on_bit_N, 0.0),
+            rate_of_penetration_m_per_s: depth_of_cut_m * rotary_speed_rad_per_s / TAU,
+        }
+    }
+
+    /// Mass (kg) and moment of inertia about the hole (kg·m²) of the nodes of rock that the bit touches at the most, scaled as the
+    /// density is. The contact is stable under a bit that has more.
+    pub fn touched(&self) -> [f64; 2] {
+        let block = &self.drilling.block;
+        let cutters = self.estimate();
+        let [outer, inner] = [cutters.radius_m, cutters.core_radius_m].map(|r| r * r);
+        // A node of the bottom has half a brick below it.
+        let thick_m = 0.5 * block.size_m[2];
+        let density = block.rock.density_kg_per_m3 * block.numerics.density_factor;
+        let mass_kg = TOUCHED * density * thick_m * std::f64::consts::PI * (outer - inner);
+        [mass_kg, 0.5 * mass_kg * (outer + inner)]
+    }
+
+    /// Stiffness of the sound rock under a stamp as wide as the bit, `2 E a/(1 − ν²)`, N/m.
+    pub fn stiffness_N_per_m(&self) -> f64 {
+        let rock = &self.drilling.block.rock;
+        let radius_m = self.estimate().radius_m;
+        2.0 * rock.youngs_modulus_Pa * radius_m / (1.0 - rock.poisson_ratio.powi(2))
+    }
+}

@@ -1,0 +1,173 @@
+//! A bit that has drilled before the string has it.
+
+use std::f64::consts::TAU;
+
+use nalgebra::Vector3;
+
+use super::RockLaw;
+use crate::{
+    GRAVITY_M_PER_S2,
+    dynamics::{
+        assemble::error::SetupError,
+        boundary::{
+            bit::{BitLaw, BitSettings, motor::Drive},
+            crew::Crew,
+        },
+    },
+    operation::Operation,
+    rock::{Advance, BitMotion, Drilling, Driver, Executor, Inertia},
+};
+
+/// Revolutions on its bottom before the start: one in which each blade meets what it has left itself and the bricks begin to go, and
+/// one that is typical.
+const REVOLUTIONS: usize = 2;
+
+/// How long the weight on a bit that does not turn grows before the start, s, how long it presses at the most, and what calms it,
+/// 1/s.
+const GROWING_S: f64 = 0.015;
+const PRESSING_S: f64 = 0.3;
+const PRESSING_DAMPING_PER_S: f64 = 2000.0;
+
+/// It rests once the rock bears the weight to this part.
+const RESTS: f64 = 0.01;
+
+/// A bit that turns more slowly, rad/s, is pressed alone: its two revolutions would take longer than most runs.
+const SLOWEST_RAD_PER_S: f64 = 1.0;
+
+/// Step before the start, s.
+const STEP_S: f64 = 2e-4;
+
+/// How a bit stands on its rock at time zero.
+#[derive(Debug, Clone, Copy)]
+pub struct Standing {
+    /// Weight on it, N.
+    pub weight_N: f64,
+    /// How fast it goes down, m/s.
+    pub rate_m_per_s: f64,
+    /// Speed of the string, rad/s.
+    pub string_rad_per_s: f64,
+    /// Mass that moves along the hole with it, kg.
+    pub mass_kg: f64,
+}
+
+/// A bit on its bottom, run in as the string moves at time zero.
+#[derive(Debug, Clone)]
+pub struct RunIn {
+    pub(super) drilling: Drilling,
+    pub(super) weight_N: f64,
+    pub(super) torque_N_m: f64,
+    pub(super) depth_of_cut_m: f64,
+}
+
+impl RunIn {
+    /// Runs the bit in; none where no solid rock is drilled. A motor turns it as fast as under the torque that `first` expects.
+    ///
+    /// # Errors
+    /// A bit or a block of rock that cannot be, and an executor that asks to stop.
+    pub fn new(
+        settings: &BitSettings,
+        first: &Operation,
+        standing: Standing,
+        crew: &Crew,
+    ) -> Result<Option<Self>, SetupError> {
+        let BitLaw::Rock(law) = &settings.law else {
+            return Ok(None);
+        };
+        let mut run_in = Self {
+            drilling: Drilling::new(&law.drilling)?,
+            weight_N: standing.weight_N,
+            torque_N_m: 0.0,
+            depth_of_cut_m: 0.0,
+        };
+        if standing.weight_N > 0.0 {
+            let flow = first.flow_now_m3_per_s();
+            let motor = Drive::new(settings.motor, flow, first.bit_torque_now_N_m());
+            let turning_rad_per_s = standing.string_rad_per_s + motor.speed_rad_per_s();
+            if turning_rad_per_s >= SLOWEST_RAD_PER_S {
+                let last = turn(&mut run_in.drilling, standing, turning_rad_per_s, crew)?;
+                run_in.torque_N_m = (-last.moment_N_m.z).min(settings.motor.most_torque_N_m());
+                run_in.depth_of_cut_m = standing.rate_m_per_s * TAU / turning_rad_per_s;
+            } else {
+                press(&mut run_in.drilling, standing, crew)?;
+            }
+        }
+        Ok(Some(run_in))
+    }
+
+    /// Torque that it took in its last revolution, N·m; none where it did not turn.
+    pub fn torque_N_m(&self) -> f64 {
+        self.torque_N_m
+    }
+}
+
+impl RockLaw {
+    /// How long a bit that turns so fast is run in at the most, before the first step of a run, s.
+    pub fn run_in_s(turning_rad_per_s: f64) -> f64 {
+        if turning_rad_per_s >= SLOWEST_RAD_PER_S {
+            REVOLUTIONS as f64 * TAU / turning_rad_per_s
+        } else {
+            PRESSING_S
+        }
+    }
+}
+
+/// Drills under the weight at a constant speed; what came of the last revolution. What weighs as much as the weight, or the
+/// bit's node if that is more, goes down with the bit.
+fn turn(
+    drilling: &mut Drilling,
+    standing: Standing,
+    rotary_rad_per_s: f64,
+    crew: &Crew,
+) -> Result<Advance, SetupError> {
+    let driver = Driver::Weight {
+        weight_N: standing.weight_N,
+        mass_kg: standing.mass_kg.max(standing.weight_N / GRAVITY_M_PER_S2),
+        rotary_rad_per_s,
+    };
+    let mut pose = *drilling.pose();
+    pose.velocity_m_per_s = Vector3::z() * standing.rate_m_per_s;
+    drilling.place(pose);
+    let turn_s = TAU / rotary_rad_per_s;
+    let steps = (turn_s / STEP_S).ceil();
+    let mut last = Advance::default();
+    for _ in 0..REVOLUTIONS {
+        last = Advance::default();
+        for _ in 0..steps as usize {
+            go_on(crew)?;
+            last.join(&driver.drive(drilling, turn_s / steps, &crew.stepper, &crew.lent));
+        }
+    }
+    Ok(last)
+}
+
+/// Refuses to go on where the executor asks to stop.
+fn go_on(crew: &Crew) -> Result<(), SetupError> {
+    if crew.lent.stopped() {
+        return Err(SetupError::Stopped);
+    }
+    Ok(())
+}
+
+/// Lets a bit that only goes along the hole sink until the rock bears it.
+fn press(drilling: &mut Drilling, standing: Standing, crew: &Crew) -> Result<(), SetupError> {
+    let left = (-PRESSING_DAMPING_PER_S * STEP_S).exp();
+    for step in 1..=(PRESSING_S / STEP_S) as usize {
+        go_on(crew)?;
+        let weight_N = standing.weight_N * (step as f64 * STEP_S / GROWING_S).min(1.0);
+        let motion = BitMotion {
+            velocity_m_per_s: Vector3::z() * (left * drilling.pose().velocity_m_per_s.z),
+            angular_velocity_rad_per_s: Vector3::zeros(),
+            force_N: Vector3::z() * weight_N,
+            moment_N_m: Vector3::zeros(),
+            inertia: Inertia {
+                mass_kg: standing.mass_kg,
+                ..Inertia::TOLD
+            },
+        };
+        let advance = drilling.advance(STEP_S, &motion, &crew.stepper, &crew.lent);
+        if (-advance.force_N.z / standing.weight_N - 1.0).abs() < RESTS {
+            break;
+        }
+    }
+    Ok(())
+}

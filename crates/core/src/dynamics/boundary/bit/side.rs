@@ -1,0 +1,71 @@
+//! What holds the bit to the hole's axis, and how it cuts the hole sideways.
+
+use serde::{Deserialize, Serialize};
+
+use crate::simd::vector::Vector;
+
+/// The rock beside the bit.
+///
+/// The bit is held by `F = k (u − s)`, `u` its place across the hole and `s` that to which it has cut the hole. On bottom it
+/// cuts sideways with the force and the speed, `s' = c |Ω| F`.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(super) struct Side {
+    stiffness_N_per_m: f64,
+    /// Side cut per force and angle `c`, m/N/rad.
+    cut_m_per_N: f64,
+    axis_m: Vector<f64>,
+}
+
+/// What the rock beside the bit did in a step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Held {
+    pub(super) velocity: Vector<f64>,
+    pub(super) displacement: Vector<f64>,
+    /// Force on the bit, N.
+    pub(super) force_N: Vector<f64>,
+}
+
+impl Side {
+    pub(super) fn new(stiffness_N_per_m: f64, cut_m_per_N: f64) -> Self {
+        Self {
+            stiffness_N_per_m,
+            cut_m_per_N,
+            axis_m: Vector::zero(),
+        }
+    }
+
+    /// How far the bit has cut its hole off the axis, m.
+    pub(super) fn cut_m(&self) -> Vector<f64> {
+        self.axis_m
+    }
+
+    /// The bit's node at the step's end, from what the step gave it without this rock.
+    pub(super) fn hold(
+        &mut self,
+        velocity: Vector<f64>,
+        displacement: Vector<f64>,
+        tangent: Vector<f64>,
+        mobility: f64,
+        turning_rad_per_s: f64,
+        dt: f64,
+    ) -> Held {
+        let across = displacement.minus(tangent, displacement.dot(tangent));
+        let k = self.stiffness_N_per_m;
+        let rate = self.cut_m_per_N * turning_rad_per_s.abs();
+        let hold = k / (1.0 + k * (mobility + rate) * dt);
+        let pressed = if rate > 0.0 {
+            // The hole goes on with the bit: what it was cut by lies across wherever the bit gets to.
+            let axis = self.axis_m.minus(tangent, self.axis_m.dot(tangent));
+            let pressed = across.minus(axis, 1.0);
+            self.axis_m = axis.plus(pressed, dt * rate * hold);
+            pressed
+        } else {
+            across.minus(self.axis_m, 1.0)
+        };
+        Held {
+            velocity: velocity.minus(pressed, mobility * hold),
+            displacement: displacement.minus(pressed, dt * mobility * hold),
+            force_N: pressed.scaled(-hold),
+        }
+    }
+}

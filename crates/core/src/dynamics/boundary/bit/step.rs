@@ -1,0 +1,80 @@
+//! How the bit's node comes into a step and what bit and rock make of it.
+
+use crate::simd::vector::Vector;
+
+/// How the bit's node came into a step.
+#[derive(Debug, Clone, Copy)]
+pub struct Came {
+    /// Its velocity, m/s.
+    pub velocity: Vector<f64>,
+    /// Its spin, rad/s.
+    pub spin: f64,
+}
+
+/// The bit's node as the step left it, without the rock.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Approach {
+    /// Measured depth of the bit, m.
+    pub(super) depth_m: f64,
+    /// Its velocity along the hole, m/s, positive downwards.
+    pub(super) velocity_m_per_s: f64,
+    /// Velocity per axial force, s/kg.
+    pub(super) axial_mobility_s_per_kg: f64,
+    /// Spin of the string before the step, rad/s.
+    pub(super) spin_before_rad_per_s: f64,
+    /// Spin that the step gave it, rad/s.
+    pub(super) spin_rad_per_s: f64,
+    /// Spin per torque, 1/(N·m·s).
+    pub(super) turning_mobility: f64,
+    /// Step, s.
+    pub(super) dt: f64,
+}
+
+/// What the rock answers.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Answer {
+    pub(super) weight_N: f64,
+    /// Against the string's rotation.
+    pub(super) torque_N_m: f64,
+    /// Spin that the torque leaves the string, exactly zero of a bit without motor that it holds.
+    pub(super) spin_rad_per_s: f64,
+    pub(super) depth_of_cut_m: f64,
+    /// Rock that is taken away per time, m/s.
+    pub(super) rate_m_per_s: f64,
+}
+
+/// What the bit did in a step.
+#[derive(Debug, Clone, Copy)]
+pub struct BitStep {
+    /// Weight on bit, N.
+    pub weight_on_bit_N: f64,
+    /// Torque on bit, N·m.
+    pub torque_N_m: f64,
+    /// Rock that a revolution takes away, m.
+    pub depth_of_cut_m: f64,
+    /// Rock that is taken away per time, m/s.
+    pub rate_of_penetration_m_per_s: f64,
+    /// Force of rock and hole on the bit, N.
+    pub force_N: Vector<f64>,
+    /// Bending moment of the rock on the bit, N·m.
+    pub moment_N_m: f64,
+    /// Speed of the motor against the string, rad/s.
+    pub motor_speed_rad_per_s: f64,
+    /// Work done on the string, J.
+    pub work_J: f64,
+}
+
+impl Default for BitStep {
+    fn default() -> Self {
+        Self {
+            weight_on_bit_N: 0.0,
+            torque_N_m: 0.0,
+            depth_of_cut_m: 0.0,
+            rate_of_penetration_m_per_s: 0.0,
+            force_N: Vector::zero(),
+            moment_N_m: 0.0,
+            motor_speed_rad_per_s: 0.0,
+            work_J: 0.0,
+        }
+    }
+}

@@ -1,0 +1,9 @@
+//! What acts on the string at its ends and along it: hole, mud, hoist, top drive and bit.
+
+pub mod anchor;
+pub mod bit;
+pub mod crew;
+pub mod hoist;
+pub mod hole;
+pub mod mud;
+pub mod top_drive;

@@ -1,0 +1,388 @@
+//! The mud's drag along the hole and about the axis, in time.
+//!
+//! Each element has its annulus and the mean motion of its two nodes; [`Annulus::drag`] says what the mud does to
+//! it: a pull, a drag per velocity and a torque per spin, which go half to either node. The kernel applies
+//! drag and torque at each step with the node's own velocity and spin; they are found anew when the
+//! motion has changed.
+//!
+//! Hoist and bit correct the two end nodes after the kernel, and the top's spin is prescribed: drag booked there would be
+//! booked with velocities that the nodes do not keep. What is the ends' goes to their neighbours.
+
+use std::f64::consts::FRAC_PI_4;
+
+use nalgebra::Vector3;
+use serde::{Deserialize, Serialize};
+
+use super::flow_pressures::FlowPressures;
+use crate::{
+    damage::{Damaged, sound},
+    dynamics::{
+        boundary::{
+            anchor::{Anchor, middle_m},
+            hole::Surroundings,
+        },
+        kernel::chain::{Chain, node},
+    },
+    model::Model,
+    mud::{Annulus, AnnulusDrag, Hydraulics, Motion, Mud, bore, hydraulics::pressure_strain},
+    operation::Operation,
+    rod::mesh::Mesh,
+    simd::number::Real,
+};
+
+/// Change of an element's motion, as a part of all that shears the mud there, after which its drag is found
+/// anew.
+const STALE: f64 = 0.01;
+
+/// What the mud is sheared by when nothing moves, as far as that comparison goes, m/s.
+const STILL_M_PER_S: f64 = 0.01;
+
+/// Distance that an element slides until its hole is looked at again, m.
+const REACH_M: f64 = 1.0;
+
+/// Largest part γ of a node's velocity that drag takes in a step. Taken at the step's beginning, it makes
+/// `(ω dt)² < 4 − 2γ` of the leapfrog's limit `(ω dt)² < 4`, and the step uses 0.99² of that: 0.040 would be
+/// unstable. A mud below its yield point asks for more; the force itself stays what it is.
+const STRONGEST: f64 = 0.025;
+
+/// An element in its annulus.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+struct Passage {
+    length_m: f64,
+    od_m: f64,
+    bore_m2: f64,
+    pressure_strain_per_Pa: f64,
+    /// Where the hole was looked at, m.
+    md_m: f64,
+    annulus: Annulus,
+    /// Mean speed at which the pumps drive the mud up, m/s.
+    rising_m_per_s: f64,
+    bore_gradient_Pa_per_m: f64,
+    /// The motion that the drag was found for.
+    motion: Motion,
+    drag: AnnulusDrag,
+    /// What friction took from the pressure in the annulus at the last sample, Pa.
+    annulus_loss_Pa: f64,
+}
+
+/// Speed of a node along the hole, m/s.
+fn axial_m_per_s(chain: &Chain<impl Real>, index: usize) -> f64 {
+    chain.tangent(index).dot(chain.velocity(index))
+}
+
+/// The mud that drags on the whole string.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct Viscous {
+    mud: Mud,
+    flow_m3_per_s: f64,
+    bit_loss_Pa: f64,
+    passages: Vec<Passage>,
+    /// Weight of each node without the mud's pull, N.
+    weight_N: Vec<[f64; 3]>,
+    /// The mud's pull on each node, N.
+    pull_N: Vec<[f64; 3]>,
+    /// What the pulls' potential lost when they changed, J.
+    dropped_J: f64,
+    /// What the flow adds to the pressures at each node, at the last sample.
+    pressures: FlowPressures,
+    sum: Hydraulics,
+    sum_pressures: FlowPressures,
+    samples: u32,
+}
+
+impl Viscous {
+    /// Whether stored mud is that around this string.
+    pub(in crate::dynamics) fn check(&self, mesh: &Mesh) -> Result<(), Damaged> {
+        let nodes = mesh.nodes.len();
+        let fits = self.passages.len() == mesh.elements.len()
+            && [&self.weight_N, &self.pull_N]
+                .iter()
+                .all(|each| each.len() == nodes)
+            && [&self.pressures, &self.sum_pressures]
+                .iter()
+                .all(|of| of.outside_Pa.len() == nodes && of.inside_Pa.len() == nodes);
+        sound(fits, "the mud")
+    }
+
+    /// The mud around a string that moves as `operation` has it, its bit at `bit_md_m`; none without a
+    /// rheology.
+    pub fn new(
+        model: &Model,
+        mesh: &Mesh,
+        operation: &Operation,
+        axial_m_per_s: f64,
+        bit_md_m: f64,
+    ) -> Option<Self> {
+        model.mud.rheology?;
+        let flow_m3_per_s = operation.flow_now_m3_per_s();
+        let motion = Motion {
+            axial_m_per_s,
+            spin_rad_per_s: operation.rotation_rad_per_s(),
+            flow_m3_per_s,
+        };
+        let passages = mesh.elements.iter().zip(&mesh.nodes).map(|(element, top)| {
+            let md_m = bit_md_m - top.from_bit_m + 0.5 * element.length_m;
+            let section = &element.section;
+            let hole_m = model.well.hole.at(md_m).diameter_m;
+            let mut passage = Passage {
+                length_m: element.length_m,
+                od_m: section.od_m,
+                bore_m2: section.bore_m2,
+                pressure_strain_per_Pa: section.pressure_strain_per_Pa,
+                md_m,
+                annulus: Annulus::new(section.od_m, hole_m),
+                rising_m_per_s: 0.0,
+                bore_gradient_Pa_per_m: 0.0,
+                motion,
+                drag: AnnulusDrag::default(),
+                annulus_loss_Pa: 0.0,
+            };
+            passage.find(&model.mud, motion, hole_m);
+            passage
+        });
+        Some(Self {
+            mud: model.mud,
+            flow_m3_per_s,
+            bit_loss_Pa: operation.bit_loss_Pa(flow_m3_per_s),
+            passages: passages.collect(),
+            weight_N: Vec::new(),
+            pull_N: Vec::new(),
+            dropped_J: 0.0,
+            pressures: FlowPressures::none(mesh.nodes.len()),
+            sum: Hydraulics::default(),
+            sum_pressures: FlowPressures::none(mesh.nodes.len()),
+            samples: 0,
+        })
+    }
+
+    /// Torque that the mud takes from an element, N·m, at its last known motion.
+    pub fn torque_N_m(&self, element: usize) -> f64 {
+        let passage = &self.passages[element];
+        -passage.length_m * passage.drag.torque_N(passage.motion.spin_rad_per_s)
+    }
+
+    /// Takes hold of a chain that has been laid.
+    pub fn attach(&mut self, chain: &mut Chain<impl Real>, anchors: &[Anchor], dt: f64) {
+        let nodes = 0..chain.nodes();
+        self.weight_N = nodes
+            .clone()
+            .map(|i| Vector3::from(chain.weight(i)).into())
+            .collect();
+        self.pull_N = vec![[0.0; 3]; chain.nodes()];
+        for index in nodes {
+            self.load(chain, anchors, index, dt);
+        }
+    }
+
+    /// Changes what the pumps deliver, m³/s, from the next update on, and with it the bit's pressure drop, Pa.
+    pub fn set_flow(&mut self, flow_m3_per_s: f64, bit_loss_Pa: f64) {
+        (self.flow_m3_per_s, self.bit_loss_Pa) = (flow_m3_per_s, bit_loss_Pa);
+    }
+
+    /// Finds the drag of elements anew whose motion has changed or that have slid on.
+    pub fn update(
+        &mut self,
+        chain: &mut Chain<impl Real>,
+        anchors: &[Anchor],
+        surroundings: &Surroundings,
+        dt: f64,
+    ) {
+        let mut above = (axial_m_per_s(chain, 0), node!(chain, 0, spin));
+        let mut changed_above = false;
+        for index in 0..self.passages.len() {
+            let below = (
+                axial_m_per_s(chain, index + 1),
+                node!(chain, index + 1, spin),
+            );
+            let motion = Motion {
+                axial_m_per_s: 0.5 * (above.0 + below.0),
+                spin_rad_per_s: 0.5 * (above.1 + below.1),
+                flow_m3_per_s: self.flow_m3_per_s,
+            };
+            above = below;
+            let passage = &mut self.passages[index];
+            let md_m = 0.5 * (anchors[index].md_m + anchors[index + 1].md_m);
+            let changed = passage.is_stale(&motion, md_m);
+            if changed {
+                passage.md_m = md_m;
+                passage.find(&self.mud, motion, surroundings.hole_diameter_m(md_m));
+            }
+            if changed || changed_above {
+                self.load(chain, anchors, index, dt);
+            }
+            changed_above = changed;
+        }
+        // The ends' neighbours have the ends' shares too.
+        let last = self.passages.len();
+        if changed_above {
+            self.load(chain, anchors, last - 1, dt);
+            self.load(chain, anchors, last, dt);
+        }
+    }
+
+    /// Gives a node what the elements above and below it have from the mud.
+    fn load(&mut self, chain: &mut Chain<impl Real>, anchors: &[Anchor], index: usize, dt: f64) {
+        let (mut pull, mut drag, mut spin_drag) = (0.0, 0.0, 0.0);
+        let last = self.passages.len();
+        for (above, passage) in self
+            .passages
+            .iter()
+            .enumerate()
+            .take(index + 2)
+            .skip(index.saturating_sub(2))
+        {
+            let half = 0.5 * passage.length_m;
+            for end in [above, above + 1] {
+                if end.clamp(1, (last - 1).max(1)) == index {
+                    pull += half * passage.drag.pull_N_per_m;
+                    drag += half * passage.drag.drag_Pa_s;
+                    spin_drag += half * passage.drag.spin_drag_N_s;
+                }
+            }
+        }
+        let tangent = chain.tangent(index);
+        let strongest = STRONGEST * node!(chain, index, mass_axial) / dt;
+        if drag > strongest {
+            pull -= (drag - strongest) * tangent.dot(chain.velocity(index));
+            drag = strongest;
+        }
+        let strongest = STRONGEST * node!(chain, index, polar) / dt;
+        node!(chain, index, mud_axial = drag);
+        node!(chain, index, mud_spin = spin_drag.min(strongest));
+        if index == self.passages.len() {
+            pull -= self.mud.jet_thrust_N(self.flow_m3_per_s, self.bit_loss_Pa);
+        }
+        let pull_N = pull * Vector3::from(tangent);
+        let place = middle_m(chain, anchors, index, dt);
+        self.dropped_J += (Vector3::from(self.pull_N[index]) - pull_N).dot(&place);
+        self.pull_N[index] = pull_N.into();
+        chain.set_weight(index, (Vector3::from(self.weight_N[index]) + pull_N).into());
+    }
+
+    /// What the pulls would do on the way from the origin to where the string is, J: the negative of the potential
+    /// that they add to that of the weights.
+    pub fn pull_potential_J(&self, chain: &Chain<impl Real>, anchors: &[Anchor], dt: f64) -> f64 {
+        let nodes = self.pull_N.iter().enumerate();
+        nodes
+            .map(|(i, pull)| Vector3::from(*pull).dot(&middle_m(chain, anchors, i, dt)))
+            .sum()
+    }
+
+    /// Work that the pulls have done since some time, J: only its differences mean something.
+    pub fn pull_work_J(&self, chain: &Chain<impl Real>, anchors: &[Anchor], dt: f64) -> f64 {
+        self.pull_potential_J(chain, anchors, dt) + self.dropped_J
+    }
+
+    /// Forgets what was sampled: a window begins.
+    pub fn open_window(&mut self) {
+        (self.sum, self.samples) = (Hydraulics::default(), 0);
+        self.sum_pressures.clear();
+    }
+
+    /// Samples forces and pressures; `motor_loss_Pa` is what a mud motor takes.
+    pub fn sample(&mut self, chain: &Chain<impl Real>, motor_loss_Pa: f64) {
+        let mut now = Hydraulics {
+            jet_thrust_N: self.mud.jet_thrust_N(self.flow_m3_per_s, self.bit_loss_Pa),
+            bit_loss_Pa: self.bit_loss_Pa,
+            motor_loss_Pa,
+            ..Hydraulics::default()
+        };
+        let along = |i| chain.tangent(i).dot(chain.velocity(i));
+        for (i, passage) in self.passages.iter_mut().enumerate() {
+            let velocity = 0.5 * (along(i) + along(i + 1));
+            passage.annulus_loss_Pa = passage.length_m * passage.gradient_Pa_per_m(velocity);
+            let spin = 0.5 * (node!(chain, i, spin) + node!(chain, i + 1, spin));
+            now.mud_drag_N += passage.length_m * passage.drag.axial_N_per_m(velocity);
+            now.mud_torque_N_m -= passage.length_m * passage.drag.torque_N(spin);
+            now.annulus_loss_Pa += passage.annulus_loss_Pa;
+            now.bore_loss_Pa += passage.length_m * passage.bore_gradient_Pa_per_m;
+        }
+        let below_Pa = now.bit_loss_Pa + motor_loss_Pa;
+        now.pump_pressure_Pa = now.bore_loss_Pa + below_Pa + now.annulus_loss_Pa;
+        self.sum = self.sum + now;
+        let losses = |p: &Passage| (p.annulus_loss_Pa, p.length_m * p.bore_gradient_Pa_per_m);
+        let stream_N_m2 = self.mud.density_kg_per_m3 * self.flow_m3_per_s * self.flow_m3_per_s;
+        self.pressures
+            .find(below_Pa, stream_N_m2, self.passages.iter().map(losses));
+        self.sum_pressures.add(&self.pressures);
+        self.samples += 1;
+    }
+
+    /// Means of what was sampled.
+    pub fn mean(&self) -> Hydraulics {
+        self.sum * (1.0 / f64::from(self.samples.max(1)))
+    }
+
+    /// What the flow added to the pressures at the last sample.
+    pub fn pressures(&self) -> &FlowPressures {
+        &self.pressures
+    }
+
+    /// Means of what it added.
+    pub fn mean_pressures(&self) -> FlowPressures {
+        self.sum_pressures
+            .scaled(1.0 / f64::from(self.samples.max(1)))
+    }
+
+    /// What the pressures that the flow added at the last sample lengthen the string by, m.
+    pub fn stretch_m(&self) -> f64 {
+        self.stretches_m(&self.pressures).sum()
+    }
+
+    /// What the pressures that the flow added lengthen each element by, on average, m.
+    pub fn mean_stretches_m(&self) -> Vec<f64> {
+        self.stretches_m(&self.mean_pressures()).collect()
+    }
+
+    fn stretches_m<'a>(&'a self, pressures: &'a FlowPressures) -> impl Iterator<Item = f64> + 'a {
+        let FlowPressures {
+            outside_Pa,
+            inside_Pa,
+            ..
+        } = pressures;
+        let middle = |of: &[f64], i: usize| 0.5 * (of[i] + of[i + 1]);
+        self.passages.iter().enumerate().map(move |(i, passage)| {
+            passage.length_m
+                * pressure_strain(
+                    passage.pressure_strain_per_Pa,
+                    (
+                        middle(outside_Pa, i),
+                        FRAC_PI_4 * passage.od_m * passage.od_m,
+                    ),
+                    (middle(inside_Pa, i), passage.bore_m2),
+                )
+        })
+    }
+}
+
+impl Passage {
+    /// Gradient of the annulus's pressure by friction at a velocity near that of the motion that the drag was found for.
+    fn gradient_Pa_per_m(&self, axial_m_per_s: f64) -> f64 {
+        let since = axial_m_per_s - self.motion.axial_m_per_s;
+        self.drag.gradient_Pa_per_m + self.drag.surge_Pa_s_per_m2 * since
+    }
+
+    fn is_stale(&self, motion: &Motion, md_m: f64) -> bool {
+        let radius = 0.5 * self.od_m;
+        let known = &self.motion;
+        let change = (motion.axial_m_per_s - known.axial_m_per_s).abs()
+            + radius * (motion.spin_rad_per_s - known.spin_rad_per_s).abs();
+        let shear = known.axial_m_per_s.abs()
+            + radius * known.spin_rad_per_s.abs()
+            + self.rising_m_per_s
+            + STILL_M_PER_S;
+        change > STALE * shear
+            || motion.flow_m3_per_s != known.flow_m3_per_s
+            || (md_m - self.md_m).abs() > REACH_M
+    }
+
+    /// Finds what the mud does at a motion in a hole of a diameter.
+    fn find(&mut self, mud: &Mud, motion: Motion, hole_m: f64) {
+        self.motion = motion;
+        self.annulus = Annulus::new(self.od_m, hole_m);
+        self.drag = self.annulus.drag(mud, &motion);
+        self.rising_m_per_s = self.annulus.mean_m_per_s(motion.flow_m3_per_s);
+        self.bore_gradient_Pa_per_m =
+            bore::gradient_Pa_per_m(mud, self.bore_m2, motion.flow_m3_per_s);
+    }
+}

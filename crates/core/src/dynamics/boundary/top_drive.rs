@@ -1,0 +1,246 @@
+//! What turns the top of the string: a constant speed, or a drive with inertia under a controller.
+//!
+//! A drive of inertia `J` gives the torque `T` and feels the string's, `J Ω' = T − T_s`. Its controller
+//! compares the speed with a reference,
+//!
+//! ```text
+//! T = K_p (Ω_r − Ω) + K_i ∫ (Ω_r − Ω) dt        |T| at most the limit
+//! Ω_r = Ω_set − H T_s / Z                        H = s/(s + ω₁), only where it listens to the string
+//! ```
+//!
+//! To a torsional wave that comes up the string the drive is the impedance
+//!
+//! ```text
+//! Z_td(s) = (J s + K_p + K_i/s) / (1 + (K_p + K_i/s) H/Z)
+//! ```
+//!
+//! and sends the part `(Z_td − Z_pipe)/(Z_td + Z_pipe)` of it back.
+//!
+//! Sources: Jansen and van den Steen, *Active damping of self-excited torsional vibrations in oil well
+//! drillstrings*, Journal of Sound and Vibration 179 (1995); Kyllingstad and Nessjøen, *A new stick-slip
+//! prevention system*, SPE/IADC 119660 (2009); Dwars, *Recent advances in Soft Torque rotary systems*,
+//! SPE/IADC 173037 (2015).
+
+use std::f64::consts::TAU;
+
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    dynamics::{
+        kernel::chain::{Chain, element, node},
+        settings::{SpeedController, TopDriveSettings},
+    },
+    simd::number::Real,
+};
+
+/// Lower edge of Z-Torque's band where none is given, as a part of the string's own frequency.
+const BAND_BELOW_STRING: f64 = 0.2;
+
+/// The string as its top sees it.
+#[derive(Debug, Clone, Copy)]
+pub struct StringSeen {
+    /// Characteristic torsional impedance of the uppermost pipe, N·m·s.
+    pub impedance_N_m_s: f64,
+    /// Lowest torsional frequency of the string, held at the top and free at the bit, Hz.
+    pub frequency_Hz: f64,
+}
+
+/// Gains of a controller that is tuned.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Gains {
+    /// `K_p`, N·m·s.
+    pub proportional_N_m_s: f64,
+    /// `K_i`, N·m.
+    pub integral_N_m: f64,
+    /// The impedance to show, where the controller listens to the string's torque.
+    pub shown: Option<Shown>,
+}
+
+/// An impedance that a drive shows by giving way to the string's torque.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Shown {
+    /// `Z`, N·m·s.
+    pub impedance_N_m_s: f64,
+    /// `ω₁`, rad/s: what varies more slowly is left to the speed control.
+    pub corner_rad_per_s: f64,
+}
+
+impl Gains {
+    /// The gains of `controller` for a drive of `inertia_kg_m2` on `string`.
+    pub fn of(controller: SpeedController, inertia_kg_m2: f64, string: StringSeen) -> Self {
+        match controller {
+            SpeedController::Pi {
+                proportional_N_m_s,
+                integral_N_m,
+            } => Self {
+                proportional_N_m_s,
+                integral_N_m,
+                shown: None,
+            },
+            SpeedController::SoftTorque {
+                impedance_ratio,
+                frequency_Hz,
+            } => {
+                let omega = TAU * frequency_Hz.unwrap_or(string.frequency_Hz);
+                Self {
+                    proportional_N_m_s: impedance_ratio * string.impedance_N_m_s,
+                    // Inertia and integral part cancel there.
+                    integral_N_m: inertia_kg_m2 * omega * omega,
+                    shown: None,
+                }
+            }
+            SpeedController::ZTorque {
+                impedance_ratio,
+                frequency_Hz,
+                proportional_N_m_s,
+                integral_N_m,
+            } => Self {
+                proportional_N_m_s,
+                integral_N_m,
+                shown: Some(Shown {
+                    impedance_N_m_s: impedance_ratio * string.impedance_N_m_s,
+                    corner_rad_per_s: TAU
+                        * frequency_Hz.unwrap_or(BAND_BELOW_STRING * string.frequency_Hz),
+                }),
+            },
+        }
+    }
+}
+
+/// The top drive in time.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct TopDrive {
+    /// None of a drive that follows its set point whatever that takes.
+    drive: Option<Drive>,
+    stalled: bool,
+}
+
+#[derive(Debug, Clone, Serialize, Deserialize)]
+struct Drive {
+    gains: Gains,
+    /// Moment of inertia of the half element above the string's first torque, kg·m².
+    half_kg_m2: f64,
+    limit_N_m: f64,
+    /// Torque of the integral part, N·m.
+    integral_N_m: f64,
+    /// What varies slowly of the string's torque, N·m.
+    slow_N_m: f64,
+}
+
+/// What the drive did in a step.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct TopDriveStep {
+    /// Torque between drive and string, N·m: the surface torque.
+    pub string_torque_N_m: f64,
+    /// Work done on the string and on the drive's inertia, J.
+    pub work_J: f64,
+}
+
+impl TopDrive {
+    /// The drive of `settings` on the top of `chain`, which gets its inertia.
+    pub fn new(
+        settings: &TopDriveSettings,
+        string: StringSeen,
+        chain: &mut Chain<impl Real>,
+    ) -> Self {
+        let TopDriveSettings::Driven {
+            inertia_kg_m2,
+            controller,
+            torque_limit_N_m,
+        } = *settings
+        else {
+            return Self {
+                drive: None,
+                stalled: false,
+            };
+        };
+        let half_kg_m2 = node!(chain, 0, polar);
+        node!(chain, 0, polar += inertia_kg_m2);
+        // As it lies, the string is held: the drive gives its torque.
+        let torque = -element!(chain, 0, torsion) * element!(chain, 0, twist);
+        let limit_N_m = torque_limit_N_m.unwrap_or(f64::INFINITY);
+        Self {
+            drive: Some(Drive {
+                gains: Gains::of(controller, inertia_kg_m2, string),
+                half_kg_m2,
+                limit_N_m,
+                integral_N_m: torque.clamp(-limit_N_m, limit_N_m),
+                slow_N_m: torque,
+            }),
+            stalled: false,
+        }
+    }
+
+    /// Spin of the rigid motion that the string is to have at this set point, rad/s: a drive at its
+    /// limit does not reach it.
+    pub fn rigid_spin(&self, chain: &Chain<impl Real>, set_rad_per_s: f64) -> f64 {
+        if self.stalled {
+            node!(chain, 0, spin)
+        } else {
+            set_rad_per_s
+        }
+    }
+
+    /// Before the step: a prescribed spin.
+    pub fn prescribe(&self, chain: &mut Chain<impl Real>, set_rad_per_s: f64) {
+        if self.drive.is_none() {
+            node!(chain, 0, spin = set_rad_per_s);
+        }
+    }
+
+    /// Turns the top after the step, which has left its spin alone: by the torque of the uppermost
+    /// element as the step had it, and by the drive's own at the step's end, stable for any gain.
+    pub fn act(
+        &mut self,
+        chain: &mut Chain<impl Real>,
+        set_rad_per_s: f64,
+        dt: f64,
+    ) -> TopDriveStep {
+        let string = -element!(chain, 0, torque);
+        let before = node!(chain, 0, spin);
+        let Some(drive) = &mut self.drive else {
+            return TopDriveStep {
+                string_torque_N_m: string,
+                work_J: string * before * dt,
+            };
+        };
+        let inertia = node!(chain, 0, polar);
+        let Gains {
+            proportional_N_m_s,
+            integral_N_m,
+            shown,
+        } = drive.gains;
+        let gain = integral_N_m.mul_add(dt, proportional_N_m_s);
+        // The string's torque at the step's end, `M = string + k (Ω − Ω_below) dt + J_½ Ω'`, is `fixed + stiff Ω`;
+        // what is heard of it, part of it less its slow part.
+        let wind = element!(chain, 0, torsion) * dt;
+        let start = drive.half_kg_m2 / dt;
+        let fixed = string - wind * node!(chain, 1, spin) - start * before;
+        let stiff = wind + start;
+        let (slow, heard) = shown.map_or((0.0, 0.0), |s| {
+            let slow = s.corner_rad_per_s * dt / s.corner_rad_per_s.mul_add(dt, 1.0);
+            (slow, (1.0 - slow) / s.impedance_N_m_s)
+        });
+        let reference = set_rad_per_s - heard * (fixed - drive.slow_N_m);
+        let slope = heard.mul_add(stiff, 1.0);
+        let per_dt = inertia / dt;
+        let mut after = (per_dt * before + gain * reference + drive.integral_N_m - string)
+            / gain.mul_add(slope, per_dt);
+        let missing = reference - slope * after;
+        let mut torque = gain * missing + drive.integral_N_m;
+        self.stalled = torque.abs() > drive.limit_N_m;
+        if self.stalled {
+            // The integral waits until the drive is able again.
+            torque = torque.clamp(-drive.limit_N_m, drive.limit_N_m);
+            after = before + (torque - string) / per_dt;
+        } else {
+            drive.integral_N_m += integral_N_m * dt * missing;
+        }
+        drive.slow_N_m += slow * (stiff.mul_add(after, fixed) - drive.slow_N_m);
+        node!(chain, 0, spin = after);
+        TopDriveStep {
+            string_torque_N_m: string,
+            work_J: torque * 0.5 * (before + after) * dt,
+        }
+    }
+}

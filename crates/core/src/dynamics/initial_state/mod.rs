@@ -1,0 +1,451 @@
+//! How the string lies at time zero.
+//!
+//! A string that is dropped into its hole needs minutes to find its torque and its tension. The
+//! prepared start takes both from the soft string, lays the string on the side where it will touch and
+//! lets it settle laterally, so that what follows is the operation and not the aftermath of a fall.
+
+use nalgebra::Vector3;
+
+use super::{
+    body::Body,
+    settings::{DynamicsSettings, FrictionLaw, Start},
+};
+use crate::{
+    dynamics::{
+        assemble::chain,
+        boundary::{
+            anchor::Anchor,
+            hole::{self, Surroundings},
+            mud::viscous::Viscous,
+        },
+        kernel::{
+            chain::{Chain, NO_WALL_M, element, node},
+            step::{Calming, StepInput, Stepper},
+        },
+    },
+    model::Model,
+    operation::{Operation, OperationKind},
+    random::Random,
+    rod::{element::react, mesh::Mesh},
+    simd::vector::Vector,
+    statics::soft::{self, SoftError, SoftSettings},
+};
+
+/// Lateral settling of a prepared start, s, and its damping, 1/s: near critical for a joint's span.
+pub const SETTLING_S: f64 = 2.0;
+const SETTLING_DAMPING_PER_S: f64 = 15.0;
+
+/// Steps after which that damping acts.
+const CALM_STEPS: usize = 4;
+
+/// Side force at which the string is laid halfway to the wall, N/m: where less presses it there, it
+/// hangs nearer to the axis.
+const LIGHT_N_PER_M: f64 = 10.0;
+
+/// Amplitude of the seeded disturbance that breaks the symmetry of a start, m.
+const DISTURBANCE_M: f64 = 1e-6;
+
+/// Passes over the string that bring every element to its tension.
+const PASSES: usize = 8;
+
+/// Part of the settling in which bends grow.
+const GROWING: f64 = 0.5;
+
+/// The string at time zero.
+#[derive(Debug)]
+pub struct Initial {
+    /// The chain.
+    pub chain: Chain,
+    /// Its anchors.
+    pub anchors: Vec<Anchor>,
+    /// Bends and eccentric masses, turned to their angles.
+    pub body: Body,
+    /// Load that carries it, N.
+    pub hook_load_N: f64,
+}
+
+/// What a string is laid by.
+#[derive(Debug, Clone, Copy)]
+pub struct Scene<'a> {
+    /// Well, string and mud.
+    pub model: &'a Model,
+    /// What the driller does, as the string moves at time zero: [`motion`].
+    pub operation: &'a Operation,
+    /// Whether the string neither turns nor slides at time zero.
+    pub at_rest: bool,
+    /// How the string starts.
+    pub settings: &'a DynamicsSettings,
+    /// The string cut into elements.
+    pub mesh: &'a Mesh,
+    /// The hole around it.
+    pub surroundings: &'a Surroundings,
+    /// The mud that drags on it, if any.
+    pub viscous: Option<&'a Viscous>,
+    /// What moves it while it settles.
+    pub stepper: &'a Stepper,
+    /// The step, and the rigid motion that the string is to have.
+    pub input: &'a StepInput,
+    /// Axial velocity of the whole string, m/s.
+    pub velocity_m_per_s: f64,
+}
+
+/// What `operation` is at time zero by the motion of the string, and whether it is at rest.
+///
+/// Without a schedule it is what it is called. A schedule may begin it otherwise: a string that is to turn and
+/// does not yet is run in or pulled out, or hangs still.
+pub fn motion(
+    operation: &Operation,
+    axial_m_per_s: f64,
+    settings: &DynamicsSettings,
+) -> (Operation, bool) {
+    if settings.schedule.is_empty() {
+        return (*operation, false);
+    }
+    let pressed = operation.weight_on_bit_now_N() > 0.0;
+    let turns = operation.rotation_rad_per_s() > 0.0;
+    let kind = match (turns, pressed) {
+        (_, true) if turns == operation.kind.rotates() => operation.kind,
+        (_, true) => OperationKind::Slide,
+        (true, false) if axial_m_per_s > 0.0 => OperationKind::Ream,
+        (true, false) if axial_m_per_s < 0.0 => OperationKind::BackReam,
+        (true, false) => OperationKind::RotateOffBottom,
+        (false, false) if axial_m_per_s < 0.0 => OperationKind::TripOut,
+        (false, false) => OperationKind::TripIn,
+    };
+    let operation = Operation {
+        kind,
+        trip_speed_m_per_s: axial_m_per_s.abs(),
+        ..*operation
+    };
+    (operation, !turns && axial_m_per_s == 0.0)
+}
+
+/// Lays the string with its bit at `bit_md_m`.
+///
+/// # Errors
+/// A soft string without solution.
+pub fn lay(
+    scene: &Scene<'_>,
+    chain: Chain,
+    body: Body,
+    bit_md_m: f64,
+) -> Result<Initial, SoftError> {
+    let Scene {
+        operation,
+        settings,
+        mesh,
+        ..
+    } = *scene;
+    let guide = Guide::new(scene)?;
+    let mut string = Laying {
+        anchors: vec![
+            Anchor {
+                md_m: 0.0,
+                position_m: Vector3::zeros(),
+                high_side: Vector3::x()
+            };
+            mesh.nodes.len()
+        ],
+        chain,
+        body,
+        surroundings: scene.surroundings,
+        guide: &guide,
+        mesh,
+    };
+    string.place(bit_md_m, settings.start == Start::Prepared);
+    string.body.orient(&string.chain, &string.anchors);
+    string.disturb(settings.seed);
+    if settings.start == Start::Prepared {
+        string.set_motion(0.0, operation.rotation_rad_per_s());
+        string.settle(scene.stepper, scene.input, operation);
+        string.stretch_in_place();
+        string.set_motion(scene.velocity_m_per_s, operation.rotation_rad_per_s());
+        for index in 0..mesh.elements.len() {
+            element!(
+                string.chain,
+                index,
+                twist = -guide.torque_N_m[index] / element!(string.chain, index, torsion)
+            );
+        }
+    }
+    string.chain.clear_sums();
+    let hook_load_N = guide.tension_N[0] + chain::top_weight_N(&string.chain);
+    Ok(Initial {
+        chain: string.chain,
+        anchors: string.anchors,
+        body: string.body,
+        hook_load_N,
+    })
+}
+
+/// What the soft string says about every element and node.
+struct Guide {
+    /// Tension of each element, N.
+    tension_N: Vec<f64>,
+    /// Torque of each element, N·m.
+    torque_N_m: Vec<f64>,
+    /// Offset of each node from the axis as a part of its clearance.
+    lean: Vec<Vector3<f64>>,
+}
+
+impl Guide {
+    fn new(scene: &Scene<'_>) -> Result<Self, SoftError> {
+        let Scene {
+            settings,
+            mesh,
+            viscous,
+            ..
+        } = *scene;
+        let (model, operation) = as_soft_string(scene);
+        let profile = soft::solve(&model, &operation, &SoftSettings::default())?;
+        let depth = |from_bit_m: f64| operation.bit_depth_m - from_bit_m;
+        let middle = |i: usize| depth(mesh.nodes[i].from_bit_m - 0.5 * mesh.elements[i].length_m);
+        let tension_N = (0..mesh.elements.len())
+            .map(|i| {
+                if settings.starts_cold() {
+                    0.0
+                } else {
+                    profile.tension_at_N(middle(i))
+                }
+            })
+            .collect();
+        let turning = settings.start == Start::Prepared && operation_turns(&operation, settings);
+        // Torque from the bit up: what each node rubs off.
+        let mut torque_N_m = vec![0.0; mesh.elements.len()];
+        let mut torque = operation.bit_torque_now_N_m();
+        let mut lean = vec![Vector3::zeros(); mesh.nodes.len()];
+        for i in (0..mesh.nodes.len()).rev() {
+            let md = depth(mesh.nodes[i].from_bit_m);
+            let load = profile.side_force_at_N_per_m(md).abs();
+            let side = profile.contact_direction_at(md);
+            let friction = model.well.hole.at(md).friction;
+            let friction = friction.kinetic * friction.around;
+            // Wherever the nodes stand, the component touches with its joints.
+            let radius = model
+                .string
+                .component_at(mesh.nodes[i].from_bit_m)
+                .1
+                .contact_radius_m();
+            let mu = if turning {
+                around(friction, radius, &operation, settings.friction_law)
+            } else {
+                0.0
+            };
+            // A turning pipe climbs the wall until friction carries it: atan(mu) from the load.
+            let climb = 1.0 / (1.0 + mu * mu).sqrt();
+            let tangent = model.well.path.at(md).tangent;
+            let touch = climb * side - mu * climb * tangent.cross(&side);
+            lean[i] = touch * (load / (load + LIGHT_N_PER_M));
+            if i > 0 {
+                let length = mesh.tributary_length_m(i);
+                torque += mu * climb * load * length * radius;
+                let mud = viscous.map_or(0.0, |mud| mud.torque_N_m(i - 1));
+                torque_N_m[i - 1] = torque + 0.5 * mud;
+                torque += mud;
+            }
+        }
+        Ok(Self {
+            tension_N,
+            torque_N_m,
+            lean,
+        })
+    }
+}
+
+fn operation_turns(operation: &Operation, settings: &DynamicsSettings) -> bool {
+    // The guide of the independent law is solved as a sliding string but turns all the same.
+    operation.rotary_speed_rad_per_s > 0.0
+        && (operation.kind.rotates() || settings.friction_law == FrictionLaw::Independent)
+}
+
+/// The soft string whose tension the start takes: without friction for a centred start and for a string at rest,
+/// as if it had been turned before; with the full axial friction of a sliding string for the independent law.
+fn as_soft_string(scene: &Scene<'_>) -> (Model, Operation) {
+    let Scene {
+        settings, at_rest, ..
+    } = *scene;
+    let (mut model, mut operation) = (scene.model.clone(), *scene.operation);
+    if !operation.kind.rotates() {
+        operation.rotary_speed_rad_per_s = 0.0;
+    }
+    if settings.start == Start::Centred || at_rest {
+        // Zero is a coefficient that every hole takes.
+        if let Ok(frictionless) = model.well.hole.with_friction(0.0) {
+            model.well.hole = frictionless;
+        }
+    } else if settings.friction_law == FrictionLaw::Independent {
+        operation.kind = match operation.kind {
+            OperationKind::Drill => OperationKind::Slide,
+            OperationKind::Ream => OperationKind::TripIn,
+            OperationKind::BackReam => OperationKind::TripOut,
+            same => same,
+        };
+    }
+    (model, operation)
+}
+
+/// The part that acts around the hole, of the friction coefficient around it.
+fn around(mu: f64, radius_m: f64, operation: &Operation, law: FrictionLaw) -> f64 {
+    match law {
+        FrictionLaw::Independent => mu,
+        FrictionLaw::Vector => {
+            let surface = radius_m * operation.rotary_speed_rad_per_s;
+            mu * surface / surface.hypot(operation.axial_velocity_m_per_s())
+        }
+    }
+}
+
+/// A string being laid.
+struct Laying<'a> {
+    chain: Chain,
+    anchors: Vec<Anchor>,
+    body: Body,
+    surroundings: &'a Surroundings,
+    guide: &'a Guide,
+    mesh: &'a Mesh,
+}
+
+impl Laying<'_> {
+    /// Puts every node at its depth and on its side, from the bit up, every element at its tension.
+    fn place(&mut self, bit_md_m: f64, lean: bool) {
+        let nodes = self.mesh.nodes.len();
+        let mut md = vec![bit_md_m; nodes];
+        for i in (0..nodes - 1).rev() {
+            md[i] = md[i + 1] - self.mesh.elements[i].length_m;
+        }
+        for _ in 0..PASSES {
+            for (i, depth) in md.iter().enumerate() {
+                self.surroundings
+                    .place(&mut self.chain, &mut self.anchors, i, *depth);
+                let clearance = node!(self.chain, i, clearance);
+                let off = if lean && clearance < NO_WALL_M {
+                    self.guide.lean[i] * clearance
+                } else {
+                    Vector3::zeros()
+                };
+                self.chain.set_displacement(i, off.into());
+            }
+            self.span_all();
+            self.point_directors();
+            let mut shift = 0.0;
+            for i in (0..nodes - 1).rev() {
+                shift += self.shortfall_m(i);
+                md[i] -= shift;
+            }
+        }
+    }
+
+    /// Length by which element `i` lacks its tension, m.
+    fn shortfall_m(&self, i: usize) -> f64 {
+        let k = self.chain.stiffness(i);
+        let mut pose = self.body.pose(&self.chain, i);
+        pose.velocity = Vector::zero();
+        let tension = react(&k, &pose, 0.0, 0.0).tension;
+        (self.guide.tension_N[i] - tension) / k.axial
+    }
+
+    fn span_all(&mut self) {
+        for i in 0..self.mesh.elements.len() {
+            hole::span(&mut self.chain, &self.anchors, i);
+        }
+    }
+
+    /// Points each director along the string, the top's along the hole.
+    fn point_directors(&mut self) {
+        let last = self.mesh.nodes.len() - 1;
+        let at: Vec<Vector3<f64>> = (0..=last)
+            .map(|i| self.anchors[i].position_m + Vector3::from(self.chain.displacement(i)))
+            .collect();
+        for i in 0..=last {
+            let direction = if i == 0 {
+                self.chain.tangent(0).into()
+            } else {
+                (at[(i + 1).min(last)] - at[i - 1]).normalize()
+            };
+            self.chain.set_director(i, direction.into());
+        }
+    }
+
+    /// Moves every node sideways by a millionth of a metre, never the same way for two seeds.
+    fn disturb(&mut self, seed: u64) {
+        let mut random = Random::new(seed);
+        for i in 1..self.mesh.nodes.len() - 1 {
+            let tangent = self.chain.tangent(i);
+            let kick = Vector(random.signed(), random.signed(), random.signed());
+            let across = kick.minus(tangent, kick.dot(tangent));
+            let moved = self.chain.displacement(i).plus(across, DISTURBANCE_M);
+            self.chain.set_displacement(i, moved);
+        }
+    }
+
+    /// Gives every node the same axial velocity and spin.
+    fn set_motion(&mut self, axial_m_per_s: f64, spin_rad_per_s: f64) {
+        for i in 0..self.mesh.nodes.len() {
+            let velocity = self.chain.tangent(i).scaled(axial_m_per_s);
+            self.chain.set_velocity(i, velocity);
+            self.chain.set_turning(i, Vector::zero());
+            node!(self.chain, i, spin = spin_rad_per_s);
+        }
+    }
+
+    /// Lets the string find its place across the hole, axial motion and spin held.
+    fn settle(&mut self, stepper: &Stepper, input: &StepInput, operation: &Operation) {
+        let time_s = CALM_STEPS as f64 * input.dt;
+        let calming = Calming {
+            time_s,
+            dt: input.dt,
+            left: (-SETTLING_DAMPING_PER_S * time_s).exp(),
+            rigid_velocity: 0.0,
+            rigid_spin: operation.rotation_rad_per_s(),
+        };
+        chain::hold(&mut self.chain);
+        if !operation.kind.rotates() {
+            // A string that does not turn slides sideways freely while it slides along.
+            for block in &mut self.chain.node_blocks {
+                block.friction.0.fill(0.0);
+                block.friction_rise.0.fill(0.0);
+            }
+        }
+        // No wall holds the bit: its own hole does, whatever weighs on it or bends there.
+        node!(
+            self.chain,
+            self.mesh.nodes.len() - 1,
+            inv_mass_lateral = 0.0
+        );
+        let steps = (SETTLING_S / input.dt).ceil() as usize;
+        for step in 0..steps {
+            let grown = (step + 1) as f64 / (GROWING * steps as f64);
+            self.body.push(&mut self.chain, input, grown.min(1.0));
+            stepper.step(&mut self.chain, input);
+            self.body.follow(&mut self.chain, input);
+            if step % CALM_STEPS == 0 {
+                stepper.calm(&mut self.chain, &calming);
+                self.chain.find_drag(input.dt);
+            }
+        }
+        chain::release(&mut self.chain);
+        for i in 0..self.mesh.nodes.len() {
+            let md = self.anchors[i].md_m;
+            self.surroundings
+                .anchor(&mut self.chain, &mut self.anchors, i, md);
+        }
+    }
+
+    /// Brings every element back to its tension, the string keeping its place across the hole.
+    fn stretch_in_place(&mut self) {
+        for _ in 0..PASSES {
+            // The node below has moved already: each shortfall knows of it.
+            for i in (0..self.mesh.elements.len()).rev() {
+                let shift = self.shortfall_m(i);
+                let moved = self
+                    .chain
+                    .displacement(i)
+                    .minus(self.chain.tangent(i), shift);
+                self.chain.set_displacement(i, moved);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

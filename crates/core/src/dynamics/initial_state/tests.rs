@@ -1,0 +1,89 @@
+//! What a prepared start takes from the soft string.
+
+use super::*;
+use crate::{
+    dynamics::{
+        assemble::basis::Basis,
+        tests::bench::{Bench, PIPE_M},
+    },
+    well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Station, TieIn, Well},
+};
+
+const LENGTH_M: f64 = 300.0;
+
+/// Plain pipe in a straight hole of 60 deg.
+fn model(friction: f64) -> Model {
+    let station = |md_m| Station {
+        md_m,
+        inclination_rad: 60f64.to_radians(),
+        azimuth_rad: 0.3,
+    };
+    let stations = [station(0.0), station(LENGTH_M)];
+    let hole = HoleSection {
+        kind: HoleKind::Open,
+        from_md_m: 0.0,
+        to_md_m: LENGTH_M + 10.0,
+        diameter_m: 0.2159,
+        friction: Friction::uniform(friction),
+        youngs_modulus_Pa: 51.5e9,
+        poisson_ratio: 0.33,
+        roughness: 1.0,
+    };
+    Model {
+        well: Well {
+            path: Path::new(&stations, Interpolation::Spline, TieIn::default())
+                .expect("a sound survey"),
+            hole: Hole::new(vec![hole]).expect("a sound hole"),
+        },
+        ..Bench::new(&[(PIPE_M, LENGTH_M)], 3.2, 0.0).model
+    }
+}
+
+/// A pipe that turns clockwise is laid to the right of the low side, looking down the hole, by the angle `atan μ` at which
+/// friction carries its weight: what a rigid cylinder climbs to. To rounding.
+#[test]
+fn a_turning_pipe_is_laid_where_it_climbs_to() {
+    let operation = Operation {
+        kind: OperationKind::RotateOffBottom,
+        bit_depth_m: LENGTH_M,
+        rotary_speed_rad_per_s: 7.0,
+        weight_on_bit_N: 0.0,
+        bit_torque_N_m: 0.0,
+        rate_of_penetration_m_per_s: 0.0,
+        trip_speed_m_per_s: 0.0,
+        flow_rate_m3_per_s: 0.0,
+        bit_pressure_drop_Pa: 0.0,
+        motor_pressure_drop_Pa: 0.0,
+    };
+    let settings = DynamicsSettings::default();
+    for friction in [0.0, 0.25, 0.6] {
+        let model = model(friction);
+        let basis = Basis::<f64>::new(&model, &operation, &settings).expect("sound settings");
+        let guide = Guide::new(&Scene {
+            model: &model,
+            operation: &operation,
+            at_rest: false,
+            settings: &settings,
+            mesh: &basis.mesh,
+            surroundings: &basis.surroundings,
+            viscous: None,
+            stepper: &basis.stepper,
+            input: &StepInput {
+                dt: basis.plan.dt_s,
+                stiffness_damping: 0.0,
+                dissipation: 0.0,
+                stribeck_speed: 1.0,
+            },
+            velocity_m_per_s: 0.0,
+        })
+        .expect("a soft string");
+        let path = &model.well.path;
+        for (i, node) in basis.mesh.nodes.iter().enumerate() {
+            let md = LENGTH_M - node.from_bit_m;
+            let high = path.high_side_at(md);
+            let right = path.at(md).tangent.cross(&high);
+            let climb = guide.lean[i].dot(&right).atan2(-guide.lean[i].dot(&high));
+            assert!((climb - friction.atan()).abs() < 1e-9, "{climb} at {md} m");
+        }
+    }
+}

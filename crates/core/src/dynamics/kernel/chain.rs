@@ -1,0 +1,324 @@
+//! The chain of nodes and elements as the time loop holds it.
+//!
+//! The chain is cut into as many strands as there are lanes, and the strands lie side by side: node `i` is in row
+//! `i mod rows`, lane `i / rows`. What is next along the string so stands in the same lane of the next row, and
+//! one instruction works on all lanes without moving a number between them; only where a strand ends does its
+//! last element reach for the first node of the next lane. A whole string of thousands of metres fits in the
+//! second-level cache. Positions are displacements from each node's own anchor on the hole's axis.
+
+mod blocks;
+mod numbers;
+mod rows;
+
+use serde::{Deserialize, Serialize};
+
+use super::layout::{Layout, Strands};
+use crate::{
+    damage::{Damaged, sound},
+    rod::element::{Pose, Stiffness},
+    simd::{
+        lanes::SINGLES,
+        number::{Number, Real},
+        vector::Vector,
+    },
+};
+
+pub use blocks::{ElementBlock, NO_WALL_M, NodeBlock, StateBlock};
+pub(crate) use numbers::{element, node, number};
+use rows::CopyLane;
+pub use rows::{Row, Rows};
+
+/// The whole chain.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(bound = "")]
+pub struct Chain<R: Real = f64> {
+    nodes: usize,
+    /// Number of nodes after which the string looks the same: from joint to joint.
+    pattern: usize,
+    strands: Strands,
+    /// Rest length of each element, m: however the chain keeps its numbers, its chords are held against these.
+    lengths_m: Vec<f64>,
+    /// How the nodes move, row by row; the last row repeats the first one lane lower, for the elements
+    /// where strands end.
+    pub states: Vec<StateBlock<R>>,
+    /// Nodes, row by row.
+    pub node_blocks: Vec<NodeBlock<R>>,
+    /// Elements, as many rows as nodes have.
+    pub element_blocks: Vec<ElementBlock<R>>,
+}
+
+macro_rules! vector_access {
+    ($($get:ident, $set:ident, $blocks:ident, $field:ident, $what:literal;)*) => {$(
+        #[doc = $what]
+        pub fn $get(&self, index: usize) -> Vector<f64> {
+            let (row, lane) = self.place(index);
+            let [x, y, z] = &self.$blocks[row].$field;
+            Vector(x.0[lane].to_f64(), y.0[lane].to_f64(), z.0[lane].to_f64())
+        }
+        #[doc = concat!("Sets: ", $what)]
+        pub fn $set(&mut self, index: usize, value: Vector<f64>) {
+            let (row, lane) = self.place(index);
+            let [x, y, z] = &mut self.$blocks[row].$field;
+            x.0[lane] = R::from_f64(value.0);
+            y.0[lane] = R::from_f64(value.1);
+            z.0[lane] = R::from_f64(value.2);
+        }
+    )*};
+}
+
+impl Chain {
+    /// A chain of `nodes` idle nodes.
+    #[cfg(test)]
+    pub fn new(nodes: usize) -> Self {
+        Self::idle(nodes, 1)
+    }
+
+    /// A chain of `nodes` idle nodes for a string that looks the same after every `pattern` of them.
+    pub fn patterned(nodes: usize, pattern: usize) -> Self {
+        Self::idle(nodes, pattern)
+    }
+}
+
+impl<R: Real> Chain<R> {
+    fn idle(nodes: usize, pattern: usize) -> Self {
+        Self::in_strands(nodes, pattern, Strands::new(nodes, R::LANES, pattern))
+    }
+
+    fn in_strands(nodes: usize, pattern: usize, strands: Strands) -> Self {
+        let rows = strands.rows();
+        Self {
+            nodes,
+            pattern,
+            strands,
+            lengths_m: vec![1.0; nodes],
+            states: vec![StateBlock::at_rest(); rows + 1],
+            node_blocks: vec![NodeBlock::idle(); rows],
+            element_blocks: vec![ElementBlock::idle(); rows],
+        }
+    }
+
+    /// The same chain in another kind of number.
+    pub fn converted<S: Real>(&self) -> Chain<S> {
+        self.moved_into(Chain::idle(self.nodes, self.pattern))
+    }
+
+    /// The same chain in strands of so many rows.
+    #[cfg(test)]
+    pub fn in_rows(&self, rows: usize) -> Self {
+        self.moved_into(Self::in_strands(
+            self.nodes,
+            self.pattern,
+            Strands::of(rows),
+        ))
+    }
+
+    fn moved_into<S: Real>(&self, mut chain: Chain<S>) -> Chain<S> {
+        chain.lengths_m.clone_from(&self.lengths_m);
+        for index in 0..self.nodes {
+            let ((row, lane), (from, from_lane)) = (chain.place(index), self.place(index));
+            chain.states[row].copy_lane(lane, &self.states[from], from_lane);
+            chain.node_blocks[row].copy_lane(lane, &self.node_blocks[from], from_lane);
+            chain.element_blocks[row].copy_lane(lane, &self.element_blocks[from], from_lane);
+        }
+        chain
+    }
+
+    /// Whether a stored chain is one of so many nodes with this pattern.
+    pub(crate) fn check(&self, nodes: usize, pattern: usize) -> Result<(), Damaged> {
+        let strands = Strands::new(nodes, R::LANES, pattern);
+        let rows = strands.rows();
+        let fits = (self.nodes, self.pattern, self.strands) == (nodes, pattern, strands)
+            && self.lengths_m.len() == nodes
+            && self.states.len() == rows + 1
+            && self.node_blocks.len() == rows
+            && self.element_blocks.len() == rows;
+        sound(fits, "the string")
+    }
+
+    /// Where what is kept of its nodes in double precision lies.
+    pub fn layout(&self) -> Layout {
+        Layout::beside::<R>(self.strands)
+    }
+
+    /// Row and lane of a node, and of the element below it.
+    #[inline]
+    pub fn place(&self, index: usize) -> (usize, usize) {
+        self.strands.place(index)
+    }
+
+    /// Repeats the first row of states below the last, one lane lower. The last lane ends in itself.
+    pub fn close(&mut self) {
+        let rows = self.node_blocks.len();
+        let (above, close) = self.states.split_at_mut(rows);
+        let (first, last) = (above[0].rows(), above[rows - 1].rows());
+        for ((row, first), last) in close[0].rows_mut().zip(first).zip(last) {
+            let end = R::LANES - 1;
+            row.0.as_mut()[..end].copy_from_slice(&first.0.as_ref()[1..]);
+            row.0[end] = last.0[end];
+        }
+    }
+
+    /// How the lower ends of a row of elements move, if the states were closed since: after a step the row that
+    /// [closes](Self::close) them is that of the step's beginning.
+    pub fn ends(&self, row: usize) -> &StateBlock<R> {
+        &self.states[row + 1]
+    }
+
+    /// Whether a node has slid further along the hole than `reach_m` from its anchor.
+    pub fn slid(&self, reach_m: f64) -> bool {
+        let reach = R::from_f64(reach_m);
+        let mut slid = false;
+        // Every number is looked at: a loop that ends early is none that looks at eight at once.
+        for (state, node) in self.states.iter().zip(&self.node_blocks) {
+            for lane in 0..R::LANES {
+                let [x, y, z] = [0, 1, 2].map(|a| state.u[a].0[lane] * node.tangent[a].0[lane]);
+                let along = x + y + z;
+                slid |= along > reach || along < -reach;
+            }
+        }
+        slid
+    }
+
+    /// Finds what the mud's lateral drag takes of the nodes' velocities in a step of `dt`, as they move now. A hundredth in
+    /// any mud; a brake still at any speed.
+    pub fn find_drag(&mut self, dt: f64) {
+        let (dt, half) = (R::from_f64(dt), R::from_f64(0.5));
+        for (node, state) in self.node_blocks.iter_mut().zip(&self.states) {
+            for lane in 0..R::LANES {
+                let part = |rows: &Rows<R>, axis: usize| rows[axis].0[lane];
+                let dot = |a: &Rows<R>, b: &Rows<R>| {
+                    part(a, 0) * part(b, 0) + part(a, 1) * part(b, 1) + part(a, 2) * part(b, 2)
+                };
+                let along = dot(&node.tangent, &state.v);
+                let square = dot(&state.v, &state.v) - along * along;
+                let speed = Number::max(square, R::default()).sqrt();
+                let drag = node.drag_linear.0[lane] + node.drag_quadratic.0[lane] * speed;
+                let slowed = dt * node.inv_mass_lateral.0[lane] * drag;
+                node.slowed.0[lane] = Number::min(slowed, half);
+            }
+        }
+    }
+
+    /// The upper strands in whose elements the effective tension was more than `least_N` at the last step.
+    pub fn strands_above_N(&self, least_N: f64) -> usize {
+        let least = R::from_f64(least_N);
+        let mut above = [true; SINGLES];
+        for block in &self.element_blocks {
+            for (above, tension) in above.iter_mut().zip(block.tension.0.as_ref()) {
+                *above &= *tension > least;
+            }
+        }
+        above[..R::LANES].iter().take_while(|above| **above).count()
+    }
+
+    /// Effective tension of each element at the last step, from the first of a strand down, N, and its index.
+    pub fn tensions_N(&self, strand: usize) -> impl Iterator<Item = (usize, f64)> {
+        let along = |lane| {
+            let blocks = self.element_blocks.iter();
+            blocks.map(move |block: &ElementBlock<R>| block.tension.0[lane].to_f64())
+        };
+        let first = strand * self.strands.rows();
+        let tensions = (strand..R::LANES).flat_map(along);
+        (first..self.elements()).zip(tensions)
+    }
+
+    /// Work that friction has done at each node since the last sample, from the top down, J.
+    pub fn wear_J(&self) -> impl Iterator<Item = f64> {
+        let along = |lane| {
+            let blocks = self.node_blocks.iter();
+            blocks.map(move |block: &NodeBlock<R>| block.sum_wear.0[lane].to_f64())
+        };
+        (0..R::LANES).flat_map(along).take(self.nodes)
+    }
+
+    /// Number of nodes.
+    pub fn nodes(&self) -> usize {
+        self.nodes
+    }
+
+    /// Number of elements.
+    pub fn elements(&self) -> usize {
+        self.nodes - 1
+    }
+
+    vector_access! {
+        displacement, set_displacement, states, u, "Displacement of a node from its anchor, m.";
+        velocity, set_velocity, states, v, "Velocity of a node, m/s.";
+        director, set_director, states, d, "Director of a node.";
+        turning, set_turning, states, w, "Angular velocity of a node across its director, rad/s.";
+        tangent, set_tangent, node_blocks, tangent, "Tangent of the hole at a node's anchor.";
+        curvature, set_curvature, node_blocks, curvature, "Curvature of the hole at a node's anchor, 1/m.";
+        weight, set_weight, node_blocks, weight, "Buoyed weight of a node, N.";
+        chord, set_chord, element_blocks, chord, "Chord between the anchors of an element, m.";
+    }
+
+    /// Gives an element its stiffness.
+    pub fn set_stiffness(&mut self, index: usize, k: &Stiffness<f64>) {
+        self.lengths_m[index] = k.length;
+        element!(self, index, length = k.length);
+        element!(self, index, axial = k.axial);
+        element!(self, index, bending_far = k.bending_far);
+        element!(self, index, half_bow_near = k.half_bow_near);
+        element!(self, index, bow_far = k.bow_far);
+        element!(self, index, torsion = k.twist);
+        element!(self, index, bending = k.bending);
+    }
+
+    /// The stiffness of an element.
+    pub fn stiffness(&self, index: usize) -> Stiffness<f64> {
+        Stiffness {
+            length: element!(self, index, length),
+            axial: element!(self, index, axial),
+            bending_far: element!(self, index, bending_far),
+            half_bow_near: element!(self, index, half_bow_near),
+            bow_far: element!(self, index, bow_far),
+            twist: element!(self, index, torsion),
+            bending: element!(self, index, bending),
+        }
+    }
+
+    /// How an element stands and moves.
+    pub fn pose(&self, index: usize) -> Pose<f64> {
+        let (one, two) = (index, index + 1);
+        Pose {
+            anchor_chord: self.chord(index),
+            anchor_excess: element!(self, index, excess),
+            displacement: self.displacement(two) - self.displacement(one),
+            velocity: self.velocity(two) - self.velocity(one),
+            d1: self.director(one),
+            d2: self.director(two),
+            w1: self.turning(one),
+            w2: self.turning(two),
+            spin: node!(self, two, spin) - node!(self, one, spin),
+            twist: element!(self, index, twist),
+        }
+    }
+
+    /// Takes out what rounding has added to the directors' lengths and to the angular velocities along
+    /// them. The step preserves both but for the damping of bending: once in a hundred steps is plenty.
+    pub fn square_up(&mut self) {
+        for index in 0..self.nodes {
+            let d = self.director(index);
+            let unit = d.scaled(1.0 / d.dot(d).sqrt());
+            let w = self.turning(index);
+            self.set_director(index, unit);
+            self.set_turning(index, w.minus(unit, w.dot(unit)));
+        }
+    }
+
+    /// Clears what is summed up between samples.
+    pub fn clear_sums(&mut self) {
+        for block in &mut self.node_blocks {
+            block.clear_sums();
+        }
+    }
+
+    /// Sets the chord between the anchors of an element, and what follows from it.
+    pub fn set_anchor_chord(&mut self, index: usize, chord: Vector<f64>) {
+        let length = self.lengths_m[index];
+        self.set_chord(index, chord);
+        // |a|² − L² = (|a| − L)(|a| + L), exact to the last digits of the chord.
+        let a = chord.dot(chord).sqrt();
+        element!(self, index, excess = (a - length) * (a + length));
+    }
+}

@@ -1,0 +1,327 @@
+//! One step of the whole chain: the inner loop of everything.
+//!
+//! Leapfrog (central differences): forces at the present positions kick the velocities across the
+//! step, the velocities carry the positions on. Contact and friction act within the step, implicitly
+//! at each node, so that they never limit it. One pass does both: a row of elements is evaluated from
+//! positions that no node has left yet, and the row of nodes above it is moved, while all of it is
+//! still in the first-level cache.
+//!
+//! A row is worked on in short loops, and those of the elements stand between those of the nodes, for neither waits for
+//! the other. What one register of lanes waits for (a root or a division takes twenty cycles) is then hidden behind the
+//! others; in one long loop the processor does not see far enough ahead. Where roots and divisions follow one another,
+//! two registers are worked on in turn.
+//!
+//! Directors move on the sphere by Cayley's rotation, which keeps their length and the right angle
+//! to their angular velocity to rounding.
+
+mod calm;
+mod elements;
+mod input;
+mod lane;
+mod losses;
+mod nodes;
+mod touch;
+
+use super::chain::{Chain, ElementBlock, Row, StateBlock};
+use crate::simd::{
+    counted::{self, Counted, Flops},
+    dispatch::{available_instruction_sets, for_each_instruction_set},
+    number::{Number, Real},
+    peak,
+    wide::{Pair, Registers},
+};
+pub use calm::Calming;
+use elements::{Pull, Strains, bend, chord, strain, twist};
+pub use input::StepInput;
+use lane::lanes;
+use losses::Losses;
+pub use losses::StepLosses;
+use nodes::{Flight, fly, land, reach, rub, turn};
+use touch::push;
+
+/// What the stepper must be able to do; less is faster.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Abilities {
+    /// Hertz contact, not the linear one.
+    pub hertz: bool,
+    /// Vector friction, not the independent one.
+    pub vector: bool,
+    /// Any of: friction at rest above the kinetic one, friction around the hole other than along it,
+    /// viscous drag of the mud along the hole and about the axis, a clearance that changes along the hole.
+    pub full: bool,
+}
+
+/// Which code does the step: the processor's best instructions, and the two laws.
+#[derive(Clone, Copy)]
+pub struct Stepper<R: Real = f64> {
+    step: unsafe fn(&mut Chain<R>, &StepInput) -> StepLosses,
+    calm: unsafe fn(&mut Chain<R>, &Calming) -> f64,
+    peak: unsafe fn(usize) -> u64,
+    /// Name of the instruction set in use.
+    pub instructions: &'static str,
+}
+
+impl<R: Real> std::fmt::Debug for Stepper<R> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Stepper")
+            .field("instructions", &self.instructions)
+            .finish()
+    }
+}
+
+macro_rules! compiled_for {
+    ($set:ident, $number:ident, $fused:expr $(, $features:literal)?) => {
+        mod $set {
+            use super::*;
+            use crate::simd::dispatch::$number;
+
+            $(#[target_feature(enable = $features)])?
+            pub(super) fn step<R: Registers, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
+                chain: &mut Chain<R>,
+                input: &StepInput,
+            ) -> StepLosses {
+                sweep::<$number<R>, HERTZ, VECTOR, FULL>(chain, input)
+            }
+
+            $(#[target_feature(enable = $features)])?
+            pub(super) fn calm<R: Registers>(chain: &mut Chain<R>, calming: &Calming) -> f64 {
+                super::calm::calm::<$number<R>>(chain, calming)
+            }
+
+            $(#[target_feature(enable = $features)])?
+            pub(super) fn peak<R: Registers>(rounds: usize) -> u64 {
+                if $fused {
+                    super::peak::work::<$number<R>>(rounds)
+                } else {
+                    super::peak::work_apart::<$number<R>>(rounds)
+                }
+            }
+        }
+    };
+}
+for_each_instruction_set!(compiled_for);
+
+fn counting<R: Real, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
+    chain: &mut Chain<R>,
+    input: &StepInput,
+) -> StepLosses {
+    sweep::<Counted<R>, HERTZ, VECTOR, FULL>(chain, input)
+}
+
+/// A function of the step, compiled for the laws that are asked for.
+macro_rules! with_laws {
+    ($($function:ident)::+, $abilities:expr) => {
+        match ($abilities.hertz, $abilities.vector, $abilities.full) {
+            (true, true, false) => $($function)::+::<R, true, true, false>,
+            (true, false, false) => $($function)::+::<R, true, false, false>,
+            (false, true, false) => $($function)::+::<R, false, true, false>,
+            (false, false, false) => $($function)::+::<R, false, false, false>,
+            (true, true, true) => $($function)::+::<R, true, true, true>,
+            (true, false, true) => $($function)::+::<R, true, false, true>,
+            (false, true, true) => $($function)::+::<R, false, true, true>,
+            (false, false, true) => $($function)::+::<R, false, false, true>,
+        }
+    };
+}
+
+impl<R: Registers> Stepper<R> {
+    /// The fastest code for this processor that does what is asked for.
+    pub fn new(abilities: Abilities) -> Self {
+        Self::all(abilities)[0]
+    }
+
+    /// Every code that this processor can run, the fastest first; the baseline always is the last.
+    pub fn all(abilities: Abilities) -> Vec<Self> {
+        macro_rules! choose {
+            ($set:ident, $name:literal) => {
+                Self {
+                    step: with_laws!($set::step, abilities),
+                    calm: $set::calm::<R>,
+                    peak: $set::peak::<R>,
+                    instructions: $name,
+                }
+            };
+        }
+        available_instruction_sets!(choose)
+    }
+}
+
+impl<R: Real> Stepper<R> {
+    /// Advances the chain by one step of such code, and counts what that takes.
+    pub fn count(abilities: Abilities, chain: &mut Chain<R>, input: &StepInput) -> Flops {
+        let step: fn(&mut Chain<R>, &StepInput) -> StepLosses = with_laws!(counting, abilities);
+        counted::count(|| {
+            step(chain, input);
+        })
+    }
+
+    /// Does as much arithmetic in the step's registers as the processor can, `rounds` times; how many floating-point
+    /// operations that was.
+    pub fn work(&self, rounds: usize) -> u64 {
+        // SAFETY: as for a step.
+        unsafe { (self.peak)(rounds) }
+    }
+
+    /// Takes what mass-proportional damping takes; how much, J.
+    pub fn calm(&self, chain: &mut Chain<R>, calming: &Calming) -> f64 {
+        // SAFETY: as for a step.
+        unsafe { (self.calm)(chain, calming) }
+    }
+
+    /// Advances the chain by one step.
+    pub fn step(&self, chain: &mut Chain<R>, input: &StepInput) -> StepLosses {
+        // SAFETY: `all` lists only code whose instructions the processor was found to have.
+        unsafe { (self.step)(chain, input) }
+    }
+}
+
+/// Where a node lies from the hole's axis as its wall has it, and the clearance there, m: without a step in time.
+#[cfg(test)]
+pub fn met(chain: &Chain, index: usize) -> (crate::simd::vector::Vector<f64>, f64) {
+    use crate::simd::vector::Vector;
+
+    let (row, lane) = chain.place(index);
+    let input = StepInput {
+        dt: 0.0,
+        stiffness_damping: 0.0,
+        dissipation: 0.0,
+        stribeck_speed: 1.0,
+    };
+    let mut flight = Flight::none();
+    let (n, state) = (&chain.node_blocks[row], &chain.states[row]);
+    reach::<f64, true>(&mut flight, n, state, &input, lane);
+    let [x, y, z] = &flight.offset;
+    (
+        Vector(x.0[lane], y.0[lane], z.0[lane]),
+        flight.clearance.0[lane],
+    )
+}
+
+#[inline(always)]
+fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
+    chain: &mut Chain<N::Real>,
+    input: &StepInput,
+) -> StepLosses {
+    chain.close();
+    let Chain {
+        states,
+        node_blocks,
+        element_blocks,
+        ..
+    } = chain;
+    let rows = node_blocks.len();
+    let mut losses = Losses::none();
+    let (mut strains, mut flight) = (Strains::none(), Flight::none());
+    let mut pulls = [Pull::none(); 3];
+    // The last row of elements pulls at the first row of nodes, too: it and the first come before all nodes.
+    let (e, below) = (&mut element_blocks[rows - 1], ends(states, rows - 1));
+    pull::<N>(&mut pulls[2], &mut strains, e, below, input, &mut losses);
+    let last = pulls[2];
+    if rows > 1 {
+        let (e, below) = (&mut element_blocks[0], ends(states, 0));
+        pull::<N>(&mut pulls[0], &mut strains, e, below, input, &mut losses);
+    } else {
+        pulls[0] = last;
+    }
+    pulls[2].go_on();
+
+    for (row, n) in node_blocks.iter_mut().enumerate() {
+        let [a, b, c] = &mut pulls;
+        let (above, below, next) = match row % 3 {
+            0 => (c, a, b),
+            1 => (a, b, c),
+            _ => (b, c, a),
+        };
+        // The next row of elements lies between the nodes below these.
+        let (state, under) = states[row..].split_first_mut().expect("a row of nodes");
+        let mut elements = if row + 2 < rows {
+            Some((&mut element_blocks[row + 1], ends(under, 0)))
+        } else {
+            *next = last;
+            None
+        };
+        for lane in lanes::<N>() {
+            fly::<N, FULL>(&mut flight, n, state, above, below, input, lane);
+        }
+        let mut touches = false;
+        for lane in lanes::<N>() {
+            touches |= reach::<N, FULL>(&mut flight, n, state, input, lane);
+        }
+        if touches {
+            for lane in lanes::<Pair<N>>() {
+                push::<Pair<N>, HERTZ>(&mut flight, n, input, lane);
+            }
+        }
+        if let Some((e, ends)) = &mut elements {
+            for lane in lanes::<Pair<N>>() {
+                chord::<Pair<N>>(&mut strains, e, ends, lane);
+            }
+            for lane in lanes::<N>() {
+                twist::<N>(next, &mut strains, e, ends, input, &mut losses, lane);
+            }
+        }
+        if touches {
+            for lane in lanes::<Pair<N>>() {
+                rub::<Pair<N>, VECTOR, FULL>(&mut flight, n, input, lane);
+            }
+        }
+        if let Some((e, ends)) = &mut elements {
+            for lane in lanes::<N>() {
+                strain::<N>(&mut strains, e, ends, input, &mut losses, lane);
+            }
+            for lane in lanes::<N>() {
+                bend::<N>(next, &strains, e, ends, lane);
+            }
+        }
+        if touches {
+            for lane in lanes::<N>() {
+                land::<N, FULL, true>(&flight, n, state, input, &mut losses, lane);
+            }
+        } else {
+            for lane in lanes::<N>() {
+                land::<N, FULL, false>(&flight, n, state, input, &mut losses, lane);
+            }
+        }
+        for lane in lanes::<N>() {
+            turn::<N>(n, state, above, below, input, lane);
+        }
+    }
+    let sum = |row: Row<N::Real>| row.0.as_ref().iter().map(|x| x.to_f64()).sum::<f64>();
+    StepLosses {
+        contact: sum(losses.contact) * 0.5 * input.dt,
+        mud: sum(losses.mud) * 0.5,
+        damping: sum(losses.damping) * input.dt,
+    }
+}
+
+/// A row of elements from their chords to what they do to their ends.
+#[inline(always)]
+fn pull<N: Number>(
+    into: &mut Pull<N::Real>,
+    strains: &mut Strains<N::Real>,
+    e: &mut ElementBlock<N::Real>,
+    ends: &[StateBlock<N::Real>; 2],
+    input: &StepInput,
+    losses: &mut Losses<N::Real>,
+) {
+    for lane in lanes::<Pair<N>>() {
+        chord::<Pair<N>>(strains, e, ends, lane);
+    }
+    for lane in lanes::<N>() {
+        twist::<N>(into, strains, e, ends, input, losses, lane);
+    }
+    for lane in lanes::<N>() {
+        strain::<N>(strains, e, ends, input, losses, lane);
+    }
+    for lane in lanes::<N>() {
+        bend::<N>(into, strains, e, ends, lane);
+    }
+}
+
+/// The states of the two ends of a row of elements.
+#[inline(always)]
+fn ends<R: Real>(states: &[StateBlock<R>], row: usize) -> &[StateBlock<R>; 2] {
+    states[row..]
+        .first_chunk()
+        .expect("the states close with a row more")
+}

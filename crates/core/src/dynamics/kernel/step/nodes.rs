@@ -1,0 +1,307 @@
+//! What a step does to the nodes.
+
+use super::{
+    elements::Pull,
+    input::StepInput,
+    lane::{add, at, at3, put, put3},
+    losses::Losses,
+};
+use crate::{
+    dynamics::kernel::chain::{NodeBlock, Row, Rows, StateBlock},
+    rod::element::across,
+    simd::number::{Number, Real},
+    wall::friction,
+};
+
+/// A row of nodes on their way: what the rod, gravity, mud and damping make of the step before the wall
+/// has its say, and what the wall says. Made and used in short loops over the row, so that the processor
+/// works on several lanes while it waits for a root or a division.
+#[derive(Clone, Copy)]
+pub(super) struct Flight<R: Real> {
+    /// What one newton gives across the hole and along it, m/s, and one newton metre about the director, rad/s.
+    pub(super) give: Row<R>,
+    give_axial: Row<R>,
+    give_spin: Row<R>,
+    /// Velocity along the hole at the step's beginning.
+    axial0: Row<R>,
+    /// What viscous mud takes on the way of the velocity along the hole, and of the spin.
+    slowed_axial: Row<R>,
+    slowed_spin: Row<R>,
+    /// Velocity, its part along the hole, and spin, before the wall acts.
+    v: Rows<R>,
+    axial: Row<R>,
+    spin: Row<R>,
+    /// Where the step would end, from the hole's axis, and the clearance there.
+    pub(super) offset: Rows<R>,
+    pub(super) clearance: Row<R>,
+    /// Speed towards the wall times the distance from the axis.
+    pub(super) inward: Row<R>,
+    /// The direction of the offset.
+    pub(super) normal: Rows<R>,
+    /// Contact force, N.
+    pub(super) push: Row<R>,
+    /// Direction around the hole, and friction along and around it.
+    around: Rows<R>,
+    rub_along: Row<R>,
+    rub_around: Row<R>,
+}
+
+impl<R: Real> Flight<R> {
+    pub(super) fn none() -> Self {
+        let zero = Row::filled(0.0);
+        Self {
+            give: zero,
+            give_axial: zero,
+            give_spin: zero,
+            axial0: zero,
+            slowed_axial: zero,
+            slowed_spin: zero,
+            v: [zero; 3],
+            axial: zero,
+            spin: zero,
+            offset: [zero; 3],
+            clearance: zero,
+            inward: zero,
+            normal: [zero; 3],
+            push: zero,
+            around: [zero; 3],
+            rub_along: zero,
+            rub_around: zero,
+        }
+    }
+}
+
+/// Kicks a row of nodes: how they would fly without a wall.
+#[inline(always)]
+pub(super) fn fly<N: Number, const FULL: bool>(
+    flight: &mut Flight<N::Real>,
+    n: &NodeBlock<N::Real>,
+    state: &StateBlock<N::Real>,
+    above: &Pull<N::Real>,
+    below: &Pull<N::Real>,
+    input: &StepInput,
+    lane: usize,
+) {
+    let dt = N::splat(input.dt);
+    let th = at3::<N>(&n.tangent, lane);
+    let give = dt * at(&n.inv_mass_lateral, lane);
+    let give_axial = dt * at(&n.inv_mass_axial, lane);
+    let give_spin = dt * at(&n.inv_polar, lane);
+    let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));
+    let axial0 = th.dot(v0);
+    let force = at3::<N>(&above.force, lane) - at3(&below.force, lane) + at3(&n.weight, lane);
+    let along = th.dot(force);
+    let torque = at::<N>(&below.torque, lane) - at(&above.torque, lane);
+    let gained = give_axial * along;
+    // Drag acts on the velocity that the node came with. The kick of rod and gravity is left whole: a wall or a
+    // hoist that takes it back within the step must feel all of it.
+    let slowed = at::<N>(&n.slowed, lane);
+    let kept = N::splat(1.0) - slowed;
+    // What drag and the mass across the hole make of the part along it is replaced.
+    let mut instead = slowed.mul_add(axial0, give.neg_mul_add(along, gained));
+    let mut axial = axial0 + gained;
+    let mut spin = give_spin.mul_add(torque, s0);
+    if FULL {
+        let half = N::splat(0.5);
+        let slowed_axial = (give_axial * at(&n.mud_axial, lane)).min(half) * axial0;
+        let slowed_spin = (give_spin * at(&n.mud_spin, lane)).min(half) * s0;
+        (instead, axial) = (instead - slowed_axial, axial - slowed_axial);
+        spin = spin - slowed_spin;
+        put(&mut flight.slowed_axial, lane, slowed_axial);
+        put(&mut flight.slowed_spin, lane, slowed_spin);
+    }
+    let v = v0.scaled(kept).plus(force, give).plus(th, instead);
+    put(&mut flight.give, lane, give);
+    put(&mut flight.give_axial, lane, give_axial);
+    put(&mut flight.give_spin, lane, give_spin);
+    put(&mut flight.axial0, lane, axial0);
+    put3(&mut flight.v, lane, v);
+    put(&mut flight.axial, lane, axial);
+    put(&mut flight.spin, lane, spin);
+}
+
+/// Where a row of nodes would end, against the curved wall; whether one of them would be in it.
+#[inline(always)]
+pub(super) fn reach<N: Number, const FULL: bool>(
+    flight: &mut Flight<N::Real>,
+    n: &NodeBlock<N::Real>,
+    state: &StateBlock<N::Real>,
+    input: &StepInput,
+    lane: usize,
+) -> bool {
+    let (half, dt) = (N::splat(0.5), N::splat(input.dt));
+    let th = at3::<N>(&n.tangent, lane);
+    let v = at3::<N>(&flight.v, lane);
+    let u = at3::<N>(&state.u, lane).plus(v, dt);
+    let z = th.dot(u);
+    let offset = u
+        .minus(th, z)
+        .minus(at3(&n.curvature, lane), half * (z * z));
+    let clearance = if FULL {
+        at::<N>(&n.clearance_slope, lane).mul_add(z, at(&n.clearance, lane))
+    } else {
+        at(&n.clearance, lane)
+    };
+    put3(&mut flight.offset, lane, offset);
+    put(&mut flight.clearance, lane, clearance);
+    put(&mut flight.inward, lane, v.dot(offset));
+    clearance
+        .neg_mul_add(clearance, offset.dot(offset))
+        .any_positive()
+}
+
+/// Rubs a row of nodes that are pushed on the wall.
+#[inline(always)]
+pub(super) fn rub<N: Number, const VECTOR: bool, const FULL: bool>(
+    flight: &mut Flight<N::Real>,
+    n: &NodeBlock<N::Real>,
+    input: &StepInput,
+    lane: usize,
+) {
+    let splat = N::splat;
+    let per_stribeck2 = splat(1.0 / (input.stribeck_speed * input.stribeck_speed));
+    let v = at3::<N>(&flight.v, lane);
+    let (axial, spin) = (at::<N>(&flight.axial, lane), at::<N>(&flight.spin, lane));
+    let force = at::<N>(&flight.push, lane);
+    let radius = at::<N>(&n.radius, lane);
+    let around = at3::<N>(&n.tangent, lane).cross(at3(&flight.normal, lane));
+    // At the surface that touches.
+    let slip = radius.mul_add(spin, v.dot(around));
+    let mu = if FULL {
+        let speed2 = slip.mul_add(slip, axial * axial);
+        let rise = at(&n.friction_rise, lane);
+        friction::coefficient(at(&n.friction, lane), rise, speed2, per_stribeck2)
+    } else {
+        at::<N>(&n.friction, lane)
+    };
+    let limit = force * mu;
+    // One newton always takes some speed away: a node that is held everywhere keeps its friction.
+    let least = splat(1e-30);
+    let g_axial = at::<N>(&flight.give_axial, lane).max(least);
+    let g_around = (radius * at(&flight.give_spin, lane))
+        .mul_add(radius, at(&flight.give, lane))
+        .max(least);
+    let limit_around = if FULL {
+        limit * at(&n.friction_around, lane)
+    } else {
+        limit
+    };
+    let (rub_along, rub_around) = match (VECTOR, FULL) {
+        (true, false) => friction::vector(limit, axial, slip, g_axial, g_around),
+        // In the forces' parts of their limits the law is that of one limit, 1.
+        (true, true) => {
+            let g_axial = (g_axial * limit).max(least);
+            let g_around = (g_around * limit_around).max(least);
+            let (a, t) = friction::vector(splat(1.0), axial, slip, g_axial, g_around);
+            (limit * a, limit_around * t)
+        }
+        (false, _) => (
+            friction::independent(limit, axial, g_axial),
+            friction::independent(limit_around, slip, g_around),
+        ),
+    };
+    put3(&mut flight.around, lane, around);
+    put(&mut flight.rub_along, lane, rub_along);
+    put(&mut flight.rub_around, lane, rub_around);
+}
+
+/// Moves a row of nodes to where the step ends. Where none of them touches the wall, nothing of it is asked for.
+#[inline(always)]
+pub(super) fn land<N: Number, const FULL: bool, const TOUCHES: bool>(
+    flight: &Flight<N::Real>,
+    n: &mut NodeBlock<N::Real>,
+    state: &mut StateBlock<N::Real>,
+    input: &StepInput,
+    losses: &mut Losses<N::Real>,
+    lane: usize,
+) {
+    let splat = N::splat;
+    let dt = splat(input.dt);
+    let half_dt = splat(0.5 * input.dt);
+    let th = at3::<N>(&n.tangent, lane);
+    let give = at::<N>(&flight.give, lane);
+    let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));
+    let (mut v3, mut s3) = (at3::<N>(&flight.v, lane), at::<N>(&flight.spin, lane));
+    let mut axial3 = at::<N>(&flight.axial, lane);
+    let axial0 = at::<N>(&flight.axial0, lane);
+    let mut both = v0 + v3;
+
+    // Energy that left the string: every impulse but the rod's and gravity's works on the mean of
+    // the velocities before and after the step.
+    if TOUCHES {
+        let radius = at::<N>(&n.radius, lane);
+        let (normal, around) = (
+            at3::<N>(&flight.normal, lane),
+            at3::<N>(&flight.around, lane),
+        );
+        let force = at::<N>(&flight.push, lane);
+        let along = at::<N>(&flight.rub_along, lane);
+        let across = at::<N>(&flight.rub_around, lane);
+        let torque = across * radius;
+        let stopped = at::<N>(&flight.give_axial, lane) * along;
+        axial3 = axial3 - stopped;
+        v3 = v3
+            .minus(normal, give * force)
+            .minus(around, give * across)
+            .minus(th, stopped);
+        s3 = at::<N>(&flight.give_spin, lane).neg_mul_add(torque, s3);
+        both = v0 + v3;
+        let contact = force * normal.dot(both);
+        let slid = radius.mul_add(s0 + s3, around.dot(both));
+        let rubbed = half_dt * along.mul_add(axial0 + axial3, across * slid);
+        add(&mut n.sum_normal, lane, force);
+        add(&mut n.sum_axial, lane, along);
+        add(&mut n.sum_torque, lane, torque);
+        add(&mut n.sum_wear, lane, rubbed);
+        add(&mut losses.contact, lane, contact);
+    }
+    let both_axial = axial0 + axial3;
+    let drag = at::<N>(&n.mass_lateral, lane) * at(&n.slowed, lane);
+    let mut slowed = drag * axial0.neg_mul_add(both_axial, v0.dot(both));
+    if FULL {
+        let drag_axial = at::<N>(&n.mass_axial, lane) * at(&flight.slowed_axial, lane);
+        let drag_spin = at::<N>(&n.polar, lane) * at(&flight.slowed_spin, lane);
+        slowed = drag_axial.mul_add(both_axial, drag_spin.mul_add(s0 + s3, slowed));
+    }
+    add(&mut losses.mud, lane, slowed);
+    let u0 = at3::<N>(&state.u, lane);
+    put3(&mut state.u, lane, u0.plus(v3, dt));
+    put3(&mut state.v, lane, v3);
+    put(&mut state.spin, lane, s3);
+}
+
+/// Turns the directors of nodes.
+#[inline(always)]
+pub(super) fn turn<N: Number>(
+    n: &NodeBlock<N::Real>,
+    state: &mut StateBlock<N::Real>,
+    above: &Pull<N::Real>,
+    below: &Pull<N::Real>,
+    input: &StepInput,
+    lane: usize,
+) {
+    let splat = N::splat;
+    let (one, dt, half_dt) = (splat(1.0), splat(input.dt), splat(0.5 * input.dt));
+    let quarter_dt2 = splat(0.25 * input.dt * input.dt);
+    let (d0, w0) = (at3::<N>(&state.d, lane), at3::<N>(&state.w, lane));
+    let moment = across(
+        at3::<N>(&above.bend2, lane) + at3(&below.bend1, lane),
+        at3::<N>(&below.couple, lane) - at3(&above.couple, lane),
+        d0,
+    );
+    let kick = moment.scaled(half_dt * at(&n.inv_rotary, lane));
+    let halfway = w0 + kick;
+    // By the tangent of the precession, which lengthens by half its square: `calm` takes that out.
+    let precession = dt * at(&n.gyroscopic, lane) * at(&state.spin, lane);
+    // Half of the kick precesses, half does not: turned by all of it, the kick would feed whirl, by a
+    // quarter of the precession times the angle by which the step advances the whirl.
+    let turning = (halfway + kick).minus(halfway.cross(d0), precession);
+    let q = quarter_dt2 * turning.dot(turning);
+    // 1/(1 + q), but for q⁴: q is the square of half the turn in a step. (1 − q)/(1 + q) is twice that less one.
+    let shrink = (one - q) * q.mul_add(q, one);
+    let turned = d0
+        .scaled(shrink + shrink - one)
+        .plus(turning.cross(d0), dt * shrink);
+    put3(&mut state.d, lane, turned);
+    put3(&mut state.w, lane, turning);
+}

@@ -1,0 +1,100 @@
+//! What a dynamic run answers.
+
+use std::borrow::Cow;
+
+use serde::{Deserialize, Serialize};
+
+use super::{energy::EnergyBalance, indicators::Indicators, statistic::Statistic};
+use crate::{
+    dynamics::boundary::bit::TableUse,
+    mud::Hydraulics,
+    outcome::{ContactMap, HoleWear, Profile, Scalars, TimeSeries},
+};
+
+/// How the run was computed and how well.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Numerics {
+    /// Number of elements.
+    pub elements: usize,
+    /// Step, s.
+    #[serde(with = "crate::finite::unsigned_zero")]
+    pub time_step_s: f64,
+    /// Steps done.
+    pub steps: u64,
+    /// Axial mass lent to short elements over that of the string.
+    #[serde(with = "crate::finite::unsigned_zero")]
+    pub added_axial_mass_fraction: f64,
+    /// Deepest penetration of the wall at any sample, m, by the geometry: of the nodes that touch it, and of the bit,
+    /// which is held to the axis of the hole that it cuts.
+    #[serde(with = "crate::finite::unsigned_zero")]
+    pub max_penetration_m: f64,
+    /// Work put in at top drive, hoist and bit less the change of energy and every loss, over the
+    /// largest of them, of the kinetic energy and of what lifts the string by a millimetre: what the integration itself
+    /// gained or lost. From the start of the window. 1, and no parts, in a run that diverged.
+    #[serde(with = "crate::finite::unsigned_zero")]
+    pub energy_residual: f64,
+    /// Its parts; none before the window began and in a run that diverged.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub energy: Option<EnergyBalance>,
+    /// Instruction set that the time loop was compiled for.
+    pub instructions: Cow<'static, str>,
+    /// Time at which the window begins, s: that of its first sample, at the earliest. The time reached of a run that settles yet.
+    /// Not a number in files of versions that did not say.
+    #[serde(
+        with = "crate::finite::unsigned_zero",
+        default = "crate::finite::unknown",
+        skip_serializing_if = "crate::finite::is_unknown"
+    )]
+    pub settle_s: f64,
+    /// Whether the string was steady then; none where the time was given, and of a run that settles yet.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub settled: Option<bool>,
+    /// Measured depth of the bit, on average over the window, m; as [`Self::settle_s`].
+    #[serde(
+        with = "crate::finite::unsigned_zero",
+        default = "crate::finite::unknown",
+        skip_serializing_if = "crate::finite::is_unknown"
+    )]
+    pub mean_bit_depth_m: f64,
+    /// How far the bit went in the window, m, positive downwards; as [`Self::settle_s`].
+    #[serde(
+        with = "crate::finite::unsigned_zero",
+        default = "crate::finite::unknown",
+        skip_serializing_if = "crate::finite::is_unknown"
+    )]
+    pub bit_travel_m: f64,
+}
+
+impl DynamicOutcome {
+    /// The scalars that [`Self::statistics`] tells of, in its order.
+    pub fn quantities() -> impl Iterator<Item = &'static str> {
+        super::varying::varying(&TimeSeries::default())
+            .map(|scalar| scalar.name)
+            .into_iter()
+    }
+}
+
+/// Everything that a run answers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DynamicOutcome {
+    /// Means over the window under the names that every solver shares.
+    pub scalars: Scalars,
+    /// Distributions over the window of the scalars that vary, by their name.
+    pub statistics: Vec<(&'static str, Statistic)>,
+    /// What the mud did, on average over the window; none without a rheology.
+    pub hydraulics: Option<Hydraulics>,
+    /// How it was computed.
+    pub numerics: Numerics,
+    /// What the motion amounts to, in the figures of the field.
+    pub indicators: Indicators,
+    /// How often a bit with a table was where the table is not, over the window; none of another bit.
+    pub bit_table: Option<TableUse>,
+    /// Profile along the string.
+    pub nodes: Profile,
+    /// Wear along the hole.
+    pub wear: HoleWear,
+    /// Contact over depth and time.
+    pub contact: ContactMap,
+    /// Scalars against time.
+    pub series: TimeSeries,
+}

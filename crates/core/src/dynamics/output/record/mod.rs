@@ -1,0 +1,339 @@
+//! What is kept of a run while it goes on: sums per node, samples of the scalars.
+
+mod contact_map;
+mod depths;
+mod kept;
+mod lane;
+mod look;
+mod strength;
+mod sums;
+#[cfg(test)]
+mod tests;
+
+use crate::{
+    damage::{Damaged, sound},
+    dynamics::{
+        body::Body,
+        boundary::anchor::Anchor,
+        kernel::{
+            chain::{Chain, Rows},
+            layout::Layout,
+        },
+    },
+    model::Model,
+    outcome::{ContactMap, TimeSeries},
+    rod::mesh::Mesh,
+    simd::number::Real,
+    well::Path,
+};
+use serde::{Deserialize, Serialize};
+
+use contact_map::MapKeeper;
+use depths::Sides;
+use kept::Kept;
+use lane::Lane;
+use sums::{Pass, SumBlock, TotalBlock};
+
+pub use depths::neutral_point_m;
+pub use kept::Quantity;
+pub use look::Look;
+pub use strength::Strength;
+pub use sums::Totals;
+
+/// Mean and standard deviation of one node.
+#[derive(Debug, Clone, Copy)]
+pub struct Spread {
+    /// Mean.
+    pub mean: f64,
+    /// Standard deviation.
+    pub std: f64,
+}
+
+/// How a node goes round the hole's axis, over the window.
+#[derive(Debug, Clone, Copy)]
+pub struct Circling {
+    /// Mean angular velocity of the offset, weighted with its square, rad/s; clockwise looking down the
+    /// hole is positive.
+    pub rate_rad_per_s: f64,
+    /// How much of the lateral motion that is: one for a circle about the hole's axis, zero for a string
+    /// that swings to and fro.
+    pub coherence: f64,
+}
+
+/// The streaming record.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct Record {
+    layout: Layout,
+    strength: Strength,
+    sums: Vec<SumBlock>,
+    /// Sums of what the pressure of the mud at rest shortens each element by, m.
+    squeezed_m: Vec<f64>,
+    kept: Kept,
+    sides: Sides,
+    contact: MapKeeper,
+    samples: u64,
+    /// Scalars against time, from time zero.
+    pub series: TimeSeries,
+    /// Row of the series at which the window begins.
+    pub window_row: usize,
+    /// Deepest penetration of any sample, m.
+    pub max_penetration_m: f64,
+}
+
+impl Record {
+    /// Whether a stored record is one of so many nodes: what it sums and keeps is as long as its layout asks for.
+    pub(in crate::dynamics) fn check(&self, nodes: usize) -> Result<(), Damaged> {
+        let rows = self.series.check(nodes)?;
+        let fits = self.sums.len() == self.layout.blocks()
+            && self.sides.is_of(nodes)
+            && self.squeezed_m.len() + 1 == nodes
+            && self.window_row <= rows
+            && (rows > 0 || self.samples == 0);
+        sound(fits, "the record")?;
+        self.strength.check(nodes, self.layout)?;
+        self.kept.check(self.layout.blocks())?;
+        self.contact.check(nodes)
+    }
+
+    /// An empty record of a string, beside a chain of that layout, whose window is expected to take so many `samples`.
+    pub fn new(model: &Model, mesh: &Mesh, layout: Layout, samples: u64) -> Self {
+        Self {
+            layout,
+            strength: Strength::new(model, mesh, layout),
+            sums: vec![SumBlock::EMPTY; layout.blocks()],
+            squeezed_m: vec![0.0; mesh.elements.len()],
+            kept: Kept::new(layout.blocks(), samples),
+            sides: Sides::new(mesh.nodes.len()),
+            contact: MapKeeper::new(mesh),
+            samples: 0,
+            series: TimeSeries::default(),
+            window_row: 0,
+            max_penetration_m: 0.0,
+        }
+    }
+
+    /// Begins the window: what was summed before it, in case it never began, goes.
+    pub fn open_window(&mut self) {
+        self.sums.fill(SumBlock::EMPTY);
+        self.squeezed_m.fill(0.0);
+        self.kept.clear();
+        self.sides.restart();
+        self.contact.restart();
+        self.samples = 0;
+        self.window_row = self.series.time_s.len();
+    }
+
+    /// Takes a sample of every node: contact quantities as averages over the `steps` since the last
+    /// one, which the chain has summed. `high` holds each node's high side, block by block; `body` has the
+    /// bends.
+    pub fn sample(
+        &mut self,
+        chain: &Chain<impl Real>,
+        high: &[Rows<f64>],
+        body: &Body,
+        steps: u64,
+    ) -> Totals {
+        let mut totals = TotalBlock::EMPTY;
+        Pass {
+            sums: &mut self.sums,
+            chain,
+            high,
+            body,
+            strength: &self.strength,
+            per_step: 1.0 / steps as f64,
+            first: self.samples == 0,
+            kept: self.kept.next(),
+            totals: &mut totals,
+        }
+        .add();
+        let totals = totals.sum();
+        self.samples += 1;
+        self.note_penetration(totals.penetration_m);
+        totals
+    }
+
+    /// Notes how deep a node lies in the wall, m; negative where it is off it.
+    pub fn note_penetration(&mut self, depth_m: f64) {
+        self.max_penetration_m = self.max_penetration_m.max(depth_m);
+    }
+
+    /// Adds what the pressure of the mud at rest shortens each element by at the sample, m.
+    pub fn squeeze(&mut self, each_m: &[f64]) {
+        for (sum, squeezed) in self.squeezed_m.iter_mut().zip(each_m) {
+            *sum += squeezed;
+        }
+    }
+
+    /// Presses the bodies, from the next sample on, by what the pressure inside has over that outside at each
+    /// node, Pa.
+    pub fn press(&mut self, difference_Pa: impl Fn(usize) -> f64) {
+        self.strength.press(difference_Pa);
+    }
+
+    /// The bodies that carry the string's stresses.
+    pub fn strength(&self) -> &Strength {
+        &self.strength
+    }
+
+    /// Where what is kept of each node lies.
+    pub fn layout(&self) -> Layout {
+        self.layout
+    }
+
+    /// Counts a sample of a run that takes `run_samples`, and closes a row of the map where one is full.
+    pub fn map_contact(&mut self, anchors: &[Anchor], time_s: f64, run_samples: u64) {
+        if self.contact.count(run_samples) {
+            self.close_contact_row(anchors, time_s);
+        }
+    }
+
+    /// Closes a row of the map with the samples since the last one, if there are any.
+    pub fn close_contact_row(&mut self, anchors: &[Anchor], time_s: f64) {
+        let (layout, blocks) = (self.layout, &self.sums);
+        self.contact.close_row(anchors, time_s, |index| {
+            let (block, lane) = layout.place(index);
+            [blocks[block].signed[lane], blocks[block].normal[0][lane]]
+        });
+    }
+
+    /// The map so far.
+    pub fn contact_map(&self) -> &ContactMap {
+        self.contact.map()
+    }
+
+    /// Once a second, after as many samples of `sample_interval_s`: where the side force changed from the
+    /// high to the low side over that second, m.
+    pub fn cutoff_depth_m(
+        &mut self,
+        mesh: &Mesh,
+        path: &Path,
+        anchors: &[Anchor],
+        sample_interval_s: f64,
+    ) -> Option<f64> {
+        if !self.sides.is_due(sample_interval_s) {
+            return None;
+        }
+        let (layout, blocks) = (self.layout, &self.sums);
+        self.sides.cutoff_depth_m(mesh, path, anchors, |index| {
+            let (block, lane) = layout.place(index);
+            blocks[block].signed[lane]
+        })
+    }
+
+    fn sum_of(&self, index: usize, pick: impl Fn(&SumBlock) -> &Lane) -> f64 {
+        let (block, lane) = self.layout.place(index);
+        pick(&self.sums[block])[lane]
+    }
+
+    fn mean_of(&self, index: usize, pick: impl Fn(&SumBlock) -> &Lane) -> f64 {
+        self.sum_of(index, pick) / self.samples.max(1) as f64
+    }
+
+    fn spread_of(
+        &self,
+        index: usize,
+        about: f64,
+        pick: impl Fn(&SumBlock) -> &[Lane; 2],
+    ) -> Spread {
+        let (block, lane) = self.layout.place(index);
+        let [first, second] = pick(&self.sums[block]);
+        let n = self.samples.max(1) as f64;
+        let (m1, m2) = (first[lane] / n, second[lane] / n);
+        Spread {
+            mean: about + m1,
+            std: (m2 - m1 * m1).max(0.0).sqrt(),
+        }
+    }
+
+    /// Tension of an element, N.
+    pub fn tension(&self, index: usize) -> Spread {
+        let about = self.sum_of(index, |s| &s.about[0]);
+        self.spread_of(index, about, |s| &s.tension)
+    }
+    /// Torque of an element, N·m, in the sign of the chain.
+    pub fn torque(&self, index: usize) -> Spread {
+        let about = self.sum_of(index, |s| &s.about[1]);
+        self.spread_of(index, about, |s| &s.torque)
+    }
+    /// Mean twist of an element, rad, in the sign of the chain.
+    pub fn twist(&self, index: usize) -> f64 {
+        self.mean_of(index, |s| &s.twist)
+    }
+    /// What its tension lengthens an element by, less what the mud at rest shortens it by, on average, m.
+    pub fn longer_m(&self, index: usize) -> f64 {
+        let pulled_m = self.tension(index).mean * self.strength.compliance_m_per_N(index);
+        pulled_m - self.squeezed_m[index] / self.samples.max(1) as f64
+    }
+    /// Contact force of a node, N.
+    pub fn normal(&self, index: usize) -> Spread {
+        self.spread_of(index, 0.0, |s| &s.normal)
+    }
+    /// Largest contact force of a node, N.
+    pub fn normal_max(&self, index: usize) -> f64 {
+        self.sum_of(index, |s| &s.normal_max)
+    }
+    /// Part of the samples in which a node touched.
+    pub fn touched(&self, index: usize) -> f64 {
+        self.mean_of(index, |s| &s.touched)
+    }
+    /// Mean contact force of a node, N, positive on the high side.
+    pub fn signed(&self, index: usize) -> f64 {
+        self.mean_of(index, |s| &s.signed)
+    }
+    /// Angle of a node's mean contact force from the low side, rad, positive to the right of it looking
+    /// down the hole; none if it never touched.
+    pub fn climb_rad(&self, index: usize) -> Option<f64> {
+        let (up, right) = (
+            self.mean_of(index, |s| &s.up),
+            self.mean_of(index, |s| &s.right),
+        );
+        (up != 0.0 || right != 0.0).then(|| right.atan2(-up))
+    }
+    /// Mean axial friction of a node on the wall, N, along the hole.
+    pub fn axial(&self, index: usize) -> f64 {
+        self.mean_of(index, |s| &s.axial)
+    }
+    /// Mean friction torque of a node, N·m.
+    pub fn rub(&self, index: usize) -> f64 {
+        self.mean_of(index, |s| &s.rub)
+    }
+    /// Mean distance of a node from the hole's axis, m.
+    pub fn offset(&self, index: usize) -> f64 {
+        self.mean_of(index, |s| &s.offset)
+    }
+    /// Mean bending moment at a node, N·m.
+    pub fn bending(&self, index: usize) -> f64 {
+        self.mean_of(index, |s| &s.bending)
+    }
+    /// Largest bending moment at a node, N·m.
+    pub fn bending_max(&self, index: usize) -> f64 {
+        self.sum_of(index, |s| &s.bending_max)
+    }
+    /// Mean von Mises stress at a node, Pa.
+    pub fn stress(&self, index: usize) -> f64 {
+        self.mean_of(index, |s| &s.stress)
+    }
+    /// Largest von Mises stress at a node, Pa.
+    pub fn stress_max(&self, index: usize) -> f64 {
+        self.sum_of(index, |s| &s.stress_max)
+    }
+    /// Root mean square of a node's lateral speed, m/s.
+    pub fn lateral_speed(&self, index: usize) -> f64 {
+        self.mean_of(index, |s| &s.speed_square).sqrt()
+    }
+    /// How a node goes round the hole's axis; not at all where it never left it.
+    pub fn circling(&self, index: usize) -> Circling {
+        let moment = self.mean_of(index, |s| &s.circling);
+        let offset_square = self.mean_of(index, |s| &s.offset_square);
+        let speed_square = self.mean_of(index, |s| &s.speed_square);
+        let over = |x: f64, y: f64| if y > 0.0 { x / y } else { 0.0 };
+        Circling {
+            rate_rad_per_s: over(moment, offset_square),
+            coherence: over(moment * moment, offset_square * speed_square),
+        }
+    }
+    /// 5th, 50th and 95th percentile of a quantity at a node, or of its element below.
+    pub fn percentiles(&self, quantity: Quantity, index: usize) -> [f64; 3] {
+        self.kept.percentiles(quantity, self.layout.place(index))
+    }
+}

@@ -1,0 +1,146 @@
+//! The body of the string that carries the stress at each node.
+
+use serde::{Deserialize, Serialize};
+
+use super::lane::Lane;
+use crate::{
+    damage::{Damaged, sound},
+    dynamics::kernel::layout::Layout,
+    model::Model,
+    rod::mesh::Mesh,
+    simd::lanes::DOUBLES,
+    string::BodySection,
+};
+
+/// Of each node, the weakest body within half an element on either side: the one with the smallest
+/// section modulus `I/(D/2)`.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct Strength {
+    layout: Layout,
+    blocks: Vec<Metal>,
+    yield_Pa: Vec<Option<f64>>,
+}
+
+/// The metal at a block of nodes, and of the elements below them.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+pub struct Metal {
+    /// Inverse of the metal's area, 1/m².
+    pub per_area: Lane,
+    /// Inverse of the section modulus, 1/m³.
+    pub per_modulus: Lane,
+    /// Inner over outer diameter.
+    pub bore_part: Lane,
+    /// Area of the bore over that of the metal.
+    pub bore_per_area: Lane,
+    /// Square of what the pressure inside has over that outside, Pa².
+    pub burst_square: Lane,
+    /// Inverse of the rest length of the element below, 1/m.
+    pub per_length: Lane,
+    /// What a newton lengthens the element below by, m/N; zero below the bit, where there is none.
+    pub compliance: Lane,
+}
+
+impl Metal {
+    /// [`BodySection::von_mises_Pa`] of the body at a lane.
+    #[inline(always)]
+    pub fn stress_Pa(&self, lane: usize, tension_N: f64, bending_N_m: f64, torque_N_m: f64) -> f64 {
+        let section = BodySection {
+            per_area_m2: self.per_area[lane],
+            per_modulus_m3: self.per_modulus[lane],
+            bore_part: self.bore_part[lane],
+            bore_per_area: self.bore_per_area[lane],
+        };
+        section.von_mises_Pa(tension_N, bending_N_m, torque_N_m, self.burst_square[lane])
+    }
+}
+
+impl Strength {
+    /// Whether a stored one is that of so many nodes in this layout.
+    pub(super) fn check(&self, nodes: usize, layout: Layout) -> Result<(), Damaged> {
+        let fits = self.layout == layout
+            && self.blocks.len() == layout.blocks()
+            && self.yield_Pa.len() == nodes;
+        sound(fits, "the bodies of the string")
+    }
+
+    /// The bodies of a string.
+    pub fn new(model: &Model, mesh: &Mesh, layout: Layout) -> Self {
+        let mut blocks = vec![
+            Metal {
+                per_area: [0.0; DOUBLES],
+                per_modulus: [0.0; DOUBLES],
+                bore_part: [0.0; DOUBLES],
+                bore_per_area: [0.0; DOUBLES],
+                burst_square: [0.0; DOUBLES],
+                per_length: [0.0; DOUBLES],
+                compliance: [0.0; DOUBLES],
+            };
+            layout.blocks()
+        ];
+        let components = model.string.components();
+        let mut yield_Pa = Vec::with_capacity(mesh.nodes.len());
+        for (index, node) in mesh.nodes.iter().enumerate() {
+            let half = |element: Option<usize>| {
+                let element = element.and_then(|e| mesh.elements.get(e));
+                element.map_or(0.0, |e| 0.5 * e.length_m)
+            };
+            let below = node.from_bit_m - half(Some(index));
+            let above = node.from_bit_m + half(index.checked_sub(1));
+            let (first, _) = model.string.component_at(below);
+            let (last, _) = model.string.component_at(above);
+            let modulus = |c: usize| components[c].section_modulus_m3();
+            let weakest = (first..=last)
+                .min_by(|a, b| modulus(*a).total_cmp(&modulus(*b)))
+                .unwrap_or(first);
+            let (block, lane) = layout.place(index);
+            let metal = &mut blocks[block];
+            let component = &components[weakest];
+            let section = BodySection::of(component);
+            metal.per_area[lane] = section.per_area_m2;
+            metal.per_modulus[lane] = section.per_modulus_m3;
+            metal.bore_part[lane] = section.bore_part;
+            metal.bore_per_area[lane] = section.bore_per_area;
+            if let Some(element) = mesh.elements.get(index) {
+                metal.per_length[lane] = 1.0 / element.length_m;
+                metal.compliance[lane] = element.length_m / element.section.axial_stiffness_N;
+            }
+            yield_Pa.push(component.yield_strength_Pa);
+        }
+        Self {
+            layout,
+            blocks,
+            yield_Pa,
+        }
+    }
+
+    /// Presses the bodies by what the pressure inside has over that outside at each node, Pa.
+    pub fn press(&mut self, difference_Pa: impl Fn(usize) -> f64) {
+        for index in 0..self.yield_Pa.len() {
+            let (block, lane) = self.layout.place(index);
+            self.blocks[block].burst_square[lane] = difference_Pa(index).powi(2);
+        }
+    }
+
+    /// A block of nodes.
+    #[inline(always)]
+    pub fn block(&self, block: usize) -> &Metal {
+        &self.blocks[block]
+    }
+
+    /// Inverse of the section modulus at a node, 1/m³.
+    pub fn per_modulus_m3(&self, index: usize) -> f64 {
+        let (block, lane) = self.layout.place(index);
+        self.blocks[block].per_modulus[lane]
+    }
+
+    /// What a newton lengthens the element below a node by, m/N; zero below the bit.
+    pub fn compliance_m_per_N(&self, index: usize) -> f64 {
+        let (block, lane) = self.layout.place(index);
+        self.blocks[block].compliance[lane]
+    }
+
+    /// Minimum yield strength at a node, Pa, where it is known.
+    pub fn yield_Pa(&self, index: usize) -> Option<f64> {
+        self.yield_Pa[index]
+    }
+}

@@ -1,0 +1,310 @@
+//! From the record of a run to its answer.
+
+use super::{
+    carry,
+    drift::mean,
+    energy::EnergyBalance,
+    indicators::{Indicators, Motion},
+    outcome::{DynamicOutcome, Numerics},
+    record::{Quantity, Record, Spread},
+    statistic::Statistic,
+    varying::{scales, varying},
+    wear::Wear,
+};
+use crate::{
+    dynamics::{
+        boundary::{anchor::Anchor, bit::Bit, mud::flow_pressures::FlowPressures},
+        simulation::settling::{Settled, Settling},
+    },
+    model::Model,
+    mud::Hydraulics,
+    operation::Operation,
+    outcome::{HoleWear, Profile, Scalars, hole_depths_m},
+    rod::{mesh::Mesh, stability::StepPlan},
+};
+
+/// What the answer is made from.
+pub struct Sources<'a> {
+    pub model: &'a Model,
+    pub operation: &'a Operation,
+    pub mesh: &'a Mesh,
+    pub plan: &'a StepPlan,
+    pub anchors: &'a [Anchor],
+    pub record: &'a Record,
+    pub wear: &'a Wear,
+    pub bit: &'a Bit,
+    pub steps: u64,
+    pub energy: Option<(EnergyBalance, f64)>,
+    pub diverged: bool,
+    pub hydraulics: Option<Hydraulics>,
+    pub pressures: Option<FlowPressures>,
+    /// What the flow's pressures lengthen each element by, on average, m.
+    pub flow_stretches_m: Option<Vec<f64>>,
+    pub instructions: &'static str,
+    pub settling: Settling,
+    pub settled: Option<Settled>,
+}
+
+/// The answer.
+pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
+    let series = &s.record.series;
+    let from = s.record.window_row;
+    let scalars = varying(series);
+    let scales = scales(
+        scalars
+            .each_ref()
+            .map(|of| (of.gauge, mean(&of.samples[from..]))),
+    );
+    let statistics: Vec<(&'static str, Statistic)> = scalars
+        .iter()
+        .zip(scales)
+        .filter_map(|(of, scale)| Some((of.name, Statistic::on_scale(&of.samples[from..], scale)?)))
+        .collect();
+    let mean_of = |name: &str| {
+        statistics
+            .iter()
+            .find(|(n, _)| *n == name)
+            .map_or(0.0, |(_, s)| s.mean)
+    };
+    let nodes = profile(s, from);
+    let bit_depths_m = &series.bit_depth_m[from..];
+    let mean_bit_depth_m = mean(bit_depths_m);
+    let bit_travel_m = match bit_depths_m {
+        [first, .., last] => last - first,
+        _ => 0.0,
+    };
+    let scalars = Scalars {
+        hook_load_N: mean_of("hook_load_N"),
+        surface_torque_N_m: mean_of("surface_torque_N_m"),
+        friction_torque_N_m: mean_of("friction_torque_N_m"),
+        axial_friction_N: mean_of("axial_friction_N"),
+        side_force_total_N: mean_of("side_force_total_N"),
+        weight_on_bit_N: mean_of("weight_on_bit_N"),
+        bit_torque_N_m: mean_of("bit_torque_N_m"),
+        twist_rad: mean_of("twist_rad"),
+        stretch_m: mean_of("stretch_m"),
+        neutral_point_m: crate::outcome::neutral_point_m(&nodes.md_m, &nodes.tension_N),
+        cutoff_depth_m: crate::outcome::cutoff_in_build_m(
+            &s.model.well.path,
+            mean_bit_depth_m,
+            &nodes.md_m,
+            &nodes.side_force_N_per_m,
+        ),
+    };
+    let indicators = Indicators::of(&Motion {
+        mesh: s.mesh,
+        nodes: &nodes,
+        series,
+        from,
+        rotates: s.operation.kind.rotates(),
+        rated_torque_N_m: s.model.rig.top_drive_torque_N_m,
+    });
+    DynamicOutcome {
+        scalars,
+        statistics,
+        hydraulics: s.hydraulics,
+        numerics: Numerics {
+            elements: s.mesh.elements.len(),
+            time_step_s: s.plan.dt_s,
+            steps: s.steps,
+            added_axial_mass_fraction: s.plan.added_axial_mass_fraction,
+            max_penetration_m: s.record.max_penetration_m,
+            energy_residual: match s.energy {
+                Some((_, residual)) => residual,
+                None => f64::from(u8::from(s.diverged)),
+            },
+            energy: s.energy.map(|(parts, _)| parts),
+            instructions: s.instructions.into(),
+            settle_s: match (s.settled, s.settling) {
+                (Some(settled), _) => settled.settle_s,
+                (None, Settling::Fixed(settle_s)) => settle_s,
+                (None, Settling::UntilSteady { .. }) => {
+                    series.time_s.last().copied().unwrap_or(0.0)
+                }
+            },
+            settled: s.settled.map(|settled| settled.steady),
+            mean_bit_depth_m,
+            bit_travel_m,
+        },
+        indicators,
+        bit_table: s.bit.table_use(),
+        nodes,
+        wear: hole_wear(s, from),
+        contact: s.record.contact_map().clone(),
+        series: series.clone(),
+    }
+}
+
+/// The profile over the samples from row `from` of the series on.
+fn profile(s: &Sources<'_>, from: usize) -> Profile {
+    let n = s.mesh.nodes.len();
+    // The anchors stand where the run ended; the string was there, on average, where its bit was.
+    let bit_depths_m = &s.record.series.bit_depth_m[from..];
+    let back_m = bit_depths_m.last().map_or(0.0, |last| {
+        last - bit_depths_m.iter().sum::<f64>() / bit_depths_m.len() as f64
+    });
+    let record = s.record;
+    // Tension and torque live in elements, everything else at nodes.
+    let ends = |i: usize| [i.saturating_sub(1), i.min(n - 2)];
+    let at_node = |i: usize, of: &dyn Fn(usize) -> Spread| {
+        let [above, below] = ends(i).map(of);
+        (
+            0.5 * (above.mean + below.mean),
+            0.5 * (above.std + below.std),
+        )
+    };
+    let of_elements = |quantity: Quantity| -> Vec<[f64; 3]> {
+        (0..n - 1)
+            .map(|e| record.percentiles(quantity, e))
+            .collect()
+    };
+    let percentiles = |of_elements: &[[f64; 3]], i: usize| {
+        let [above, below] = ends(i).map(|e| of_elements[e]);
+        [0, 1, 2].map(|k| 0.5 * (above[k] + below[k]))
+    };
+    let tensions = of_elements(Quantity::Tension);
+    let torques = of_elements(Quantity::Torque);
+    let mut p = Profile::default();
+    for i in 0..n {
+        let (tension, tension_std) = at_node(i, &|e| record.tension(e));
+        let (torque, torque_std) = at_node(i, &|e| record.torque(e));
+        let normal = record.normal(i);
+        p.md_m.push(s.anchors[i].md_m - back_m);
+        p.tension_N.push(tension);
+        p.tension_std_N.push(tension_std);
+        let [low, middle, high] = percentiles(&tensions, i);
+        p.tension_p05_N.push(low);
+        p.tension_p50_N.push(middle);
+        p.tension_p95_N.push(high);
+        p.torque_N_m.push(-torque);
+        p.torque_std_N_m.push(torque_std);
+        // The chain's torque has the other sign: its low percentile is the high one here.
+        let [low, middle, high] = percentiles(&torques, i);
+        p.torque_p05_N_m.push(-high);
+        p.torque_p50_N_m.push(-middle);
+        p.torque_p95_N_m.push(-low);
+        p.contact_force_N.push(normal.mean);
+        p.contact_force_std_N.push(normal.std);
+        p.contact_force_max_N.push(record.normal_max(i));
+        let [low, middle, high] = record.percentiles(Quantity::Contact, i);
+        p.contact_force_p05_N.push(low);
+        p.contact_force_p50_N.push(middle);
+        p.contact_force_p95_N.push(high);
+        p.contact_fraction.push(record.touched(i));
+        p.climb_rad.push(record.climb_rad(i));
+        p.lateral_offset_m.push(record.offset(i));
+        p.lateral_speed_rms_m_per_s.push(record.lateral_speed(i));
+        let circling = record.circling(i);
+        p.whirl_rate_rad_per_s.push(circling.rate_rad_per_s);
+        p.whirl_coherence.push(circling.coherence);
+    }
+    // At the ends the neighbours are half an element off; hoist and bit are there.
+    let end =
+        |values: &[f64]| Statistic::of(&values[from..]).map_or((0.0, 0.0), |e| (e.mean, e.std));
+    let (hook, hook_std) = end(&s.record.series.hook_load_N);
+    let (weight, weight_std) = end(&s.record.series.weight_on_bit_N);
+    (p.tension_N[0], p.tension_std_N[0]) = (hook, hook_std);
+    let jet = s.hydraulics.map_or(0.0, |mud| mud.jet_thrust_N);
+    (p.tension_N[n - 1], p.tension_std_N[n - 1]) = (-weight - jet, weight_std);
+    let carries = carry::carried(s.mesh, |i| record.normal(i).mean > 0.0);
+    p.side_force_N_per_m = carry::spread(&carries, n, |i| record.signed(i));
+    let sides: Vec<[f64; 3]> = (0..n)
+        .map(|i| record.percentiles(Quantity::Side, i))
+        .collect();
+    [
+        p.side_force_p05_N_per_m,
+        p.side_force_p50_N_per_m,
+        p.side_force_p95_N_per_m,
+    ] = [0, 1, 2].map(|k| carry::spread(&carries, n, |i| sides[i][k]));
+    p.axial_friction_N_per_m = carry::spread(&carries, n, |i| -record.axial(i));
+    p.friction_torque_N_m_per_m = carry::spread(&carries, n, |i| record.rub(i));
+    p.wear_work_J_per_m = carry::spread(&carries, n, |i| s.wear.string_J(i));
+    p.wear_power_W_per_m = rates(&p.wear_work_J_per_m, window_s(s, from));
+    (p.twist_rad, p.stretch_m) = deformed(s);
+    load(s, &mut p);
+    p
+}
+
+/// What friction has done to the hole in the time since row `from` of the series.
+fn hole_wear(s: &Sources<'_>, from: usize) -> HoleWear {
+    let work = s.wear.hole_J_per_m(|i| s.anchors[i].md_m);
+    HoleWear {
+        md_m: hole_depths_m(work.len()),
+        wear_power_W_per_m: rates(&work, window_s(s, from)),
+        wear_work_J_per_m: work,
+    }
+}
+
+/// Time that the samples from row `from` of the series on stand for, s.
+fn window_s(s: &Sources<'_>, from: usize) -> f64 {
+    let times = &s.record.series.time_s;
+    // The first sample of the window holds the steps before it, too.
+    let begin = from.checked_sub(1).map_or(0.0, |row| times[row]);
+    times.last().map_or(0.0, |end| end - begin)
+}
+
+/// The mean rates of what was done in a time.
+fn rates(work: &[f64], seconds: f64) -> Vec<f64> {
+    let rate = |w: &f64| if seconds > 0.0 { w / seconds } else { 0.0 };
+    work.iter().map(rate).collect()
+}
+
+/// Mean turn of each node against the bit and mean elongation between them, summed from the bit up.
+fn deformed(s: &Sources<'_>) -> (Vec<f64>, Vec<f64>) {
+    let nodes = s.mesh.nodes.len();
+    let (mut twist_rad, mut stretch_m) = (vec![0.0; nodes], vec![0.0; nodes]);
+    for element in (0..nodes - 1).rev() {
+        // The chain's twist has the other sign.
+        twist_rad[element] = twist_rad[element + 1] - s.record.twist(element);
+        let by_flow_m = s.flow_stretches_m.as_ref().map_or(0.0, |of| of[element]);
+        stretch_m[element] = stretch_m[element + 1] + s.record.longer_m(element) + by_flow_m;
+    }
+    (twist_rad, stretch_m)
+}
+
+/// What the metal and the joints bear.
+fn load(s: &Sources<'_>, p: &mut Profile) {
+    let record = s.record;
+    let strength = record.strength();
+    let mud = s.model.mud_column();
+    let last = s.mesh.nodes.len() - 1;
+    for (i, node) in s.mesh.nodes.iter().enumerate() {
+        let (_, component) = s.model.string.component_at(node.from_bit_m);
+        let at_rest_Pa = mud.pressure_Pa(s.model.well.path.at(p.md_m[i]).position_m.z);
+        let (mut outside_Pa, mut inside_Pa, mut stream_N_m2) = (at_rest_Pa, at_rest_Pa, 0.0);
+        if let Some(flow) = &s.pressures {
+            outside_Pa += flow.outside_Pa[i];
+            inside_Pa += flow.inside_Pa[i];
+            stream_N_m2 = flow.stream_N_m2;
+        }
+        p.outside_pressure_Pa.push(outside_Pa);
+        p.inside_pressure_Pa.push(inside_Pa);
+        p.true_tension_N.push(component.true_tension_N(
+            p.tension_N[i],
+            outside_Pa,
+            inside_Pa,
+            stream_N_m2,
+        ));
+        p.side_force_per_joint_N.push(
+            component
+                .joints
+                .map(|joints| p.side_force_N_per_m[i] * joints.spacing_m),
+        );
+        let bending = record.bending(i);
+        p.bending_moment_N_m.push(bending);
+        p.bending_moment_max_N_m.push(record.bending_max(i));
+        let [low, middle, high] = record.percentiles(Quantity::Bending, i);
+        p.bending_moment_p05_N_m.push(low);
+        p.bending_moment_p50_N_m.push(middle);
+        p.bending_moment_p95_N_m.push(high);
+        p.bending_stress_Pa
+            .push(bending * strength.per_modulus_m3(i));
+        // Below the bit there is no element: it bears what the node above it does.
+        let bearing = i.min(last - 1);
+        let stress_max = record.stress_max(bearing);
+        p.von_mises_stress_Pa.push(record.stress(bearing));
+        p.von_mises_stress_max_Pa.push(stress_max);
+        p.yield_use
+            .push(strength.yield_Pa(bearing).map(|yields| stress_max / yields));
+    }
+}

@@ -1,0 +1,309 @@
+//! What the driller changes while a run goes on: set points against time.
+
+use serde::{Deserialize, Serialize};
+
+use crate::damage::{Damaged, sound};
+use crate::operation::Operation;
+
+/// What moves the top of the string along the hole.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum HoistSetPoint {
+    /// The block moves at a speed, m/s, positive downwards.
+    BlockVelocity(f64),
+    /// The autodriller holds a weight on bit, N.
+    WeightOnBit(f64),
+}
+
+/// One line of the plan: from a time on, what it names goes to its new value and stays there.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct ScheduleStep {
+    /// When it begins, s from time zero of the run.
+    pub at_s: f64,
+    /// Time in which the set points go to their new values, in proportion to it, s; zero is at once.
+    pub ramp_s: f64,
+    /// Rotary speed at surface, rad/s.
+    pub rotary_speed_rad_per_s: Option<f64>,
+    /// What the hoist does.
+    pub hoist: Option<HoistSetPoint>,
+    /// What the pumps deliver, m³/s.
+    pub flow_rate_m3_per_s: Option<f64>,
+    /// What it is called in the table against time.
+    pub note: Option<String>,
+}
+
+impl ScheduleStep {
+    fn end_s(&self) -> f64 {
+        self.at_s + self.ramp_s
+    }
+
+    /// Whether it changes a set point.
+    fn moves(&self) -> bool {
+        self.rotary_speed_rad_per_s.is_some()
+            || self.hoist.is_some()
+            || self.flow_rate_m3_per_s.is_some()
+    }
+}
+
+/// A plan: lines in the order of their times. Empty, the operation's own set points hold throughout.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Schedule {
+    /// Its lines.
+    pub steps: Vec<ScheduleStep>,
+}
+
+/// Why a plan cannot be followed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum ScheduleFault {
+    /// A time or a set point that is not finite, or a time that is negative.
+    #[error("a time or a set point is out of range")]
+    Range,
+    /// A line begins before the one above it.
+    #[error("it begins before the line above it")]
+    Order,
+    /// A line names what another one is still ramping, or sets at the same time.
+    #[error("it begins while `{0}` is still on its way to the last set point")]
+    Ramping(&'static str),
+}
+
+impl Schedule {
+    /// Whether there is nothing to follow.
+    pub fn is_empty(&self) -> bool {
+        self.steps.is_empty()
+    }
+
+    /// Whether any line moves the hoist.
+    pub fn moves_the_hoist(&self) -> bool {
+        self.steps.iter().any(|step| step.hoist.is_some())
+    }
+
+    /// Whether any line puts the autodriller in control.
+    pub fn holds_a_weight(&self) -> bool {
+        let holds = |step: &ScheduleStep| matches!(step.hoist, Some(HoistSetPoint::WeightOnBit(_)));
+        self.steps.iter().any(holds)
+    }
+
+    /// The first line that cannot be followed, and why.
+    pub fn fault(&self) -> Option<(usize, ScheduleFault)> {
+        let (mut speed_s, mut hoist_s, mut flow_s) = (None, None, None);
+        let mut above_s = 0.0;
+        for (index, step) in self.steps.iter().enumerate() {
+            let hoist = step.hoist.map(|set| match set {
+                HoistSetPoint::BlockVelocity(value) | HoistSetPoint::WeightOnBit(value) => value,
+            });
+            let values = [step.rotary_speed_rad_per_s, hoist, step.flow_rate_m3_per_s];
+            let times = [step.at_s, step.ramp_s];
+            let timely = times.iter().all(|time| time.is_finite() && *time >= 0.0);
+            if !timely || values.iter().flatten().any(|value| !value.is_finite()) {
+                return Some((index, ScheduleFault::Range));
+            }
+            if step.at_s < above_s {
+                return Some((index, ScheduleFault::Order));
+            }
+            above_s = step.at_s;
+            let channels = [
+                ("rpm", values[0], &mut speed_s),
+                ("the hoist", values[1], &mut hoist_s),
+                ("flow_rate", values[2], &mut flow_s),
+            ];
+            for (name, value, busy) in channels {
+                if value.is_none() {
+                    continue;
+                }
+                let cut = busy.is_some_and(|(from, to): (f64, f64)| {
+                    step.at_s < to - 1e-9 * to || step.at_s == from
+                });
+                if cut {
+                    return Some((index, ScheduleFault::Ramping(name)));
+                }
+                *busy = Some((step.at_s, step.end_s()));
+            }
+        }
+        None
+    }
+
+    /// What the hoist is set to at once at time zero.
+    pub fn hoist_at_time_zero(&self) -> Option<HoistSetPoint> {
+        let first = self.steps.iter().filter(|step| step.end_s() <= 0.0);
+        first.filter_map(|step| step.hoist).next_back()
+    }
+
+    /// Time at which its last line is done, s; zero where it is empty.
+    pub fn end_s(&self) -> f64 {
+        let ends = self.steps.iter().map(ScheduleStep::end_s);
+        ends.fold(0.0, f64::max)
+    }
+
+    /// Time of the first change of a set point after time zero, s; none without one.
+    pub fn first_change_s(&self) -> Option<f64> {
+        self.steps
+            .iter()
+            .find(|step| step.end_s() > 0.0 && step.moves())
+            .map(|step| step.at_s)
+    }
+
+    /// The operation's set points as they are at time zero: what the first lines set there at once holds from
+    /// the beginning. Where they move the block, a bit on bottom has no weight yet: it touches the rock.
+    pub fn at_time_zero(&self, operation: &Operation) -> Operation {
+        let mut start = *operation;
+        for step in self.steps.iter().filter(|step| step.end_s() <= 0.0) {
+            if let Some(speed) = step.rotary_speed_rad_per_s {
+                start.rotary_speed_rad_per_s = speed;
+            }
+            if let Some(flow) = step.flow_rate_m3_per_s {
+                start.bit_pressure_drop_Pa = operation.bit_loss_Pa(flow);
+                start.flow_rate_m3_per_s = flow;
+            }
+        }
+        match self.hoist_at_time_zero() {
+            Some(HoistSetPoint::WeightOnBit(weight)) => start.weight_on_bit_N = weight,
+            Some(HoistSetPoint::BlockVelocity(_)) => start.weight_on_bit_N = 0.0,
+            None => {}
+        }
+        // The bit's torque goes with its weight, and a bit that does not turn has none yet.
+        if operation.kind.rotates() && start.rotary_speed_rad_per_s == 0.0 {
+            start.bit_torque_N_m = 0.0;
+        } else if operation.weight_on_bit_N > 0.0 {
+            start.bit_torque_N_m *= start.weight_on_bit_N / operation.weight_on_bit_N;
+        }
+        start
+    }
+}
+
+/// A set point on its way from one value to the next.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+struct Ramp {
+    from: f64,
+    to: f64,
+    at_s: f64,
+    end_s: f64,
+}
+
+impl Ramp {
+    fn resting(value: f64) -> Self {
+        Self {
+            from: value,
+            to: value,
+            at_s: 0.0,
+            end_s: 0.0,
+        }
+    }
+
+    fn begin(from: f64, to: f64, step: &ScheduleStep) -> Self {
+        Self {
+            from,
+            to,
+            at_s: step.at_s,
+            end_s: step.end_s(),
+        }
+    }
+
+    fn at(&self, time_s: f64) -> f64 {
+        if time_s >= self.end_s {
+            return self.to;
+        }
+        let part = (time_s - self.at_s) / (self.end_s - self.at_s);
+        (self.to - self.from).mul_add(part.max(0.0), self.from)
+    }
+}
+
+/// What a ramp of the hoist begins from where the set point before it was of the other kind.
+#[derive(Debug, Clone, Copy)]
+pub struct HoistNow {
+    /// Speed of the block, m/s, positive downwards.
+    pub block_velocity_m_per_s: f64,
+    /// Weight on bit as the autodriller sees it, N.
+    pub weight_on_bit_N: f64,
+}
+
+/// Follows a plan: the set points of a run, moment by moment.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct SetPoints {
+    steps: Vec<ScheduleStep>,
+    next: usize,
+    speed: Ramp,
+    /// None until a line moves the hoist; then its kind and its value.
+    hoist: Option<(HoistSetPoint, Ramp)>,
+    /// None until a line sets the pumps.
+    flow: Option<Ramp>,
+    first_flow_m3_per_s: f64,
+}
+
+impl SetPoints {
+    /// Whether stored set points are those of this schedule.
+    pub(in crate::dynamics) fn check(&self, schedule: &Schedule) -> Result<(), Damaged> {
+        let fits = self.steps == schedule.steps && self.next <= self.steps.len();
+        sound(fits, "the schedule")
+    }
+
+    /// The set points of `operation` until `schedule` changes them.
+    pub fn new(operation: &Operation, schedule: &Schedule) -> Self {
+        Self {
+            steps: schedule.steps.clone(),
+            next: 0,
+            speed: Ramp::resting(operation.rotation_rad_per_s()),
+            hoist: None,
+            flow: None,
+            first_flow_m3_per_s: operation.flow_now_m3_per_s(),
+        }
+    }
+
+    /// Begins the lines that are due.
+    pub fn reach(&mut self, time_s: f64, now: impl Fn() -> HoistNow) {
+        while let Some(step) = self.steps.get(self.next)
+            && step.at_s <= time_s
+        {
+            let step = step.clone();
+            self.next += 1;
+            if let Some(speed) = step.rotary_speed_rad_per_s {
+                self.speed = Ramp::begin(self.speed.at(step.at_s), speed, &step);
+            }
+            if let Some(flow) = step.flow_rate_m3_per_s {
+                let last = self.flow_rate_m3_per_s(step.at_s);
+                let from = last.unwrap_or(self.first_flow_m3_per_s);
+                self.flow = Some(Ramp::begin(from, flow, &step));
+            }
+            if let Some(set) = step.hoist {
+                let last = self.hoist_at(step.at_s);
+                let ramp = match (set, last) {
+                    (
+                        HoistSetPoint::BlockVelocity(to),
+                        Some(HoistSetPoint::BlockVelocity(from)),
+                    )
+                    | (HoistSetPoint::WeightOnBit(to), Some(HoistSetPoint::WeightOnBit(from))) => {
+                        Ramp::begin(from, to, &step)
+                    }
+                    (HoistSetPoint::BlockVelocity(to), _) => {
+                        Ramp::begin(now().block_velocity_m_per_s, to, &step)
+                    }
+                    (HoistSetPoint::WeightOnBit(to), _) => {
+                        Ramp::begin(now().weight_on_bit_N, to, &step)
+                    }
+                };
+                self.hoist = Some((set, ramp));
+            }
+        }
+    }
+
+    /// Rotary speed at surface, rad/s.
+    pub fn rotary_speed_rad_per_s(&self, time_s: f64) -> f64 {
+        self.speed.at(time_s)
+    }
+
+    /// What the pumps deliver, m³/s; none while they do what they were told before the run.
+    pub fn flow_rate_m3_per_s(&self, time_s: f64) -> Option<f64> {
+        self.flow.map(|ramp| ramp.at(time_s))
+    }
+
+    /// What the hoist does; none while it does what it was told before the run.
+    pub fn hoist_at(&self, time_s: f64) -> Option<HoistSetPoint> {
+        self.hoist.map(|(kind, ramp)| match kind {
+            HoistSetPoint::BlockVelocity(_) => HoistSetPoint::BlockVelocity(ramp.at(time_s)),
+            HoistSetPoint::WeightOnBit(_) => HoistSetPoint::WeightOnBit(ramp.at(time_s)),
+        })
+    }
+
+    /// The line of the plan that began last, counted from one; zero before the first.
+    pub fn line(&self) -> usize {
+        self.next
+    }
+}

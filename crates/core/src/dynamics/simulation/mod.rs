@@ -1,0 +1,300 @@
+//! A run in the precision that its settings ask for.
+
+mod balance;
+pub mod checkpoint;
+pub mod diverged;
+mod laying;
+mod numbers;
+mod run;
+mod sampling;
+pub mod settling;
+mod since_sample;
+mod speed;
+mod state;
+
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+
+use super::settings::{DynamicsSettings, HoistControl, Precision};
+use crate::{
+    dynamics::{
+        assemble::error::SetupError,
+        boundary::crew::Crew,
+        kernel::step::{Abilities, Stepper},
+        output::{frame::Frame, outcome::DynamicOutcome},
+        simulation::{
+            checkpoint::{Checkpoint, ResumeError},
+            diverged::Diverged,
+            run::Run,
+        },
+    },
+    model::Model,
+    operation::Operation,
+    rock::{Alone, Executor, bit_face::BottomHole},
+    rod::mesh::{Mesh, MeshNode},
+    simd::counted::Flops,
+};
+
+/// Shortest elements that single precision serves, m. Positions are known to 2e-9 m, and what that strains an element
+/// of a metre by pulls with a newton or two in a drill pipe, six in a collar.
+const SHORTEST_M: f64 = 1.0;
+
+impl Precision {
+    /// Whether this precision serves a run, or why it does not.
+    ///
+    /// Single precision serves strings that turn. Where a string rests, or slides without turning, friction
+    /// decides node by node between rest and motion, and the answer hangs on digits that single precision does not have:
+    /// a string at rest, a string about to buckle, a check of the energy. Nor does it serve elements shorter than a metre.
+    ///
+    /// # Errors
+    /// The reason.
+    pub fn serves(
+        self,
+        operation: &Operation,
+        settings: &DynamicsSettings,
+    ) -> Result<(), &'static str> {
+        if self == Self::Double {
+            return Ok(());
+        }
+        // A string that comes to turn the other way stands still between.
+        let speed = operation.rotation_rad_per_s();
+        let lines = settings.schedule.steps.iter();
+        let mut scheduled = lines.filter_map(|line| line.rotary_speed_rad_per_s);
+        let turns = speed != 0.0 && scheduled.all(|other| speed * other > 0.0);
+        if !turns {
+            return Err(
+                "the string does not turn all the time: which nodes of a string at rest stick, and whether it \
+                 buckles, is decided in digits that single precision does not have",
+            );
+        }
+        if settings.element_length_m < SHORTEST_M {
+            return Err(
+                "the elements are shorter than 1 m: the last digit of a position strains them by newtons",
+            );
+        }
+        Ok(())
+    }
+}
+
+/// A drill string in time.
+#[derive(Debug, Clone)]
+pub struct Simulation(Either);
+
+#[derive(Debug, Clone)]
+enum Either {
+    Double(Box<Run<f64>>),
+    Single(Box<Run<f32>>),
+}
+
+/// The same of either.
+macro_rules! either {
+    ($simulation:expr, $run:ident => $what:expr) => {
+        match $simulation {
+            Either::Double($run) => $what,
+            Either::Single($run) => $what,
+        }
+    };
+}
+
+impl Simulation {
+    /// Lays the string in its hole, ready to run.
+    ///
+    /// The bit is placed so that it passes the operation's depth in the middle of the window: a string
+    /// that trips at 0.3 m/s for a minute is then, on average, where a static calculation has it.
+    ///
+    /// # Errors
+    /// A setting out of range, a precision that does not serve, or a soft string without solution.
+    pub fn new(
+        model: &Model,
+        operation: &Operation,
+        settings: &DynamicsSettings,
+    ) -> Result<Self, SetupError> {
+        Self::lent(model, operation, settings, Arc::new(Alone))
+    }
+
+    /// The same with an executor lent to solid rock under the bit from the first: the bit is run in before the string is laid. The
+    /// answer does not depend on it.
+    ///
+    /// # Errors
+    /// Those of [`Simulation::new`].
+    pub fn lent(
+        model: &Model,
+        operation: &Operation,
+        settings: &DynamicsSettings,
+        executor: Arc<dyn Executor + Send + Sync>,
+    ) -> Result<Self, SetupError> {
+        let crew = Crew::of(executor);
+        Ok(Self(match settings.precision {
+            Precision::Double => {
+                Either::Double(Box::new(Run::new(model, operation, settings, crew)?))
+            }
+            Precision::Single => {
+                Either::Single(Box::new(Run::new(model, operation, settings, crew)?))
+            }
+        }))
+    }
+
+    /// The run as it stands, to be laid aside: between two calls of [`Simulation::advance`], at any time.
+    pub fn checkpoint(&self) -> Checkpoint<'_> {
+        either!(&self.0, run => run.checkpoint())
+    }
+
+    /// Takes up a run where [`Simulation::checkpoint`] left it. Model, operation and settings are those
+    /// that it began with: others would go on, but with an answer to neither case.
+    ///
+    /// # Errors
+    /// A checkpoint of another string, or a run that could not have begun.
+    pub fn resume(
+        model: &Model,
+        operation: &Operation,
+        settings: &DynamicsSettings,
+        checkpoint: Checkpoint<'_>,
+    ) -> Result<Self, ResumeError> {
+        Ok(Self(match settings.precision {
+            Precision::Double => Either::Double(Box::new(Run::resume(
+                model, operation, settings, checkpoint,
+            )?)),
+            Precision::Single => Either::Single(Box::new(Run::resume(
+                model, operation, settings, checkpoint,
+            )?)),
+        }))
+    }
+
+    /// Goes on for `seconds`, to the nearest sample.
+    ///
+    /// # Errors
+    /// A run that diverged; what it had sampled before stays available.
+    pub fn advance(&mut self, seconds: f64) -> Result<(), Diverged> {
+        either!(&mut self.0, run => run.advance(seconds))
+    }
+
+    /// The answer so far: over the window if it has begun, over everything sampled otherwise.
+    pub fn outcome(&self) -> DynamicOutcome {
+        either!(&self.0, run => run.outcome())
+    }
+
+    /// Mean weight on bit of [`outcome`](Self::outcome), N, without the rest of it.
+    pub fn mean_weight_on_bit_N(&self) -> f64 {
+        either!(&self.0, run => run.mean_weight_on_bit_N())
+    }
+
+    /// The whole string as it is now, at the end of a sample: after [`advance`](Self::advance).
+    pub fn frame(&self) -> Frame {
+        either!(&self.0, run => run.frame())
+    }
+
+    /// Time since the start, s.
+    pub fn time_s(&self) -> f64 {
+        either!(&self.0, run => run.time_s())
+    }
+
+    /// Time at which the window ends, s; at the latest, as long as the run settles until it is steady: the time
+    /// is known when the window begins.
+    pub fn end_time_s(&self) -> f64 {
+        either!(&self.0, run => run.end_time_s())
+    }
+
+    /// Whether the window is yet to begin.
+    pub fn is_settling(&self) -> bool {
+        either!(&self.0, run => run.is_settling())
+    }
+
+    /// Step, s.
+    pub fn time_step_s(&self) -> f64 {
+        either!(&self.0, run => run.time_step_s())
+    }
+
+    /// Time between two samples, s: the setting, rounded to whole steps.
+    pub fn sample_interval_s(&self) -> f64 {
+        either!(&self.0, run => run.sample_interval_s())
+    }
+
+    /// Number of elements.
+    pub fn elements(&self) -> usize {
+        either!(&self.0, run => run.elements())
+    }
+
+    /// The nodes and elements of the string.
+    pub fn mesh(&self) -> &Mesh {
+        either!(&self.0, run => run.mesh())
+    }
+
+    /// Kinetic, elastic and potential energy of the string, J: second-order accurate in the step.
+    pub fn energy_J(&self) -> f64 {
+        either!(&self.0, run => run.energy_J())
+    }
+
+    /// Kinetic energy of the string, J.
+    pub fn kinetic_energy_J(&self) -> f64 {
+        either!(&self.0, run => run.kinetic_energy_J())
+    }
+
+    /// Lends an executor to solid rock under the bit; the answer does not depend on it. A simulation that was resumed has to be
+    /// lent it anew.
+    pub fn lend(&mut self, executor: Arc<dyn Executor + Send + Sync>) {
+        either!(&mut self.0, run => run.lend(executor));
+    }
+
+    /// The pattern that the bit has left on the bottom of the hole, radii from the bit's axis, angles from the high side to the right,
+    /// depths below the bit's nose; none without solid rock.
+    pub fn bottom_hole(&self) -> Option<BottomHole> {
+        either!(&self.0, run => run.bottom_hole())
+    }
+
+    /// Changes the hoist from now on: a connection, a stop, a lift.
+    pub fn set_hoist(&mut self, control: HoistControl) {
+        either!(&mut self.0, run => run.set_hoist(control));
+    }
+
+    /// Changes what the pumps deliver from now on, m³/s; the pressure drop of the bit and the speed of a mud motor follow.
+    /// Without a rheology the mud does nothing to the string, however it flows.
+    pub fn set_flow_rate(&mut self, flow_m3_per_s: f64) {
+        either!(&mut self.0, run => run.set_flow_rate(flow_m3_per_s));
+    }
+
+    /// Gives every node an additional velocity, m/s, and an additional spin, rad/s: a blow. `blow` is
+    /// asked for each node but the top, which is clamped.
+    pub fn strike(&mut self, blow: impl Fn(&MeshNode) -> (Vector3<f64>, f64)) {
+        either!(&mut self.0, run => run.strike(blow));
+    }
+
+    /// Name of the instruction set that the time loop was compiled for.
+    pub fn instructions(&self) -> &'static str {
+        either!(&self.0, run => run.instructions())
+    }
+
+    /// Names of the instruction sets that this processor can run, the fastest first.
+    pub fn instruction_sets() -> Vec<&'static str> {
+        let any = Abilities {
+            hertz: true,
+            vector: true,
+            full: false,
+        };
+        let all: Vec<Stepper> = Stepper::all(any);
+        all.iter().map(|stepper| stepper.instructions).collect()
+    }
+
+    /// Goes on with one of [`Self::instruction_sets`]; with what it has if there is none of that name.
+    pub fn use_instructions(&mut self, name: &str) {
+        either!(&mut self.0, run => run.use_instructions(name));
+    }
+
+    /// Takes `steps` steps of the inner loop alone, the top held where it is: a measure of speed. The
+    /// simulation is no more than that afterwards.
+    pub fn step_kernel(&mut self, steps: usize) {
+        either!(&mut self.0, run => run.step_kernel(steps));
+    }
+
+    /// Takes one step of the inner loop alone, as [`Self::step_kernel`] does, and counts its arithmetic: all of it, that
+    /// of lanes which no element fills, too.
+    pub fn count_kernel(&mut self) -> Flops {
+        either!(&mut self.0, run => run.count_kernel())
+    }
+
+    /// Multiplies and adds in the registers of the inner loop, so wide and so precise, `rounds` times and as fast as the
+    /// processor can; how many floating-point operations that was.
+    pub fn work_at_peak(&self, rounds: usize) -> u64 {
+        either!(&self.0, run => run.work_at_peak(rounds))
+    }
+}

@@ -1,0 +1,424 @@
+//! A run: the string in time, from its start to its outcome, in either kind of number.
+
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+
+use super::{diverged::Diverged, settling::Settling, state::State};
+use crate::{
+    dynamics::{
+        assemble::basis::Basis,
+        boundary::{
+            bit::Came,
+            crew::{Crew, Lent},
+            hoist::Target,
+            hole::Surroundings,
+            mud::{squeezed::Squeezed, viscous::Viscous},
+        },
+        kernel::{
+            chain::{Chain, node},
+            step::{Abilities, Calming, StepInput, Stepper},
+        },
+        output::{
+            energy::StepWork,
+            frame::{self, Frame},
+            outcome::DynamicOutcome,
+            statistic::Statistic,
+            summary,
+        },
+        settings::{
+            DynamicsSettings, HoistControl, Start,
+            schedule::{HoistNow, HoistSetPoint},
+        },
+    },
+    model::{Model, MudColumn},
+    operation::Operation,
+    rock::{Drilling, Executor, bit_face::BottomHole},
+    rod::{
+        mesh::{Mesh, MeshNode},
+        stability::StepPlan,
+    },
+    simd::{number::Real, vector::Vector},
+};
+
+/// Extra damping of the first seconds of a prepared start, relative to the rigid motion, 1/s.
+const FADING_DAMPING_PER_S: f64 = 4.0;
+
+/// Steps after which anchors follow their nodes, the mud's lateral drag is found anew and mass-proportional damping acts:
+/// at 3.2 m elements some 10 ms, a fifth of the shortest period that they have across the hole.
+const FOLLOW_STEPS: u64 = 16;
+
+/// Steps after which directors are squared up.
+const SQUARE_UP_STEPS: u64 = 128;
+
+/// A drill string in time, in one kind of number.
+#[derive(Debug, Clone)]
+pub struct Run<R: Real> {
+    pub(super) model: Model,
+    pub(super) mud: MudColumn,
+    pub(super) operation: Operation,
+    pub(super) settings: DynamicsSettings,
+    pub(super) mesh: Mesh,
+    pub(super) settling: Settling,
+    pub(super) plan: StepPlan,
+    pub(super) surroundings: Surroundings,
+    pub(super) abilities: Abilities,
+    pub(super) stepper: Stepper<R>,
+    pub(super) steps_per_sample: u64,
+    pub(super) chain: Chain<R>,
+    pub(super) state: State,
+    pub(super) crew: Crew,
+}
+
+impl<R: Real> Run<R> {
+    /// The run of what its input determines and of how it stands.
+    pub(super) fn of(
+        model: &Model,
+        operation: &Operation,
+        settings: &DynamicsSettings,
+        basis: Basis<R>,
+        chain: Chain<R>,
+        state: State,
+    ) -> Self {
+        let Basis {
+            mesh,
+            settling,
+            plan,
+            surroundings,
+            abilities,
+            stepper,
+            steps_per_sample,
+        } = basis;
+        Self {
+            model: model.clone(),
+            mud: model.mud_column(),
+            operation: *operation,
+            settings: settings.clone(),
+            mesh,
+            settling,
+            plan,
+            surroundings,
+            abilities,
+            stepper,
+            steps_per_sample,
+            chain,
+            state,
+            crew: Crew::default(),
+        }
+    }
+
+    /// Time since the start, s.
+    pub fn time_s(&self) -> f64 {
+        self.state.steps as f64 * self.plan.dt_s
+    }
+
+    /// Time at which the window ends, s; at the latest, as long as the run settles until it is steady.
+    pub fn end_time_s(&self) -> f64 {
+        let settle_s = match self.state.settled {
+            Some(settled) => settled.settle_s,
+            None => self.settling.most_s(),
+        };
+        settle_s + self.settings.duration_s
+    }
+
+    /// Whether the window is yet to begin.
+    pub fn is_settling(&self) -> bool {
+        !self.state.window_open
+    }
+
+    /// Step, s.
+    pub fn time_step_s(&self) -> f64 {
+        self.plan.dt_s
+    }
+
+    /// Name of the instruction set that the time loop was compiled for.
+    pub fn instructions(&self) -> &'static str {
+        self.stepper.instructions
+    }
+
+    /// Number of elements.
+    pub fn elements(&self) -> usize {
+        self.mesh.elements.len()
+    }
+
+    /// The nodes and elements of the string.
+    pub fn mesh(&self) -> &Mesh {
+        &self.mesh
+    }
+
+    /// Lends an executor to solid rock under the bit; the answer does not depend on it.
+    pub fn lend(&mut self, executor: Arc<dyn Executor + Send + Sync>) {
+        self.crew.lent = Lent::new(executor);
+    }
+
+    /// The pattern that the bit has left on the bottom of the hole; none without solid rock.
+    pub fn bottom_hole(&self) -> Option<BottomHole> {
+        self.state.bit.drilling().map(Drilling::bottom_hole)
+    }
+
+    /// Changes the hoist from now on: a connection, a stop, a lift.
+    pub fn set_hoist(&mut self, control: HoistControl) {
+        if let HoistControl::BlockVelocity(velocity) = control {
+            self.state.rigid_velocity_m_per_s = velocity;
+        }
+        self.state.hoist.set_control(control);
+    }
+
+    /// Changes what the pumps deliver from now on, m³/s; the pressure drop of the bit and the speed of a mud motor follow.
+    /// Without a rheology the mud does nothing to the string, however it flows.
+    pub fn set_flow_rate(&mut self, flow_m3_per_s: f64) {
+        self.state.flow_m3_per_s = flow_m3_per_s;
+        self.state.bit.set_flow(flow_m3_per_s);
+        if let Some(mud) = &mut self.state.viscous {
+            mud.set_flow(flow_m3_per_s, self.operation.bit_loss_Pa(flow_m3_per_s));
+        }
+    }
+
+    /// Gives every node an additional velocity, m/s, and an additional spin, rad/s: a blow. `blow` is
+    /// asked for each node but the top, which is clamped.
+    pub fn strike(&mut self, blow: impl Fn(&MeshNode) -> (Vector3<f64>, f64)) {
+        for (index, node) in self.mesh.nodes.iter().enumerate().skip(1) {
+            let (velocity, spin) = blow(node);
+            let before = self.chain.velocity(index);
+            self.chain.set_velocity(index, before + velocity.into());
+            node!(self.chain, index, spin += spin);
+        }
+    }
+
+    /// Goes on for `seconds`, to the nearest sample.
+    ///
+    /// # Errors
+    /// A run that diverged; what it had sampled before stays available.
+    pub fn advance(&mut self, seconds: f64) -> Result<(), Diverged> {
+        let samples = (seconds / self.sample_interval_s()).round().max(1.0) as u64;
+        for _ in 0..samples {
+            // Until here they are what the last sample saw.
+            self.chain.clear_sums();
+            for _ in 0..self.steps_per_sample {
+                self.step();
+                if self.state.steps.is_multiple_of(FOLLOW_STEPS) {
+                    // Nothing follows a node to where no number is.
+                    self.check_numbers()?;
+                    self.calm(FOLLOW_STEPS);
+                    self.follow();
+                }
+                if self.state.steps.is_multiple_of(SQUARE_UP_STEPS) {
+                    self.chain.square_up();
+                }
+            }
+            if !self.state.steps.is_multiple_of(FOLLOW_STEPS) {
+                self.check_numbers()?;
+            }
+            self.sample();
+        }
+        Ok(())
+    }
+
+    /// Takes the hole and the mud along to where the nodes have slid.
+    fn follow(&mut self) {
+        let (chain, anchors) = (&mut self.chain, &mut self.state.anchors);
+        if self
+            .surroundings
+            .follow(chain, anchors, &mut self.state.high)
+        {
+            self.state.squeezed = Squeezed::of(&self.mesh, self.mud, anchors);
+        }
+        chain.find_drag(self.plan.dt_s);
+        if let Some(mud) = &mut self.state.viscous {
+            mud.update(chain, anchors, &self.surroundings, self.plan.dt_s);
+        }
+    }
+
+    fn step(&mut self) {
+        let time = self.time_s();
+        let dt = self.plan.dt_s;
+        let ramp = self.settings.start_ramp(time);
+        let rotation = ramp * self.follow_schedule(time);
+        let input = self.step_input();
+        self.state.top_drive.prescribe(&mut self.chain, rotation);
+        let last = self.chain.nodes() - 1;
+        let top_before = self.chain.velocity(0).dot(self.chain.tangent(0));
+        let came = Came {
+            velocity: self.chain.velocity(last),
+            spin: node!(self.chain, last, spin),
+        };
+
+        let before = self.state.body.push(&mut self.chain, &input, ramp);
+        let mut losses = self.stepper.step(&mut self.chain, &input);
+
+        let bit = self.state.bit.act(
+            &mut self.chain,
+            &self.state.anchors[last],
+            came,
+            &self.crew,
+            dt,
+        );
+        let weight = bit.weight_on_bit_N;
+        let hoist = self.state.hoist.act(
+            &mut self.chain,
+            self.state.anchors[0].md_m,
+            top_before,
+            weight,
+            dt,
+        );
+        self.clamp_top();
+        let after = self.state.body.follow(&mut self.chain, &input);
+        let drive = self.state.top_drive.act(&mut self.chain, rotation, dt);
+        let work = StepWork {
+            top_drive: drive.work_J,
+            hoist: hoist.work_J,
+            bit: bit.work_J,
+            body: before.work_J,
+        };
+        losses.damping += before.damping_loss_J;
+        losses.mud += after.mud_loss_J;
+        self.state.ledger.book(&work, &losses);
+
+        let sum = &mut self.state.since_sample;
+        sum.steps += 1;
+        sum.hook_load += hoist.hook_load_N;
+        sum.surface_torque += drive.string_torque_N_m;
+        sum.weight_on_bit += bit.weight_on_bit_N;
+        sum.bit_torque += bit.torque_N_m;
+        let high = Vector::from(self.state.anchors[last].high_side);
+        sum.bit_high += bit.force_N.dot(high);
+        sum.bit_right += bit.force_N.dot(self.chain.tangent(last).cross(high));
+        sum.bit_moment += bit.moment_N_m;
+        sum.depth_of_cut += bit.depth_of_cut_m;
+        sum.rate_of_penetration += bit.rate_of_penetration_m_per_s;
+        sum.motor_speed += bit.motor_speed_rad_per_s;
+        self.state.steps += 1;
+    }
+
+    /// Brings the set points to where they are at `time`; the rotary speed, rad/s.
+    fn follow_schedule(&mut self, time: f64) -> f64 {
+        let hoist = &self.state.hoist;
+        self.state.set_points.reach(time, || HoistNow {
+            block_velocity_m_per_s: hoist.velocity_m_per_s(),
+            weight_on_bit_N: hoist.filtered_N(),
+        });
+        if let Some(flow) = self.state.set_points.flow_rate_m3_per_s(time) {
+            self.set_flow_rate(flow);
+        }
+        let rotation = self.state.set_points.rotary_speed_rad_per_s(time);
+        match self.state.set_points.hoist_at(time) {
+            None => {}
+            Some(HoistSetPoint::BlockVelocity(velocity)) => {
+                self.set_hoist(HoistControl::BlockVelocity(velocity));
+            }
+            Some(HoistSetPoint::WeightOnBit(weight_N)) => {
+                let bit = &self.settings.bit;
+                let velocity_m_per_s =
+                    bit.axial_velocity_m_per_s(&self.operation, weight_N, rotation);
+                self.state.rigid_velocity_m_per_s = velocity_m_per_s;
+                self.state.hoist.set_target(Target {
+                    weight_N,
+                    velocity_m_per_s,
+                });
+                self.state.hoist.set_control(HoistControl::Autodriller);
+            }
+        }
+        rotation
+    }
+
+    /// Keeps the top on the hole's axis and along it, wherever it has slid to.
+    fn clamp_top(&mut self) {
+        let chain = &mut self.chain;
+        let (tangent, curvature) = (chain.tangent(0), chain.curvature(0));
+        let z = chain.displacement(0).dot(tangent);
+        let along = tangent.plus(curvature, z);
+        let along = along.scaled(1.0 / along.dot(along).sqrt());
+        let speed = chain.velocity(0).dot(along);
+        chain.set_velocity(0, along.scaled(speed));
+        chain.set_displacement(0, tangent.scaled(z).plus(curvature, 0.5 * z * z));
+        chain.set_director(0, along);
+    }
+
+    /// Calms the string by what mass-proportional damping takes in `steps`.
+    fn calm(&mut self, steps: u64) {
+        let time = self.time_s();
+        let fading = match self.settings.start {
+            Start::Prepared if time < self.state.fading_s => {
+                FADING_DAMPING_PER_S * (1.0 - time / self.state.fading_s).powi(2)
+            }
+            _ => 0.0,
+        };
+        let rate_per_s = self.settings.damping.mass_per_s + fading;
+        let rotation =
+            self.settings.start_ramp(time) * self.state.set_points.rotary_speed_rad_per_s(time);
+        let time_s = steps as f64 * self.plan.dt_s;
+        let calming = Calming {
+            time_s,
+            dt: self.plan.dt_s,
+            left: (-rate_per_s * time_s).exp(),
+            rigid_velocity: self.state.rigid_velocity_m_per_s,
+            rigid_spin: self.state.top_drive.rigid_spin(&self.chain, rotation),
+        };
+        let taken = self.stepper.calm(&mut self.chain, &calming);
+        self.state.ledger.book_calming(taken);
+    }
+
+    pub(super) fn step_input(&self) -> StepInput {
+        StepInput {
+            dt: self.plan.dt_s,
+            stiffness_damping: self.settings.damping.stiffness_s,
+            dissipation: self.settings.contact_law.dissipation_s_per_m(),
+            stribeck_speed: self.settings.stribeck_speed_m_per_s,
+        }
+    }
+
+    /// The whole string as it is now, at the end of a sample: after [`advance`](Self::advance).
+    pub fn frame(&self) -> Frame {
+        self.scene().frame()
+    }
+
+    pub(super) fn scene(&self) -> frame::Scene<'_, R> {
+        frame::Scene {
+            chain: &self.chain,
+            anchors: &self.state.anchors,
+            high: &self.state.high,
+            body: &self.state.body,
+            strength: self.state.record.strength(),
+            time_s: self.time_s(),
+            summed_steps: self.steps_per_sample,
+        }
+    }
+
+    /// Time between two samples, s: the setting, rounded to whole steps.
+    pub fn sample_interval_s(&self) -> f64 {
+        self.steps_per_sample as f64 * self.plan.dt_s
+    }
+
+    /// Mean weight on bit of [`outcome`](Self::outcome), N.
+    pub fn mean_weight_on_bit_N(&self) -> f64 {
+        let record = &self.state.record;
+        Statistic::of(&record.series.weight_on_bit_N[record.window_row..]).map_or(0.0, |s| s.mean)
+    }
+
+    /// The answer so far: over the window if it has begun, over everything sampled otherwise.
+    pub fn outcome(&self) -> DynamicOutcome {
+        let diverged = self.check_numbers().is_err();
+        summary::outcome(&summary::Sources {
+            model: &self.model,
+            operation: &self.operation,
+            mesh: &self.mesh,
+            plan: &self.plan,
+            anchors: &self.state.anchors,
+            record: &self.state.record,
+            wear: &self.state.wear,
+            bit: &self.state.bit,
+            steps: self.state.steps,
+            energy: self.energy_balance().filter(|_| !diverged),
+            diverged,
+            hydraulics: self.state.viscous.as_ref().map(Viscous::mean),
+            pressures: self.state.viscous.as_ref().map(Viscous::mean_pressures),
+            flow_stretches_m: self.state.viscous.as_ref().map(Viscous::mean_stretches_m),
+            instructions: self.stepper.instructions,
+            settling: self.settling,
+            settled: self.state.settled,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,244 @@
+//! Every instruction set moves the string alike.
+
+mod body;
+mod contact_map;
+mod laying;
+mod top;
+
+use super::*;
+use crate::{
+    dynamics::{boundary::crew::Crew, settings::FrictionLaw},
+    mud::Mud,
+    operation::OperationKind,
+    rig::Rig,
+    string::{ComponentLength, ComponentSpec, Material, StringSpec},
+    wall::contact::ContactLaw,
+    well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Station, TieIn, Well},
+};
+
+const DEPTH_M: f64 = 300.0;
+
+/// Nothing at the bit.
+const REAM: Operation = Operation {
+    kind: OperationKind::Ream,
+    bit_depth_m: DEPTH_M,
+    rotary_speed_rad_per_s: 7.0,
+    weight_on_bit_N: 0.0,
+    bit_torque_N_m: 0.0,
+    rate_of_penetration_m_per_s: 0.0,
+    trip_speed_m_per_s: 0.2,
+    flow_rate_m3_per_s: 0.0,
+    bit_pressure_drop_Pa: 0.0,
+    motor_pressure_drop_Pa: 0.0,
+};
+
+/// Pipe in a hole that builds to 50 deg and turns.
+fn model(at_rest: f64) -> Model {
+    let stations = [0.0, 0.5, 1.0].map(|part: f64| Station {
+        md_m: DEPTH_M * part,
+        inclination_rad: (50.0 * part).to_radians(),
+        azimuth_rad: 0.4 * part,
+    });
+    let section = HoleSection {
+        kind: HoleKind::Open,
+        from_md_m: 0.0,
+        to_md_m: DEPTH_M + 10.0,
+        diameter_m: 0.2159,
+        friction: Friction {
+            kinetic: 0.25,
+            at_rest,
+            around: 1.0,
+        },
+        youngs_modulus_Pa: 51.5e9,
+        poisson_ratio: 0.33,
+        roughness: 1.0,
+    };
+    let steel = Material {
+        density_kg_per_m3: 7860.0,
+        youngs_modulus_Pa: 210e9,
+        shear_modulus_Pa: 76.923e9,
+    };
+    let pipe = ComponentSpec::uniform("pipe", 0.1397, 0.1186, ComponentLength::ToSurface, steel);
+    Model {
+        well: Well {
+            path: Path::new(&stations, Interpolation::Spline, TieIn::default()).unwrap(),
+            hole: Hole::new(vec![section]).unwrap(),
+        },
+        string: StringSpec {
+            components: vec![pipe],
+        }
+        .assemble(DEPTH_M)
+        .unwrap(),
+        mud: Mud {
+            density_kg_per_m3: 1200.0,
+            linear_drag_Pa_s: 5.0,
+            drag_coefficient: 1.0,
+            rheology: None,
+        },
+        rig: Rig::default(),
+    }
+}
+
+/// Whatever the processor, the string moves the same: instruction sets of different width to the last
+/// bit; the baseline, which rounds products, within 1e-6. A string that settles amplifies differences of 1e-16
+/// in its first second, most where friction lets nodes stick, and forgets them then; what is computed
+/// wrongly stays.
+#[test]
+fn every_instruction_set_moves_the_string_alike() {
+    for (hertz, friction_law, at_rest) in [
+        (true, FrictionLaw::Vector, 0.25),
+        (true, FrictionLaw::Independent, 0.3),
+        (false, FrictionLaw::Vector, 0.3),
+        (false, FrictionLaw::Independent, 0.25),
+    ] {
+        let model = model(at_rest);
+        let mut settings = DynamicsSettings {
+            settle_s: 3.0,
+            duration_s: 2.0,
+            friction_law,
+            ..Default::default()
+        };
+        if !hertz {
+            settings.contact_law = ContactLaw::Linear {
+                stiffness_N_per_m: 1e8,
+                damping_ratio: 0.05,
+            };
+        }
+        let laid = Run::<f64>::new(&model, &REAM, &settings, Crew::default()).unwrap();
+        let vector = friction_law == FrictionLaw::Vector;
+        let outcomes: Vec<_> = Stepper::all(Abilities {
+            hertz,
+            vector,
+            full: at_rest > 0.25,
+        })
+        .into_iter()
+        .map(|stepper| {
+            let mut simulation = Run {
+                stepper,
+                ..laid.clone()
+            };
+            simulation.advance(5.0).unwrap();
+            (stepper.instructions, simulation.outcome())
+        })
+        .collect();
+        let (_, first) = &outcomes[0];
+        assert_eq!(first.numerics.instructions, laid.stepper.instructions);
+        for (name, outcome) in &outcomes[1..] {
+            let gap = |of: fn(&DynamicOutcome) -> f64| (of(outcome) / of(first) - 1.0).abs();
+            let hook = gap(|o| o.scalars.hook_load_N);
+            let torque = gap(|o| o.scalars.friction_torque_N_m);
+            let tolerance = if *name == "baseline" { 1e-6 } else { 0.0 };
+            assert!(
+                hook <= tolerance && torque <= tolerance,
+                "{name}: {hook:e}, {torque:e}"
+            );
+        }
+    }
+}
+
+/// A row that does not reach the wall leaves contact and friction out. Which nodes share a row is a matter of the strands'
+/// length, and it makes no difference to any of them: with strands of other lengths all bits are the same, those of the sums too.
+#[test]
+fn no_node_knows_who_shares_its_row() {
+    let mut run = Run::<f64>::new(
+        &model(0.3),
+        &REAM,
+        &DynamicsSettings::default(),
+        Crew::default(),
+    )
+    .unwrap();
+    run.advance(1.0).unwrap();
+    let (input, rows) = (run.step_input(), run.chain.node_blocks.len());
+    let stepped = |mut chain: Chain| {
+        for _ in 0..2000 {
+            run.stepper.step(&mut chain, &input);
+        }
+        chain
+    };
+    let whole = stepped(run.chain.clone());
+    for longer in [1, 2, 5] {
+        let other = stepped(run.chain.in_rows(rows + longer));
+        for i in 0..whole.nodes() {
+            let bits = |chain: &Chain| {
+                let (u, v) = (chain.displacement(i), chain.velocity(i));
+                [
+                    u.0,
+                    u.1,
+                    u.2,
+                    v.0,
+                    v.1,
+                    v.2,
+                    node!(chain, i, spin),
+                    node!(chain, i, sum_normal),
+                    node!(chain, i, sum_wear),
+                ]
+                .map(f64::to_bits)
+            };
+            assert_eq!(bits(&whole), bits(&other), "node {i}, {longer} rows more");
+        }
+    }
+    let touched = (0..whole.nodes()).filter(|i| node!(whole, *i, sum_normal) > 0.0);
+    let part = touched.count() as f64 / whole.nodes() as f64;
+    assert!(part > 0.2 && part < 1.0, "{part} of the nodes touched");
+}
+
+/// What the nodes have rubbed is all found again on the hole, to rounding, with either law.
+#[test]
+fn wear_is_laid_on_the_hole() {
+    for friction_law in [FrictionLaw::Vector, FrictionLaw::Independent] {
+        let settings = DynamicsSettings {
+            friction_law,
+            ..Default::default()
+        };
+        let mut run = Run::<f64>::new(&model(0.3), &REAM, &settings, Crew::default()).unwrap();
+        let input = run.step_input();
+        run.chain.clear_sums();
+        for _ in 0..2000 {
+            run.stepper.step(&mut run.chain, &input);
+        }
+        let lost = run
+            .state
+            .wear
+            .sample(&run.chain, |i| run.state.anchors[i].md_m);
+        let nodes: f64 = (0..run.chain.nodes())
+            .map(|i| run.state.wear.string_J(i))
+            .sum();
+        let hole: f64 = run
+            .state
+            .wear
+            .hole_J_per_m(|i| run.state.anchors[i].md_m)
+            .iter()
+            .sum();
+        assert!(lost > 1000.0, "{lost}");
+        assert!((nodes / lost - 1.0).abs() < 1e-12, "{nodes} {lost}");
+        let hole = hole * crate::outcome::HOLE_STEP_M;
+        assert!((hole / lost - 1.0).abs() < 1e-12, "{hole} {lost}");
+    }
+}
+
+/// What counts arithmetic does the same arithmetic: as the baseline, which fuses nothing on this processor, to the
+/// last bit. There is no branch in it, so that every step and every lane takes as much.
+#[test]
+#[cfg(target_arch = "x86_64")]
+fn counting_leaves_the_step_as_it_is() {
+    let mut totals = Vec::new();
+    for at_rest in [0.25, 0.3] {
+        let settings = DynamicsSettings::default();
+        let mut plain =
+            Run::<f64>::new(&model(at_rest), &REAM, &settings, Crew::default()).unwrap();
+        let mut counted = plain.clone();
+        plain.use_instructions("baseline");
+        const STEPS: usize = 300;
+        plain.step_kernel(STEPS);
+        let first = counted.count_kernel();
+        for _ in 1..STEPS {
+            assert_eq!(counted.count_kernel(), first);
+        }
+        assert_eq!(plain.energy_J().to_bits(), counted.energy_J().to_bits());
+        let lanes = <f64 as Real>::LANES as u64;
+        assert!(first.total() > 0 && first.total().is_multiple_of(lanes));
+        totals.push(first.total());
+    }
+    // More laws, more work.
+    assert!(totals[0] < totals[1], "{totals:?}");
+}

@@ -1,0 +1,9 @@
+//! Numbers: what the mechanics is written over, and the processor's registers that hold several of them.
+
+pub mod counted;
+pub(crate) mod dispatch;
+pub mod lanes;
+pub mod number;
+pub mod peak;
+pub mod vector;
+pub(crate) mod wide;

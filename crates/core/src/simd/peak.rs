@@ -1,0 +1,82 @@
+//! Work that a processor does as fast as it can.
+
+use std::hint::black_box;
+
+use super::{lanes::SINGLES, number::Number};
+
+/// Chains of arithmetic that do not wait for one another. Two units that take four or five cycles for a result are
+/// busy with ten; with two constants, more chains do not fit the sixteen registers of AVX2.
+const CHAINS: usize = 12;
+
+/// Multiplies and adds numbers in registers, `rounds` times, and does nothing else; how many floating-point
+/// operations that was, a multiplication with addition being two.
+#[inline(always)]
+pub fn work<N: Number>(rounds: usize) -> u64 {
+    let (factor, term) = (N::splat(black_box(1.0)), N::splat(black_box(0.0)));
+    let mut chains = different::<N, CHAINS>();
+    for _ in 0..rounds {
+        for chain in &mut chains {
+            *chain = chain.mul_add(factor, term);
+        }
+    }
+    keep(chains);
+    2 * (CHAINS * N::WIDTH * rounds) as u64
+}
+
+/// The same where a multiplication with addition is two instructions: half of the chains multiply, the others add.
+#[inline(always)]
+pub fn work_apart<N: Number>(rounds: usize) -> u64 {
+    const HALF: usize = CHAINS / 2;
+    let (factor, term) = (N::splat(black_box(1.0)), N::splat(black_box(0.0)));
+    let (mut products, mut sums) = (different::<N, HALF>(), different::<N, HALF>());
+    for _ in 0..rounds {
+        for (product, sum) in products.iter_mut().zip(&mut sums) {
+            *product = *product * factor;
+            *sum = *sum + term;
+        }
+    }
+    keep(products);
+    keep(sums);
+    (2 * HALF * N::WIDTH * rounds) as u64
+}
+
+/// Numbers that the compiler takes for different ones: it would reckon with equal ones only once.
+#[inline(always)]
+fn different<N: Number, const COUNT: usize>() -> [N; COUNT] {
+    let mut numbers = [N::zero(); COUNT];
+    for number in &mut numbers {
+        *number = N::splat(black_box(1.0));
+    }
+    numbers
+}
+
+/// Uses what was reckoned, so that the compiler must let it be reckoned.
+#[inline(always)]
+fn keep<N: Number, const COUNT: usize>(numbers: [N; COUNT]) {
+    let mut sum = N::zero();
+    for number in numbers {
+        sum = sum + number;
+    }
+    let mut lanes = [N::Real::default(); SINGLES];
+    assert!(N::WIDTH <= SINGLES);
+    // SAFETY: there is room for `WIDTH` numbers.
+    unsafe { sum.store(lanes.as_mut_ptr()) };
+    black_box(lanes);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simd::counted::{Counted, count};
+
+    /// What it says that it did, it did; only the sum at the end is not in it.
+    #[test]
+    fn the_work_is_what_it_is_said_to_be() {
+        type N = Counted<f64>;
+        for work in [work::<N>, work_apart::<N>] {
+            let mut said = 0;
+            let done = count(|| said = work(10));
+            assert_eq!(said, done.total() - CHAINS as u64);
+        }
+    }
+}
