@@ -107,7 +107,7 @@ impl Drawn {
         if let Some(lacking) = lacking(folder).map_err(bad)? {
             return Err(bad(lacking));
         }
-        let tables = Tables::read(folder).map_err(bad)?;
+        let tables = Tables::of_folder(folder);
         Ok(Self {
             folder: folder.to_owned(),
             report: gather(&tables, &summary, units).map_err(bad)?,

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use wholestring_report::{Report, Solved, TimeRun, report_html};
-use wholestring_results::{OperationSummary, ResultsError, ResultsFolder, Status, Summary, Table};
+use wholestring_results::{OperationSummary, ResultsError, ResultsFolder, Status, Summary};
 use wholestring_units::UnitSet;
 
 use super::{
@@ -13,7 +13,7 @@ use super::{
     profile::{PROFILE, write_profile},
     rows::columns,
     sheets, spectra,
-    tables::{Tables, table},
+    tables::Tables,
     well,
 };
 
@@ -30,14 +30,8 @@ pub(crate) fn write(folder: &ResultsFolder, units: UnitSet) -> Result<(), Result
 pub(crate) fn complete(folder: &ResultsFolder, units: UnitSet) -> Result<(), ResultsError> {
     if !folder.path().join(PROFILE).is_file() {
         let summary = Summary::read(&folder.path().join("summary.json"))?;
-        let (nodes, wear) = (
-            table(folder.path(), "nodes")?,
-            table(folder.path(), "wear")?,
-        );
-        write_profile(
-            folder,
-            &along_the_hole(&nodes, &wear, &summary, Some(units)),
-        )?;
+        let tables = Tables::of_folder(folder.path());
+        write_profile(folder, &along_the_hole(&tables, &summary, Some(units))?)?;
     }
     if !folder.path().join(FILE).is_file() {
         write(folder, units)?;
@@ -72,7 +66,7 @@ pub(crate) fn lacking(folder: &Path) -> Result<Option<String>, ResultsError> {
 /// The page of the run in a folder.
 pub(crate) fn page(folder: &Path, units: Option<UnitSet>) -> Result<String, ResultsError> {
     let summary = Summary::read(&folder.join("summary.json"))?;
-    let mut report = gather(&Tables::read(folder)?, &summary, units)?;
+    let mut report = gather(&Tables::of_folder(folder), &summary, units)?;
     let mut frames = frames::read(folder, report.runs.len())?;
     for run in &mut report.runs {
         run.frames = frames.remove(&run.operation);
@@ -99,6 +93,7 @@ pub(crate) fn gather(
         let time = tables.of("time", &solved.operation)?;
         let contact = tables.of("contact", &solved.operation)?;
         let spectra = tables.of("spectra", &solved.operation)?;
+        let bottom = tables.of("bottom_hole", &solved.operation)?;
         let history = history::history(&time, &solved.operation, many);
         let window_s = solved.window_from_s(&summary.settings);
         Ok(TimeRun {
@@ -110,7 +105,7 @@ pub(crate) fn gather(
             contact: history::contact(&contact, &solved.operation, many),
             frames: None,
             drill_off: history::drill_off(&time, &solved.operation, window_s, many),
-            bottom: history::bottom(&tables.bottom_hole, &solved.operation),
+            bottom: history::bottom(&bottom, &solved.operation),
             spectra: spectra::pictures(&spectra, &solved.operation),
         })
     };
@@ -119,20 +114,39 @@ pub(crate) fn gather(
             .iter()
             .map(timed)
             .collect::<Result<_, ResultsError>>()?,
-        ..along_the_hole(&tables.nodes, &tables.wear, summary, units)
+        ..along_the_hole(tables, summary, units)?
     })
 }
 
 /// What is told of a run along its hole, and nothing of what it did in time.
+///
+/// # Errors
+/// Tables that cannot be read.
 pub(crate) fn along_the_hole(
-    nodes: &Table,
-    wear: &Table,
+    tables: &Tables,
     summary: &Summary,
     units: Option<UnitSet>,
-) -> Report {
+) -> Result<Report, ResultsError> {
     let settings = &summary.settings;
     let well = well::WellBore::of(settings);
-    Report {
+    let along = |solved: &OperationSummary| {
+        let nodes = tables.of("nodes", &solved.operation)?;
+        let wear = tables.of("wear", &solved.operation)?;
+        Ok(Solved {
+            model: solved.model.name().into(),
+            operation: solved.operation.clone(),
+            message: match &solved.status {
+                Status::Complete => None,
+                Status::Interrupted => Some("interrupted: what was computed until then".into()),
+                Status::Failed(reason) => Some(reason.clone()),
+            },
+            findings: solved.findings.iter().map(findings::told).collect(),
+            answers: answers::answers(solved, settings, &nodes),
+            profile: columns(&nodes, Some(solved.model.name()), &solved.operation),
+            wear: columns(&wear, Some(solved.model.name()), &solved.operation),
+        })
+    };
+    Ok(Report {
         program: PROGRAM.into(),
         title: summary.case.clone(),
         units: match units {
@@ -145,20 +159,8 @@ pub(crate) fn along_the_hole(
         solved: summary
             .operations
             .iter()
-            .map(|solved| Solved {
-                model: solved.model.name().into(),
-                operation: solved.operation.clone(),
-                message: match &solved.status {
-                    Status::Complete => None,
-                    Status::Interrupted => Some("interrupted: what was computed until then".into()),
-                    Status::Failed(reason) => Some(reason.clone()),
-                },
-                findings: solved.findings.iter().map(findings::told).collect(),
-                answers: answers::answers(solved, settings, nodes),
-                profile: columns(nodes, Some(solved.model.name()), &solved.operation),
-                wear: columns(wear, Some(solved.model.name()), &solved.operation),
-            })
-            .collect(),
+            .map(along)
+            .collect::<Result<_, ResultsError>>()?,
         well: well.path(),
         hole: well.hole(),
         string: well.string(),
@@ -169,5 +171,5 @@ pub(crate) fn along_the_hole(
             inputs::sheets(settings),
         ]
         .concat(),
-    }
+    })
 }

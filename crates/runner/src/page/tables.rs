@@ -4,27 +4,20 @@ use std::path::{Path, PathBuf};
 
 use wholestring_results::{ResultsError, Table};
 
-/// The tables of a run, without rows where there is none. Those against time are large, and are
-/// read operation by operation.
+/// The tables of a run. They are large, and are read operation by operation.
 pub(crate) struct Tables {
     folder: PathBuf,
-    pub(super) nodes: Table,
-    pub(super) wear: Table,
-    pub(super) bottom_hole: Table,
 }
 
 impl Tables {
     /// Those in a folder.
-    pub(crate) fn read(folder: &Path) -> Result<Self, ResultsError> {
-        Ok(Self {
+    pub(crate) fn of_folder(folder: &Path) -> Self {
+        Self {
             folder: folder.to_owned(),
-            nodes: table(folder, "nodes")?,
-            wear: table(folder, "wear")?,
-            bottom_hole: table(folder, "bottom_hole")?,
-        })
+        }
     }
 
-    /// A table against time, as far as it is about an operation.
+    /// A table as far as it is about an operation; without rows where there is none.
     pub(super) fn of(&self, name: &str, operation: &str) -> Result<Table, ResultsError> {
         let path = self.folder.join(format!("{name}.parquet"));
         let rows = if path.is_file() {
@@ -36,7 +29,7 @@ impl Tables {
     }
 }
 
-/// A table of the folder, without rows where there is none.
+/// A whole table of the folder, without rows where there is none.
 pub(crate) fn table(folder: &Path, name: &str) -> Result<Table, ResultsError> {
     let path = folder.join(format!("{name}.parquet"));
     if path.is_file() {

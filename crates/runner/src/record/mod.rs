@@ -26,7 +26,7 @@ use self::frames::Frames;
 use crate::{
     findings,
     keep::Keep,
-    page::{FILE, PROFILE, along_the_hole, table, write_profile},
+    page::{FILE, PROFILE, Tables, along_the_hole, write_profile},
 };
 
 /// What a run has solved to its end, as a checkpoint keeps it. The tables are large: what was written
@@ -214,9 +214,8 @@ impl Record {
             None => folder.remove("frames.parquet")?,
         }
         if keep == Keep::All {
-            let written = |of: &GrowingTable| table(folder.path(), of.name());
-            let (nodes, wear) = (written(&self.nodes)?, written(&self.wear)?);
-            let report = along_the_hole(&nodes, &wear, &self.summary, Some(self.units));
+            let tables = Tables::of_folder(folder.path());
+            let report = along_the_hole(&tables, &self.summary, Some(self.units))?;
             write_profile(folder, &report)?;
         } else {
             folder.remove(PROFILE)?;
