@@ -39,18 +39,18 @@ macro_rules! for_each_instruction_set {
 /// What a macro makes of the module and the name of each instruction set that this processor has, the fastest first; the
 /// baseline always is the last.
 macro_rules! available_instruction_sets {
-    ($make:ident) => {{
+    ($entry:ident) => {{
         let mut all = Vec::new();
         #[cfg(target_arch = "x86_64")]
         {
             if $crate::simd::wide::has_avx512() {
-                all.push($make!(avx512, "AVX-512"));
+                all.push($entry!(avx512, "AVX-512"));
             }
             if $crate::simd::wide::has_avx2() {
-                all.push($make!(avx2, "AVX2"));
+                all.push($entry!(avx2, "AVX2"));
             }
         }
-        all.push($make!(baseline, "baseline"));
+        all.push($entry!(baseline, "baseline"));
         all
     }};
 }

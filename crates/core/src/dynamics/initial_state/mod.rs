@@ -4,31 +4,30 @@
 //! prepared start takes both from the soft string, lays the string on the side where it will touch and
 //! lets it settle laterally, so that what follows is the operation and not the aftermath of a fall.
 
+mod guide;
+pub mod scene;
+
 use nalgebra::Vector3;
 
-use super::{
-    body::Body,
-    settings::{DynamicsSettings, FrictionLaw, Start},
-};
+use super::{body::Body, settings::Start};
 use crate::{
     dynamics::{
         assemble::chain,
         boundary::{
             anchor::Anchor,
             hole::{self, Surroundings},
-            mud::viscous::Viscous,
         },
+        initial_state::{guide::Guide, scene::Scene},
         kernel::{
             chain::{Chain, NO_WALL_M, element, node},
             step::{Calming, StepInput, Stepper},
         },
     },
-    model::Model,
-    operation::{Operation, OperationKind},
+    operation::Operation,
     random::Random,
     rod::{element::react, mesh::Mesh},
     simd::vector::Vector,
-    statics::soft::{self, SoftError, SoftSettings},
+    statics::soft::SoftError,
 };
 
 /// Lateral settling of a prepared start, s, and its damping, 1/s: near critical for a joint's span.
@@ -37,10 +36,6 @@ const SETTLING_DAMPING_PER_S: f64 = 15.0;
 
 /// Steps after which that damping acts.
 const CALM_STEPS: usize = 4;
-
-/// Side force at which the string is laid halfway to the wall, N/m: where less presses it there, it
-/// hangs nearer to the axis.
-const LIGHT_N_PER_M: f64 = 10.0;
 
 /// Amplitude of the seeded disturbance that breaks the symmetry of a start, m.
 const DISTURBANCE_M: f64 = 1e-6;
@@ -62,62 +57,6 @@ pub struct Initial {
     pub body: Body,
     /// Load that carries it, N.
     pub hook_load_N: f64,
-}
-
-/// What a string is laid by.
-#[derive(Debug, Clone, Copy)]
-pub struct Scene<'a> {
-    /// Well, string and mud.
-    pub model: &'a Model,
-    /// What the driller does, as the string moves at time zero: [`motion`].
-    pub operation: &'a Operation,
-    /// Whether the string neither turns nor slides at time zero.
-    pub at_rest: bool,
-    /// How the string starts.
-    pub settings: &'a DynamicsSettings,
-    /// The string cut into elements.
-    pub mesh: &'a Mesh,
-    /// The hole around it.
-    pub surroundings: &'a Surroundings,
-    /// The mud that drags on it, if any.
-    pub viscous: Option<&'a Viscous>,
-    /// What moves it while it settles.
-    pub stepper: &'a Stepper,
-    /// The step, and the rigid motion that the string is to have.
-    pub input: &'a StepInput,
-    /// Axial velocity of the whole string, m/s.
-    pub velocity_m_per_s: f64,
-}
-
-/// What `operation` is at time zero by the motion of the string, and whether it is at rest.
-///
-/// Without a schedule it is what it is called. A schedule may begin it otherwise: a string that is to turn and
-/// does not yet is run in or pulled out, or hangs still.
-pub fn motion(
-    operation: &Operation,
-    axial_m_per_s: f64,
-    settings: &DynamicsSettings,
-) -> (Operation, bool) {
-    if settings.schedule.is_empty() {
-        return (*operation, false);
-    }
-    let pressed = operation.weight_on_bit_now_N() > 0.0;
-    let turns = operation.rotation_rad_per_s() > 0.0;
-    let kind = match (turns, pressed) {
-        (_, true) if turns == operation.kind.rotates() => operation.kind,
-        (_, true) => OperationKind::Slide,
-        (true, false) if axial_m_per_s > 0.0 => OperationKind::Ream,
-        (true, false) if axial_m_per_s < 0.0 => OperationKind::BackReam,
-        (true, false) => OperationKind::RotateOffBottom,
-        (false, false) if axial_m_per_s < 0.0 => OperationKind::TripOut,
-        (false, false) => OperationKind::TripIn,
-    };
-    let operation = Operation {
-        kind,
-        trip_speed_m_per_s: axial_m_per_s.abs(),
-        ..*operation
-    };
-    (operation, !turns && axial_m_per_s == 0.0)
 }
 
 /// Lays the string with its bit at `bit_md_m`.
@@ -176,123 +115,6 @@ pub fn lay(
         body: string.body,
         hook_load_N,
     })
-}
-
-/// What the soft string says about every element and node.
-struct Guide {
-    /// Tension of each element, N.
-    tension_N: Vec<f64>,
-    /// Torque of each element, N·m.
-    torque_N_m: Vec<f64>,
-    /// Offset of each node from the axis as a part of its clearance.
-    lean: Vec<Vector3<f64>>,
-}
-
-impl Guide {
-    fn new(scene: &Scene<'_>) -> Result<Self, SoftError> {
-        let Scene {
-            settings,
-            mesh,
-            viscous,
-            ..
-        } = *scene;
-        let (model, operation) = as_soft_string(scene);
-        let profile = soft::solve(&model, &operation, &SoftSettings::default())?;
-        let depth = |from_bit_m: f64| operation.bit_depth_m - from_bit_m;
-        let middle = |i: usize| depth(mesh.nodes[i].from_bit_m - 0.5 * mesh.elements[i].length_m);
-        let tension_N = (0..mesh.elements.len())
-            .map(|i| {
-                if settings.starts_cold() {
-                    0.0
-                } else {
-                    profile.tension_at_N(middle(i))
-                }
-            })
-            .collect();
-        let turning = settings.start == Start::Prepared && operation_turns(&operation, settings);
-        // Torque from the bit up: what each node rubs off.
-        let mut torque_N_m = vec![0.0; mesh.elements.len()];
-        let mut torque = operation.bit_torque_now_N_m();
-        let mut lean = vec![Vector3::zeros(); mesh.nodes.len()];
-        for i in (0..mesh.nodes.len()).rev() {
-            let md = depth(mesh.nodes[i].from_bit_m);
-            let load = profile.side_force_at_N_per_m(md).abs();
-            let side = profile.contact_direction_at(md);
-            let friction = model.well.hole.at(md).friction;
-            let friction = friction.kinetic * friction.around;
-            // Wherever the nodes stand, the component touches with its joints.
-            let radius = model
-                .string
-                .component_at(mesh.nodes[i].from_bit_m)
-                .1
-                .contact_radius_m();
-            let mu = if turning {
-                around(friction, radius, &operation, settings.friction_law)
-            } else {
-                0.0
-            };
-            // A turning pipe climbs the wall until friction carries it: atan(mu) from the load.
-            let climb = 1.0 / (1.0 + mu * mu).sqrt();
-            let tangent = model.well.path.at(md).tangent;
-            let touch = climb * side - mu * climb * tangent.cross(&side);
-            lean[i] = touch * (load / (load + LIGHT_N_PER_M));
-            if i > 0 {
-                let length = mesh.tributary_length_m(i);
-                torque += mu * climb * load * length * radius;
-                let mud = viscous.map_or(0.0, |mud| mud.torque_N_m(i - 1));
-                torque_N_m[i - 1] = torque + 0.5 * mud;
-                torque += mud;
-            }
-        }
-        Ok(Self {
-            tension_N,
-            torque_N_m,
-            lean,
-        })
-    }
-}
-
-fn operation_turns(operation: &Operation, settings: &DynamicsSettings) -> bool {
-    // The guide of the independent law is solved as a sliding string but turns all the same.
-    operation.rotary_speed_rad_per_s > 0.0
-        && (operation.kind.rotates() || settings.friction_law == FrictionLaw::Independent)
-}
-
-/// The soft string whose tension the start takes: without friction for a centred start and for a string at rest,
-/// as if it had been turned before; with the full axial friction of a sliding string for the independent law.
-fn as_soft_string(scene: &Scene<'_>) -> (Model, Operation) {
-    let Scene {
-        settings, at_rest, ..
-    } = *scene;
-    let (mut model, mut operation) = (scene.model.clone(), *scene.operation);
-    if !operation.kind.rotates() {
-        operation.rotary_speed_rad_per_s = 0.0;
-    }
-    if settings.start == Start::Centred || at_rest {
-        // Zero is a coefficient that every hole takes.
-        if let Ok(frictionless) = model.well.hole.with_friction(0.0) {
-            model.well.hole = frictionless;
-        }
-    } else if settings.friction_law == FrictionLaw::Independent {
-        operation.kind = match operation.kind {
-            OperationKind::Drill => OperationKind::Slide,
-            OperationKind::Ream => OperationKind::TripIn,
-            OperationKind::BackReam => OperationKind::TripOut,
-            same => same,
-        };
-    }
-    (model, operation)
-}
-
-/// The part that acts around the hole, of the friction coefficient around it.
-fn around(mu: f64, radius_m: f64, operation: &Operation, law: FrictionLaw) -> f64 {
-    match law {
-        FrictionLaw::Independent => mu,
-        FrictionLaw::Vector => {
-            let surface = radius_m * operation.rotary_speed_rad_per_s;
-            mu * surface / surface.hypot(operation.axial_velocity_m_per_s())
-        }
-    }
 }
 
 /// A string being laid.
@@ -446,6 +268,3 @@ impl Laying<'_> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests;

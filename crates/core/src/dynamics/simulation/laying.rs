@@ -18,7 +18,7 @@ use crate::{
             mud::{squeezed::Squeezed, viscous::Viscous},
             top_drive::{StringSeen, TopDrive},
         },
-        initial_state::{self, Scene},
+        initial_state::{self, scene::Scene},
         kernel::{
             chain::{Row, node},
             step::{StepInput, Stepper},
@@ -87,7 +87,7 @@ impl<R: Registers> Run<R> {
         if let Some(run_in) = &run_in {
             first.bit_torque_N_m = run_in.torque_N_m();
         }
-        let (moving, at_rest) = initial_state::motion(&first, velocity, settings);
+        let (moving, at_rest) = initial_state::scene::motion(&first, velocity, settings);
         // Whatever the run is made with, the string is laid in double precision.
         let laying = Stepper::new(basis.abilities);
         let scene = Scene {

@@ -4,6 +4,7 @@ use super::*;
 use crate::{
     dynamics::{
         assemble::basis::Basis,
+        kernel::step::StepInput,
         tests::bench::{Bench, PIPE_M},
     },
     well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Station, TieIn, Well},

@@ -1,0 +1,68 @@
+//! What a string is laid by.
+
+use crate::{
+    dynamics::{
+        boundary::{hole::Surroundings, mud::viscous::Viscous},
+        kernel::step::{StepInput, Stepper},
+        settings::DynamicsSettings,
+    },
+    model::Model,
+    operation::{Operation, OperationKind},
+    rod::mesh::Mesh,
+};
+
+/// What a string is laid by.
+#[derive(Debug, Clone, Copy)]
+pub struct Scene<'a> {
+    /// Well, string and mud.
+    pub model: &'a Model,
+    /// What the driller does, as the string moves at time zero: [`motion`].
+    pub operation: &'a Operation,
+    /// Whether the string neither turns nor slides at time zero.
+    pub at_rest: bool,
+    /// How the string starts.
+    pub settings: &'a DynamicsSettings,
+    /// The string cut into elements.
+    pub mesh: &'a Mesh,
+    /// The hole around it.
+    pub surroundings: &'a Surroundings,
+    /// The mud that drags on it, if any.
+    pub viscous: Option<&'a Viscous>,
+    /// What moves it while it settles.
+    pub stepper: &'a Stepper,
+    /// The step, and the rigid motion that the string is to have.
+    pub input: &'a StepInput,
+    /// Axial velocity of the whole string, m/s.
+    pub velocity_m_per_s: f64,
+}
+
+/// What `operation` is at time zero by the motion of the string, and whether it is at rest.
+///
+/// Without a schedule it is what it is called. A schedule may begin it otherwise: a string that is to turn and
+/// does not yet is run in or pulled out, or hangs still.
+pub fn motion(
+    operation: &Operation,
+    axial_m_per_s: f64,
+    settings: &DynamicsSettings,
+) -> (Operation, bool) {
+    if settings.schedule.is_empty() {
+        return (*operation, false);
+    }
+    let pressed = operation.weight_on_bit_now_N() > 0.0;
+    let turns = operation.rotation_rad_per_s() > 0.0;
+    let kind = match (turns, pressed) {
+        (_, true) if turns == operation.kind.rotates() => operation.kind,
+        (_, true) => OperationKind::Slide,
+        (true, false) if axial_m_per_s > 0.0 => OperationKind::Ream,
+        (true, false) if axial_m_per_s < 0.0 => OperationKind::BackReam,
+        (true, false) => OperationKind::RotateOffBottom,
+        (false, false) if axial_m_per_s < 0.0 => OperationKind::TripOut,
+        (false, false) => OperationKind::TripIn,
+    };
+    let operation = Operation {
+        kind,
+        trip_speed_m_per_s: axial_m_per_s.abs(),
+        ..*operation
+    };
+    (operation, !turns && axial_m_per_s == 0.0)
+}
