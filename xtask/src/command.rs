@@ -33,7 +33,7 @@ pub(crate) fn cargo() -> Command {
     command
 }
 
-/// Runs the command with its output on the screen; `advice` tells what to do when it fails.
+/// Runs the command with its output on the screen; `advice` shows what to do when it fails.
 pub(crate) fn run(command: &mut Command, advice: &str) -> Result<(), Failure> {
     match command.status() {
         Ok(status) if status.success() => Ok(()),
@@ -86,7 +86,7 @@ fn copy_counting(from: impl Read, mut to: impl Write) -> Count {
         .read_until(b'\n', &mut bytes)
         .is_ok_and(|read| read > 0)
     {
-        // Nobody may be reading the screen any more; the tests go on.
+        // Nobody may be reading the screen any more; the tests continue.
         let _ = to.write_all(&bytes);
         if let Some(more) = Count::in_line(&String::from_utf8_lossy(&bytes)) {
             count += more;

@@ -31,7 +31,7 @@ usage: cargo xtask test      run everything that CI runs
 
 type Step = (&'static str, fn() -> Result<Finding, Failure>);
 
-/// Cheap steps first, so that a slip is told early.
+/// Cheap steps first, so that a slip is reported early.
 const TEST: &[Step] = &[
     ("Formatting", formatting),
     ("Circles between files", no_cycles),
@@ -57,9 +57,9 @@ fn main() -> ExitCode {
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["test"] => take(TEST),
         ["verify"] => take(VERIFY),
-        ["cycles"] => told(no_cycles()),
-        ["fuzz"] => told(fuzz(&["3600"])),
-        ["fuzz", ref asked @ ..] => told(fuzz(asked)),
+        ["cycles"] => exit_code(no_cycles()),
+        ["fuzz"] => exit_code(fuzz(&["3600"])),
+        ["fuzz", ref asked @ ..] => exit_code(fuzz(asked)),
         ["--help" | "-h"] => {
             println!("{USAGE}");
             ExitCode::SUCCESS
@@ -173,7 +173,7 @@ fn damaged_inputs() -> Result<Finding, Failure> {
 }
 
 /// The end of a chore of one step.
-fn told(done: Result<Finding, Failure>) -> ExitCode {
+fn exit_code(done: Result<Finding, Failure>) -> ExitCode {
     match done {
         Ok(_) => ExitCode::SUCCESS,
         Err(failure) => {

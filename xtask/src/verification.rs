@@ -147,7 +147,7 @@ impl Cases {
 const INTRODUCTION: &str = "\
 # Verification, number by number
 
-What the tests of [Verification](verification.md) hold against what, within what and why. `cargo xtask verify`
+What the tests of [Verification](verification.md) compare with what, within what and why. `cargo xtask verify`
 runs all of them, those that take minutes too, and writes this page; the numbers are those of the machine
 that did. Where a row stands for several numbers, it is the one nearest to its tolerance. Errors and
 tolerances are parts of the expected value where no unit says otherwise. What stands as it comes is not required:

@@ -5,19 +5,19 @@ use wholestring::string::{AssemblyError, ComponentLength, DrillString, Material,
 use wholestring_units::number_text;
 
 use wholestring_config::{
-    diagnostic::Diagnostic, names::short, reader::Reader, rule::At, source::Place,
+    diagnostic::Diagnostic, names::short, reader::Reader, rule::Spanned, source::Span,
 };
 
 use crate::component::ComponentTable;
 
 /// The string as the case gives it.
 pub(crate) fn spec(
-    tables: &[At<ComponentTable>],
+    tables: &[Spanned<ComponentTable>],
     steel: &Material,
     reader: &mut Reader,
 ) -> Option<StringSpec> {
     let mut components = Vec::with_capacity(tables.len());
-    let mut sound = true;
+    let mut valid = true;
     for (index, table) in tables.iter().enumerate() {
         if let Some(length) = table.value.length.given()
             && length.value == ComponentLength::ToSurface
@@ -25,7 +25,7 @@ pub(crate) fn spec(
             let above = &tables[index + 1..];
             if let Some(mistake) = not_topmost(table, length.place, above) {
                 reader.report(mistake);
-                sound = false;
+                valid = false;
             }
         }
         match table
@@ -33,17 +33,17 @@ pub(crate) fn spec(
             .build(index == 0 && tables.len() > 1, table.place, steel, reader)
         {
             Some(component) => components.push(component),
-            None => sound = false,
+            None => valid = false,
         }
     }
-    sound.then_some(StringSpec { components })
+    valid.then_some(StringSpec { components })
 }
 
 /// What is wrong with a component that runs to the surface although others stand above it.
 fn not_topmost(
-    table: &At<ComponentTable>,
-    place: Place,
-    above: &[At<ComponentTable>],
+    table: &Spanned<ComponentTable>,
+    place: Span,
+    above: &[Spanned<ComponentTable>],
 ) -> Option<Diagnostic> {
     if above.is_empty() {
         return None;
@@ -67,7 +67,7 @@ fn not_topmost(
 }
 
 /// How messages call a component.
-fn called(table: &At<ComponentTable>) -> String {
+fn called(table: &Spanned<ComponentTable>) -> String {
     match table.value.component.get() {
         Some(name) => format!("`{}`", short(name)),
         None => "the component".to_owned(),
@@ -77,9 +77,9 @@ fn called(table: &At<ComponentTable>) -> String {
 /// The string for a depth of the bit.
 pub(crate) fn assemble(
     spec: &StringSpec,
-    tables: &[At<ComponentTable>],
+    tables: &[Spanned<ComponentTable>],
     bit_depth_m: f64,
-    bit_place: Option<Place>,
+    bit_place: Option<Span>,
     reader: &mut Reader,
 ) -> Option<DrillString> {
     let error = match spec.assemble(bit_depth_m) {

@@ -17,8 +17,8 @@ use wholestring_config::{
     quantity::Quantity,
     range::Range,
     reader::Reader,
-    rule::{At, List},
-    source::Place,
+    rule::{List, Spanned},
+    source::Span,
     table::{Field, default, optional, table},
 };
 
@@ -32,21 +32,21 @@ const COUNTED: f64 = 4.0;
 const STEP_S: f64 = 5e-4;
 
 /// Most weights, and most speeds.
-const MOST: usize = 50;
+const MAX: usize = 50;
 
 table! {
     /// The bit alone on its rock, for `wholestring bit-test`: every weight at every speed.
     BitTestTable in "[bit_test]" {
         /// Weights on bit. Default: a quarter, a half, one, one and a half and two times the operation's.
-        wob: Vec<At<f64>> = optional(List {
+        wob: Vec<Spanned<f64>> = optional(List {
             item: Quantity::si(Dimension::Force, Range::positive_to(5e6).usual(1e3, 7e5), "60 kN"),
             or_one: true,
             noun: "weights on bit",
-            most: MOST,
+            most: MAX,
         });
         /// Rotary speeds of the bit; bare numbers are in rev/min. Default: a half, one and one and a half times that of
         /// the bit in the operation.
-        rpm: Vec<At<f64>> = optional(List {
+        rpm: Vec<Spanned<f64>> = optional(List {
             item: Quantity::si(
                 Dimension::RotarySpeed,
                 Range::from_to(PI / 30.0, 1000.0 * PI / 30.0),
@@ -55,13 +55,13 @@ table! {
             .bare("rev/min", PI / 30.0),
             or_one: true,
             noun: "rotary speeds",
-            most: MOST,
+            most: MAX,
         });
         /// Revolutions before those that count. Raising it forgets more of the beginning.
         settle_revolutions: f64 = default(number(0.0, 1000.0), SETTLE);
         /// Revolutions that count. Raising it makes the means surer.
         revolutions: f64 = default(number(0.5, 1000.0), COUNTED);
-        /// Mass that moves along the hole with the bit. Raising it calms the rate of penetration and follows the rock
+        /// Mass that moves along the hole with the bit. Raising it damps the rate of penetration and follows the rock
         /// more slowly. Default: what weighs as much as the mean of `wob`.
         mass: f64 = optional(Quantity::si(
             Dimension::Mass,
@@ -94,7 +94,7 @@ fn number(from: f64, to: f64) -> Number {
 /// A bit alone on its rock, under every weight at every speed.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BitTest {
-    /// Bit, rock, bricks and contact.
+    /// Bit, rock, elements and contact.
     pub drilling: DrillingSpec,
     /// Weights on bit, N: from small to large, all above zero.
     pub weights_N: Vec<f64>,
@@ -132,9 +132,9 @@ pub(crate) struct Around<'a> {
     pub(crate) sample_interval_s: f64,
 }
 
-/// The test: of a case that asks for one, or whose operation says enough for one.
+/// The test: of a case that requires one, or whose operation says enough for one.
 pub(crate) fn build(
-    table: &At<BitTestTable>,
+    table: &Spanned<BitTestTable>,
     asked: bool,
     around: &Around<'_>,
     reader: &mut Reader,
@@ -200,7 +200,7 @@ pub(crate) fn build(
 
 /// The list of the case, or factors on the operation's number; empty where neither is.
 fn sorted(
-    given: Option<&At<Vec<At<f64>>>>,
+    given: Option<&Spanned<Vec<Spanned<f64>>>>,
     around: Option<f64>,
     factors: &[f64],
     unit: &str,
@@ -235,22 +235,22 @@ fn sorted(
 }
 
 /// The mistake of a bit that is no heavier than what it touches.
-fn too_light(test: &BitTest, place: Place) -> Option<Diagnostic> {
+fn too_light(test: &BitTest, place: Span) -> Option<Diagnostic> {
     let law = RockLaw {
         drilling: test.drilling.clone(),
     };
-    let [least_kg, _] = law.touched();
-    if test.mass_kg > least_kg {
+    let [min_kg, _] = law.touched();
+    if test.mass_kg > min_kg {
         return None;
     }
-    let [mass, least] = [test.mass_kg, least_kg].map(|kg| number_text((kg * 10.0).round() * 0.1));
-    let diagnostic = Diagnostic::error("the bit is too light for the bricks that it touches")
+    let [mass, least] = [test.mass_kg, min_kg].map(|kg| number_text((kg * 10.0).round() * 0.1));
+    let diagnostic = Diagnostic::error("the bit is too light for the elements that it touches")
         .at(place, format!("{mass} kg move with it: expected more than {least} kg"))
         .help("raise mass, or lower density_factor or element_size under [rock]: their density is scaled");
     Some(diagnostic)
 }
 
 /// Where the table stands, if it does.
-pub(crate) fn place(table: &Field<BitTestTable>) -> Option<Place> {
+pub(crate) fn place(table: &Field<BitTestTable>) -> Option<Span> {
     table.given().map(|at| at.place)
 }

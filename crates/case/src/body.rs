@@ -1,11 +1,11 @@
 //! What a component has that turns with it: a bend, steel off the axis.
 
 use wholestring::string::{
-    BodyBend, Cavity, ComponentLength, ComponentSpec, Eccentricity, MOST_ECCENTRIC,
+    BodyBend, Cavity, ComponentLength, ComponentSpec, Eccentricity, MAX_ECCENTRIC,
 };
 use wholestring_units::number_text;
 
-use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::At};
+use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::Spanned};
 
 use crate::component::{ComponentTable, mm};
 
@@ -69,7 +69,7 @@ impl ComponentTable {
             alone(cavity, "eccentricity_cavity", "eccentricity", reader);
             return Some(None);
         };
-        let most = MOST_ECCENTRIC * component.od_m;
+        let most = MAX_ECCENTRIC * component.od_m;
         if offset.value > most {
             let mut diagnostic = Diagnostic::error(format!(
                 "the steel's centre of mass is {} off the axis",
@@ -94,7 +94,7 @@ impl ComponentTable {
 }
 
 /// A key that means nothing without another one.
-fn alone<T>(given: Option<&At<T>>, name: &str, partner: &str, reader: &mut Reader) {
+fn alone<T>(given: Option<&Spanned<T>>, name: &str, partner: &str, reader: &mut Reader) {
     if let Some(given) = given {
         reader.report(
             Diagnostic::warning(format!("`{name}` has no effect here")).at(

@@ -11,7 +11,7 @@ use wholestring_config::{
     node::{Entries, Value},
     reader::Reader,
     rule::{Table, once_each},
-    source::{Files, Place},
+    source::{Files, Span},
     usual,
 };
 
@@ -21,7 +21,7 @@ use crate::{
     bit_test::{self, BitTest},
     case::Case,
     case_table::CaseTable,
-    dynamics::{DynamicsTable, Told},
+    dynamics::{DynamicsTable, GivenSettings},
     effort, fit, hole,
     operation::OperationTable,
     overrides::{self, Override},
@@ -68,7 +68,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     {
         reader.show_in(units);
     }
-    let case = CaseTable::read(root, Place::default(), reader);
+    let case = CaseTable::read(root, Span::default(), reader);
     usual::warn_of_bare(reader);
     let models = models(&case, reader);
     let mud = case.mud.get().and_then(|mud| mud.build(reader));
@@ -140,8 +140,8 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         .dynamics
         .get()
         .and_then(DynamicsTable::sample_interval_s);
-    let sound = bit.as_ref().zip(operations.as_ref()).zip(sample_interval_s);
-    let bit_test = match (&drilling, sound, case.bit_test.at()) {
+    let valid = bit.as_ref().zip(operations.as_ref()).zip(sample_interval_s);
+    let bit_test = match (&drilling, valid, case.bit_test.at()) {
         (Some(None), ..) => Some(None),
         (Some(Some(drilling)), Some(((bit, operations), sample_interval_s)), Some(table)) => {
             let around = bit_test::Around {
@@ -165,7 +165,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     }
     let dynamics = match (case.dynamics.get(), case.mesh.get(), case.hoist.get()) {
         (Some(dynamics), Some(mesh), Some(hoist)) => {
-            let told = Told {
+            let told = GivenSettings {
                 hoist,
                 bit,
                 top_drive,
@@ -185,9 +185,9 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     {
         table.check_precision(operations, settings, reader)?;
     }
-    let tunes_lift = match (case.hoist.get(), &operations, &dynamics) {
+    let tunes_hook_load = match (case.hoist.get(), &operations, &dynamics) {
         (Some(hoist), Some(operations), Some(dynamics)) => {
-            hoist.tunes_lift(operations, &dynamics.schedule, reader)
+            hoist.tunes_hook_load(operations, &dynamics.schedule, reader)
         }
         _ => None,
     };
@@ -228,7 +228,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         rig: rig?,
     };
     let (models, operations) = (models?, operations?);
-    let (mut dynamics, records, tunes_lift) = (dynamics?, records?, tunes_lift?);
+    let (mut dynamics, records, tunes_hook_load) = (dynamics?, records?, tunes_hook_load?);
     let (drilling, bit_test) = (drilling?, bit_test?);
     dynamics.probes.clone_from(&records.probes);
     if let (Some(drilling), Some(rock)) = (&drilling, case.rock.given()) {
@@ -282,7 +282,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         operations,
         bit_test,
         dynamics,
-        tunes_lift,
+        tunes_hook_load,
         checkpoint_interval_s,
         records,
         survey_notes: stations.map_or_else(Vec::new, |stations| stations.notes),

@@ -30,8 +30,8 @@ pub struct Case {
     /// What a dynamic run needs beside these.
     pub dynamics: DynamicsSettings,
     /// Whether the top hangs on a constant lift that is found before each dynamic run, such that the mean weight on bit is
-    /// the operation's: [`wholestring::dynamics::tune_lift`].
-    pub tunes_lift: bool,
+    /// the operation's: [`wholestring::dynamics::tune_hook_load`].
+    pub tunes_hook_load: bool,
     /// Time on the clock between checkpoints of a dynamic run, s.
     pub checkpoint_interval_s: f64,
     /// What a dynamic run keeps beside its tables.
@@ -45,7 +45,7 @@ pub struct Case {
 }
 
 impl Case {
-    /// Bit and solid rock, in a run or in a bit test; none where nothing asks for them.
+    /// Bit and solid rock, in a run or in a bit test; none where nothing requires them.
     pub fn drilling(&self) -> Option<&DrillingSpec> {
         match &self.dynamics.bit.law {
             BitLaw::Rock(law) => Some(&law.drilling),

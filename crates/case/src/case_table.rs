@@ -4,8 +4,8 @@ use wholestring::outcome::ModelKind;
 use wholestring_units::UnitSet;
 
 use wholestring_config::{
-    rule::{At, List, Section, Text},
-    source::Place,
+    rule::{List, Section, Spanned, Text},
+    source::Span,
     table::{default, optional, required, table},
 };
 
@@ -34,9 +34,9 @@ table! {
         name: String = optional(Text);
         /// "soft" (statics without bending stiffness), "dynamic" (the whole string in time), or a
         /// list that is solved one by one.
-        model: Vec<At<ModelKind>> = default(
+        model: Vec<Spanned<ModelKind>> = default(
             List { item: ModelRule, or_one: true, noun: "models", most: MODELS.len() },
-            vec![At { value: ModelKind::Soft, place: Place::default() }],
+            vec![Spanned { value: ModelKind::Soft, place: Span::default() }],
         );
         /// Units that people are shown: "si" (m, kN, kN.m, mm, kg/m3), "metric" (m, t, kN.m, mm,
         /// sg) or "field" (ft, klbf, ft-lbf, in, ppg). Files for machines are SI always.
@@ -48,7 +48,7 @@ table! {
         /// The metal of the string, wherever a component does not say otherwise.
         steel: SteelTable = optional(Section::<SteelTable>::RULE);
         /// The string, component by component from the bit up.
-        string: Vec<At<ComponentTable>> = required(List {
+        string: Vec<Spanned<ComponentTable>> = required(List {
             item: Section::<ComponentTable>::RULE,
             or_one: false,
             noun: "components ([[string]])",

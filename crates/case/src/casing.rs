@@ -7,14 +7,14 @@ use wholestring::well::{
 use wholestring_units::{Dimension, UnitSet};
 
 use wholestring_config::{
-    diagnostic::Diagnostic, names::short, reader::Reader, rule::At, source::Place,
+    diagnostic::Diagnostic, names::short, reader::Reader, rule::Spanned, source::Span,
 };
 
 use crate::hole::HoleTable;
 
 impl HoleTable {
     /// Where the diameter comes from, if the case says it.
-    pub(crate) fn diameter_place(&self) -> Option<Place> {
+    pub(crate) fn diameter_place(&self) -> Option<Span> {
         let given = self.diameter.given().map(|at| at.place);
         given.or(self.casing.given().map(|at| at.place))
     }
@@ -66,7 +66,7 @@ impl HoleTable {
     }
 
     /// Casing is called by its outside diameter; the string moves in the inside one.
-    fn warn_of_outside_diameter(&self, diameter: &At<f64>, reader: &mut Reader) {
+    fn warn_of_outside_diameter(&self, diameter: &Spanned<f64>, reader: &mut Reader) {
         let sizes = casing::of_outside_diameter(diameter.value);
         let Some(first) = sizes.first() else { return };
         if self.kind.get() != Some(&HoleKind::Casing) {

@@ -11,7 +11,7 @@ use wholestring_config::{
     range::Range,
     reader::Reader,
     rule::{Choice, Rule, Text},
-    source::Place,
+    source::Span,
     table::{optional, required, table},
 };
 
@@ -193,7 +193,7 @@ table! {
 
 impl ComponentTable {
     /// Where its outside diameter comes from; `place` is that of the table.
-    pub(crate) fn od_place(&self, place: Place) -> Place {
+    pub(crate) fn od_place(&self, place: Span) -> Span {
         let given = self.od.given().map(|at| at.place);
         let listed = self.catalogue.given().map(|at| at.place);
         given.or(listed).unwrap_or(place)

@@ -20,7 +20,7 @@ const OF_THE_RECORD: &[(&str, &str, Dimension)] = &[
     ),
 ];
 
-/// What a unit measures where nothing else tells.
+/// What a unit measures where nothing else shows.
 const BY_UNIT: &[Dimension] = &[
     Dimension::Length,
     Dimension::Force,
@@ -120,7 +120,7 @@ fn declared_by(value: &Json) -> Option<Dimension> {
 mod tests {
     use super::*;
 
-    /// Two tables that mean different things by one key in one unit would need their names told apart.
+    /// Two tables that mean different things by one key in one unit would need their names distinguished.
     #[test]
     fn a_key_measures_the_same_in_every_table() {
         let mut declared: BTreeMap<String, Dimension> = BTreeMap::new();

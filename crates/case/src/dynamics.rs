@@ -18,7 +18,7 @@ use wholestring_config::{
     range::Range,
     reader::Reader,
     rule::{Choice, Section},
-    source::Place,
+    source::Span,
     table::{default, optional, table},
 };
 
@@ -31,12 +31,12 @@ use crate::{
 const CHECKPOINT_INTERVAL_S: f64 = 30.0;
 
 /// Rows that a run keeps in its tables; more fill memory and disk, not insight.
-const MOST_SAMPLES: f64 = 2e6;
+const MAX_SAMPLES: f64 = 2e6;
 
 table! {
     /// How finely the string is cut.
     MeshTable in "[mesh]" {
-        /// Length of the elements, at most a quarter longer where joints ask for it: a node stands on
+        /// Length of the elements, at most a quarter longer where joints require it: a node stands on
         /// tool joints and stabilisers. Halving it makes a dynamic run four times slower.
         element_length: f64 = default(
             Quantity::si(Dimension::Length, Range::from_to(0.2, 30.0).usual(0.3, 30.0), "3.2 m"),
@@ -157,7 +157,7 @@ table! {
             Quantity::si(Dimension::Time, Range::from_to(1e-4, 10.0), "10 ms"),
             DynamicsSettings::default().sample_interval_s,
         );
-        /// Time on the clock between checkpoints, from which `--resume` goes on with a run that was
+        /// Time on the clock between checkpoints, from which `--resume` continues with a run that was
         /// stopped or killed. Lowering it loses less then; each costs some hundredths of a second. It
         /// leaves the answer as it is.
         checkpoint_interval: f64 = default(
@@ -189,7 +189,7 @@ fn hertz_dissipation_default() -> f64 {
 }
 
 /// What other tables tell of a dynamic run; what is missing has been reported.
-pub(crate) struct Told<'a> {
+pub(crate) struct GivenSettings<'a> {
     pub(crate) hoist: &'a HoistTable,
     pub(crate) bit: Option<BitSettings>,
     pub(crate) top_drive: Option<TopDriveSettings>,
@@ -213,10 +213,10 @@ impl DynamicsTable {
     pub(crate) fn build(
         &self,
         mesh: &MeshTable,
-        told: Told<'_>,
+        told: GivenSettings<'_>,
         reader: &mut Reader,
     ) -> Option<DynamicsSettings> {
-        let Told {
+        let GivenSettings {
             hoist,
             bit,
             top_drive,
@@ -383,10 +383,10 @@ impl DynamicsTable {
         let duration = self.duration.at()?;
         let interval = self.sample_interval.at()?;
         let settle_s = match *self.settle.get()? {
-            Settle::Auto => UntilSteady::default().most_s,
+            Settle::Auto => UntilSteady::default().max_s,
             Settle::Seconds(settle_s) => settle_s,
         };
-        let given = |preferred: Place, is_given: bool, other: Place| {
+        let given = |preferred: Span, is_given: bool, other: Span| {
             if is_given { preferred } else { other }
         };
         let place = given(
@@ -409,7 +409,7 @@ impl DynamicsTable {
             return None;
         }
         let samples = (duration.value + settle_s) / interval.value;
-        if samples > MOST_SAMPLES {
+        if samples > MAX_SAMPLES {
             reader.report(
                 Diagnostic::error(format!(
                     "{} s sampled every {} s make {} rows",
@@ -419,7 +419,7 @@ impl DynamicsTable {
                 ))
                 .at(
                     place,
-                    format!("expected at most {} rows", number_text(MOST_SAMPLES)),
+                    format!("expected at most {} rows", number_text(MAX_SAMPLES)),
                 )
                 .help("shorten duration and settle, or raise sample_interval"),
             );

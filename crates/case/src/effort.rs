@@ -14,9 +14,9 @@ use wholestring_config::{diagnostic::Diagnostic, reader::Reader};
 use crate::case_table::CaseTable;
 
 /// More elements than this make no sense in the longest of wells.
-const MOST_ELEMENTS: usize = 110_000;
+const MAX_ELEMENTS: usize = 110_000;
 /// More element-steps than this are weeks of computing.
-const MOST_ELEMENT_STEPS: f64 = 1e14;
+const MAX_ELEMENT_STEPS: f64 = 1e14;
 /// A shorter step than this, a twentieth of what elements of 0.2 m need, has a mistake for its cause.
 const SHORTEST_STEP_S: f64 = 2e-6;
 
@@ -48,14 +48,14 @@ pub(crate) fn check_effort(
         .map(|effort| effort.time_step_s)
         .fold(f64::INFINITY, f64::min);
     let steps: f64 = efforts.iter().map(|effort| effort.steps).sum();
-    let message = if elements > MOST_ELEMENTS {
+    let message = if elements > MAX_ELEMENTS {
         format!("the string would be cut into {elements} elements")
     } else if shortest_s < SHORTEST_STEP_S {
         format!(
             "the time step would be {} s",
             number_text(format!("{shortest_s:.1e}").parse().unwrap_or(shortest_s))
         )
-    } else if elements as f64 * steps > MOST_ELEMENT_STEPS {
+    } else if elements as f64 * steps > MAX_ELEMENT_STEPS {
         let ends_s = efforts.iter().map(|effort| effort.end_s);
         let time_s = ends_s.fold(0.0, f64::max);
         format!("{elements} elements over {time_s:.0} s would take weeks")
@@ -82,7 +82,7 @@ fn refused(error: &SetupError, case: &CaseTable) -> Diagnostic {
     };
     let [bit, rock] = [bit, rock].map(|of| number_text((of * 1e3).round() * 1e-3));
     Diagnostic::error(
-        "the bit is too light for the bricks that it touches, whose density is scaled",
+        "the bit is too light for the elements that it touches, whose density is scaled",
     )
     .at(
         table.value.weighty_place().unwrap_or(table.place),

@@ -5,7 +5,7 @@ use wholestring::{mud::Mud, string::DrillString, well::Hole};
 use wholestring_units::number_text;
 
 use wholestring_config::{
-    diagnostic::Diagnostic, names::short, reader::Reader, rule::At, source::Place,
+    diagnostic::Diagnostic, names::short, reader::Reader, rule::Spanned, source::Span,
 };
 
 use crate::{
@@ -20,9 +20,9 @@ const EQUAL_M: f64 = 1e-6;
 /// hole; anything else needs clearance.
 pub(crate) fn check_clearance(
     string: &DrillString,
-    components: &[At<ComponentTable>],
+    components: &[Spanned<ComponentTable>],
     hole: &Hole,
-    sections: &[At<HoleTable>],
+    sections: &[Spanned<HoleTable>],
     reader: &mut Reader,
 ) {
     let bit_depth_m = string.length_m();
@@ -87,7 +87,7 @@ pub(crate) fn check_clearance(
 pub(crate) fn check_weight_on_bit(
     string: &DrillString,
     mud: &Mud,
-    wob: Option<&At<f64>>,
+    wob: Option<&Spanned<f64>>,
     reader: &mut Reader,
 ) {
     let Some(wob) = wob else { return };
@@ -112,7 +112,7 @@ pub(crate) fn check_weight_on_bit(
 }
 
 /// The place that says how wide a component is.
-fn od_place(table: &At<ComponentTable>, joint: bool) -> Place {
+fn od_place(table: &Spanned<ComponentTable>, joint: bool) -> Span {
     let component = &table.value;
     let joint_od = component.joint_od.given().filter(|_| joint);
     component
@@ -128,9 +128,9 @@ fn od_place(table: &At<ComponentTable>, joint: bool) -> Place {
 /// Buoyancy must leave every component its weight.
 pub(crate) fn check_weight(
     string: &DrillString,
-    components: &[At<ComponentTable>],
+    components: &[Spanned<ComponentTable>],
     mud: &Mud,
-    mud_place: Place,
+    mud_place: Span,
     reader: &mut Reader,
 ) {
     for (component, table) in string.components().iter().zip(components) {

@@ -10,8 +10,8 @@ use wholestring_config::{
     quantity::Quantity,
     range::Range,
     reader::Reader,
-    rule::{At, Choice, Rule, Table, Text},
-    source::Place,
+    rule::{Choice, Rule, Spanned, Table, Text},
+    source::Span,
     table::{default, optional, required, required_unless, table},
 };
 
@@ -40,7 +40,7 @@ fn coefficient() -> Number {
 }
 
 /// Smallest coefficient along the hole that one around it is taken in its ratio to.
-const LEAST_FRICTION: f64 = 1e-3;
+const MIN_FRICTION: f64 = 1e-3;
 
 impl FrictionTable {
     fn build(&self, reader: &mut Reader) -> Option<Friction> {
@@ -61,13 +61,11 @@ impl FrictionTable {
         if let Some(around) = around
             && around.value != kinetic
         {
-            if kinetic < LEAST_FRICTION {
+            if kinetic < MIN_FRICTION {
                 reader.report(
                     Diagnostic::error("friction around the hole needs friction along it")
                         .at(around.place, "taken in its ratio to `kinetic`")
-                        .help(format!(
-                            "give a kinetic friction of {LEAST_FRICTION} or more"
-                        )),
+                        .help(format!("give a kinetic friction of {MIN_FRICTION} or more")),
                 );
                 return None;
             }
@@ -160,18 +158,18 @@ const fn wall_constants(kind: HoleKind) -> (f64, f64) {
 
 /// The sections, one below the other.
 pub(crate) fn build(
-    tables: &[At<HoleTable>],
+    tables: &[Spanned<HoleTable>],
     roughness: Option<&RoughnessTable>,
     reader: &mut Reader,
 ) -> Option<Hole> {
     warn_of_sections(roughness, tables, reader);
     let roughness = roughness.map(|table| table.build(reader));
     let mut sections = Vec::new();
-    let mut above: Option<(f64, Place)> = None;
-    let mut sound = true;
+    let mut above: Option<(f64, Span)> = None;
+    let mut valid = true;
     for table in tables {
         let Some(to) = table.value.to.at() else {
-            sound = false;
+            valid = false;
             above = None;
             continue;
         };
@@ -186,9 +184,9 @@ pub(crate) fn build(
                     )
                     .at(above_place, "the section above ends here"),
             );
-            sound = false;
+            valid = false;
         } else if let Some(from) = table.value.from.given() {
-            sound &= check_from(from, above, sections.is_empty(), reader);
+            valid &= check_from(from, above, sections.is_empty(), reader);
         }
         let diameter_m = table.value.diameter_m(reader);
         match section(
@@ -197,11 +195,11 @@ pub(crate) fn build(
             diameter_m,
         ) {
             Some(section) => sections.push(section),
-            None => sound = false,
+            None => valid = false,
         }
         above = Some((to.value, to.place));
     }
-    if !sound {
+    if !valid {
         return None;
     }
     let roughness = match roughness {
@@ -219,8 +217,8 @@ pub(crate) fn build(
 
 /// Whether a section begins where the one above ends.
 fn check_from(
-    from: &At<f64>,
-    above: Option<(f64, Place)>,
+    from: &Spanned<f64>,
+    above: Option<(f64, Span)>,
     first: bool,
     reader: &mut Reader,
 ) -> bool {
@@ -269,7 +267,7 @@ fn section(table: &HoleTable, from_md_m: f64, diameter_m: Option<f64>) -> Option
 }
 
 /// What the core says about the sections, at the one that it says it of.
-fn hole_error(error: &HoleError, tables: &[At<HoleTable>]) -> Diagnostic {
+fn hole_error(error: &HoleError, tables: &[Spanned<HoleTable>]) -> Diagnostic {
     let index = match error {
         HoleError::OutOfRange { index, .. }
         | HoleError::Reversed { index, .. }
@@ -286,7 +284,7 @@ fn hole_error(error: &HoleError, tables: &[At<HoleTable>]) -> Diagnostic {
 /// A section's share of a roughness that there is none of.
 fn warn_of_sections(
     roughness: Option<&RoughnessTable>,
-    sections: &[At<HoleTable>],
+    sections: &[Spanned<HoleTable>],
     reader: &mut Reader,
 ) {
     if roughness.is_some_and(RoughnessTable::is_rough) {

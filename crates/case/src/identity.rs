@@ -16,7 +16,7 @@ struct Identity<'a> {
     operations: &'a [Operation],
     well_string_mud_rig: &'a Model,
     dynamics: &'a DynamicsSettings,
-    tunes_lift: bool,
+    tunes_hook_load: bool,
     records: &'a Records,
     bit_test: Option<&'a BitTest>,
 }
@@ -34,7 +34,7 @@ impl Case {
             operations,
             bit_test,
             dynamics,
-            tunes_lift,
+            tunes_hook_load,
             records,
             // What is shown.
             name: _,
@@ -51,7 +51,7 @@ impl Case {
             operations,
             well_string_mud_rig: model,
             dynamics,
-            tunes_lift: *tunes_lift,
+            tunes_hook_load: *tunes_hook_load,
             records,
             bit_test: bit_test.as_ref(),
         };

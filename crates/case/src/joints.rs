@@ -2,7 +2,7 @@
 
 use wholestring::string::{ComponentSpec, ToolJoints};
 
-use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::At};
+use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::Spanned};
 
 use crate::component::{ComponentTable, mm};
 
@@ -51,7 +51,7 @@ impl ComponentTable {
 
 /// One of the two keys that make tool joints, without the other. Neither is no mistake.
 fn lacks_partner(
-    given: Option<&At<f64>>,
+    given: Option<&Spanned<f64>>,
     name: &str,
     partner: &str,
     reader: &mut Reader,

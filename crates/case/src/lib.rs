@@ -68,5 +68,5 @@ pub use template::{Template, load};
 pub use vary::Variation;
 pub use wholestring_config::{
     diagnostic::{Diagnostic, Label, Report, Severity},
-    source::{Disk, Files, InMemory, Place, Source, read_file},
+    source::{Disk, Files, InMemory, Source, Span, read_file},
 };

@@ -9,7 +9,7 @@ use wholestring_config::{
     quantity::Quantity,
     range::Range,
     reader::Reader,
-    rule::{At, Choice, Table},
+    rule::{Choice, Spanned, Table},
     table::{Field, default, optional, required, table},
 };
 
@@ -51,7 +51,7 @@ table! {
             "1.2 sg",
         ));
         /// Linear lateral drag: force per length of pipe per lateral speed, Pa.s. Zero leaves it to
-        /// the mass-proportional part of the Rayleigh damping. Raising it calms lateral vibration.
+        /// the mass-proportional part of the Rayleigh damping. Raising it damps lateral vibration.
         /// Only the dynamic model uses it.
         linear_drag: f64 = default(
             Quantity::si(Dimension::Viscosity, Range::from_to(0.0, 1e4).usual(1e-3, 1e3), "5 Pa.s"),
@@ -163,7 +163,7 @@ impl MudTable {
 
 /// A number that the rheology cannot do without; `None` after a mistake.
 fn needed_by(
-    flow: &At<Flow>,
+    flow: &Spanned<Flow>,
     field: &Field<f64>,
     name: &str,
     example: &str,

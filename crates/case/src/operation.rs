@@ -15,8 +15,8 @@ use wholestring_config::{
     quantity::Quantity,
     range::Range,
     reader::Reader,
-    rule::{At, List, Section, once_each},
-    source::Place,
+    rule::{List, Section, Spanned, once_each},
+    source::Span,
     table::{Field, default, optional, required, table},
 };
 
@@ -29,7 +29,7 @@ use crate::{
 /// What `trip_speed` is where the case does not say, m/s: a stand of 28 m in a minute and a half.
 const TRIP_SPEED_M_PER_S: f64 = 0.3;
 
-/// What a slide's `rop` is where the case does not say, m/s; the soft string asks for its sign only.
+/// What a slide's `rop` is where the case does not say, m/s; the soft string requires its sign only.
 const SLIDE_ROP_M_PER_S: f64 = 10.0 / 3600.0;
 
 table! {
@@ -39,14 +39,14 @@ table! {
         /// "rotate_off_bottom", "drill", "slide" (advance without rotating), "ream" and "back_ream"
         /// (rotate while running in and pulling out, off bottom). Drillers' words are taken too: "pick-up" and "POOH" for
         /// "trip_out", "slack-off" and "RIH" for "trip_in", "rotating off bottom", "sliding", "back-reaming".
-        kind: Vec<At<OperationKind>> = required(List {
+        kind: Vec<Spanned<OperationKind>> = required(List {
             item: KindRule,
             or_one: true,
             noun: "operations",
             most: OperationKind::ALL.len(),
         });
         /// Measured depth of the bit, m unless a unit is given. Default: the last survey station.
-        /// Deeper than that, the hole goes on in its last direction.
+        /// Deeper than that, the hole continues in its last direction.
         bit_depth: f64 = optional(Quantity::si(
             Dimension::Length,
             Range::positive_to(20_000.0).usual(10.0, 13_000.0),
@@ -92,9 +92,9 @@ table! {
             Quantity::si(Dimension::Pressure, Range::from_to(0.0, 1e8).usual(1e5, 4e7), "80 bar"),
             0.0,
         );
-        /// What the driller changes while a dynamic run goes on, line by line in the order of time. One operation
+        /// What the driller changes while a dynamic run continues, line by line in the order of time. One operation
         /// alone can have a schedule.
-        schedule: Vec<At<StepTable>> = optional(List {
+        schedule: Vec<Spanned<StepTable>> = optional(List {
             item: Section::<StepTable>::RULE,
             or_one: false,
             noun: "lines ([[operation.schedule]])",
@@ -105,7 +105,7 @@ table! {
 
 impl OperationTable {
     /// Where the depth of the bit stands, if the case says it.
-    pub(crate) fn bit_depth_place(&self) -> Option<Place> {
+    pub(crate) fn bit_depth_place(&self) -> Option<Span> {
         self.bit_depth.given().map(|at| at.place)
     }
 
@@ -144,7 +144,7 @@ impl OperationTable {
         reader: &mut Reader,
     ) -> Option<()> {
         let flowing = *self.flow_rate.get()? > 0.0;
-        let circulates = |kind: &At<OperationKind>| {
+        let circulates = |kind: &Spanned<OperationKind>| {
             !matches!(kind.value, OperationKind::TripIn | OperationKind::TripOut)
         };
         let (turns, acts) = (turns_motor, "acts on a mud with a rheology");
@@ -253,7 +253,7 @@ impl OperationTable {
         };
         given.warn_of_law(&bit.law, reader);
         let bit_depth_m = bit_depth_m?;
-        let operation = |at: &At<OperationKind>| {
+        let operation = |at: &Spanned<OperationKind>| {
             bit.drilling_steadily(Operation {
                 kind: at.value,
                 bit_depth_m,
@@ -281,7 +281,7 @@ fn set_point(
     field: &Field<f64>,
     name: &str,
     example: &str,
-    needed_by: Option<&At<OperationKind>>,
+    needed_by: Option<&Spanned<OperationKind>>,
     reader: &mut Reader,
 ) -> Option<Option<f64>> {
     let value = field.optional()?;

@@ -8,7 +8,7 @@ use wholestring_config::{
     node::{Entries, Key, Node, Value, parse_value},
     reader::Reader,
     schema::{homes_of, top_level},
-    source::{COMMAND_LINE, Place},
+    source::{COMMAND_LINE, Span},
 };
 
 /// One `--set KEY=VALUE`.
@@ -53,7 +53,7 @@ pub struct Quote {
 }
 
 impl Override {
-    /// An override that something else than its own `--set` asks for.
+    /// An override that something else than its own `--set` requires.
     pub fn quoted(key: &str, value: &str, quote: Quote) -> Self {
         Self {
             key: key.to_owned(),
@@ -113,13 +113,13 @@ pub(crate) const SHORT: &[(&str, &str)] = &[
 ];
 
 /// Parts of a key between its dots. The deepest key of a case has six; each is a table within the one before.
-const MOST_PARTS: usize = 32;
+const MAX_PARTS: usize = 32;
 
 /// Puts an override into the tree of the case.
 pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) {
     let quote = change.quote();
     let source = reader.add_source(&quote.name, &quote.text);
-    let place = |of: Range<usize>| Place {
+    let place = |of: Range<usize>| Span {
         source,
         start: of.start,
         end: of.end,
@@ -145,11 +145,11 @@ pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) 
         .map_or(change.key.as_str(), |(_, long)| long)
         .split('.')
         .collect();
-    if path.len() > MOST_PARTS {
+    if path.len() > MAX_PARTS {
         let message = format!("this key has {} parts", path.len());
         let diagnostic = Diagnostic::error(message).at(
             key_place,
-            format!("expected at most {MOST_PARTS}, parted by dots"),
+            format!("expected at most {MAX_PARTS}, parted by dots"),
         );
         return reader.report(diagnostic);
     }
@@ -189,7 +189,7 @@ fn value_node(text: &str, source: usize, offset: usize) -> Result<Node, Diagnost
         // What begins like TOML was meant as TOML.
         Err(diagnostic) if text.starts_with(['[', '{', '"', '\'']) => Err(diagnostic),
         Err(_) => Ok(Node {
-            place: Place {
+            place: Span {
                 source,
                 start: offset,
                 end: offset + text.len(),
@@ -211,7 +211,7 @@ fn set_in_table(
     table: &mut Entries,
     path: &[&str],
     node: &Node,
-    key_place: Place,
+    key_place: Span,
 ) -> Result<(), Problem> {
     let Some((first, rest)) = path.split_first() else {
         return Ok(());
@@ -244,7 +244,7 @@ fn set_in_table(
 }
 
 /// A number in place of a table of friction coefficients is the kinetic one; the others keep their ratios
-/// to it. Whether that is what was asked for.
+/// to it. Whether that is what was requested.
 fn set_friction(entry: &mut Node, node: &Node) -> bool {
     let (Value::Table(table), Value::Number { value: new, .. }) = (&mut entry.value, &node.value)
     else {
@@ -274,7 +274,7 @@ fn set_in(
     name: &str,
     path: &[&str],
     node: &Node,
-    key_place: Place,
+    key_place: Span,
 ) -> Result<(), Problem> {
     let Some((first, rest)) = path.split_first() else {
         if !(name == "friction" && set_friction(entry, node)) {

@@ -9,8 +9,8 @@ use wholestring_config::{
     quantity::Quantity,
     range::Range,
     reader::Reader,
-    rule::{At, Choice, List, once_each},
-    source::Place,
+    rule::{Choice, List, Spanned, once_each},
+    source::Span,
     table::{default, optional, table},
 };
 
@@ -61,7 +61,7 @@ const NODE_SIGNALS: &[(&str, NodeSignal)] = &[
 ];
 
 /// Depths whose signals are kept: they stay in memory until the run ends.
-const MOST_DEPTHS: usize = 10;
+const MAX_DEPTHS: usize = 10;
 
 /// Segments that a window is cut into, half overlapping, where the case gives no length.
 const SEGMENTS: f64 = 4.0;
@@ -69,10 +69,10 @@ const SEGMENTS: f64 = 4.0;
 /// A segment of fewer samples shows nothing.
 const FEWEST_SAMPLES: f64 = 16.0;
 
-fn usual() -> Vec<At<Channel>> {
-    let at = |value| At {
+fn usual() -> Vec<Spanned<Channel>> {
+    let at = |value| Spanned {
         value,
-        place: Place::default(),
+        place: Span::default(),
     };
     Channel::USUAL.map(at).to_vec()
 }
@@ -90,7 +90,7 @@ table! {
         /// What a frame holds of every node: "position" (offset from the hole's axis), "coordinates"
         /// (north, east, vertical depth), "velocity", "rotation" (rotary speed, twist), "tilt" (against the
         /// hole), "contact", "friction", "force" (tension, torque), "stress" (bending moment, von Mises).
-        channels: Vec<At<Channel>> = default(
+        channels: Vec<Spanned<Channel>> = default(
             List {
                 item: Choice { noun: "a channel", words: CHANNELS },
                 or_one: true,
@@ -101,7 +101,7 @@ table! {
         );
         /// Scalars whose power spectral density over the window goes to `spectra.parquet`, by the names of
         /// their columns in `time.parquet` without the unit; none where it is not given.
-        spectra: Vec<At<Signal>> = optional(List {
+        spectra: Vec<Spanned<Signal>> = optional(List {
             item: Choice { noun: "a signal", words: SIGNALS },
             or_one: true,
             noun: "signals",
@@ -110,7 +110,7 @@ table! {
         /// Quantities of single nodes whose spectra go there too, at each depth of `node_spectra_at`: "tension",
         /// "torque", "bending_moment", "von_mises_stress", "contact_force", "offset_high" and "offset_right" (from the
         /// hole's axis), "velocity_high", "velocity_right", "axial_velocity", "rotary_speed"; none where it is not given.
-        node_spectra: Vec<At<NodeSignal>> = optional(List {
+        node_spectra: Vec<Spanned<NodeSignal>> = optional(List {
             item: Choice { noun: "a signal of a node", words: NODE_SIGNALS },
             or_one: true,
             noun: "signals of nodes",
@@ -118,11 +118,11 @@ table! {
         });
         /// Measured depths of them with the bit at `bit_depth`. The node that is nearest then is taken, and stays the
         /// same as the string moves.
-        node_spectra_at: Vec<At<f64>> = optional(List {
+        node_spectra_at: Vec<Spanned<f64>> = optional(List {
             item: Quantity::si(Dimension::Length, Range::from_to(0.0, 20_000.0), "4290 m"),
             or_one: true,
             noun: "depths",
-            most: MOST_DEPTHS,
+            most: MAX_DEPTHS,
         });
         /// Length of the segments whose periodograms a spectrum is the mean of; they overlap by half.
         /// Default: a quarter of the window. A longer one separates closer frequencies (they are one
@@ -273,7 +273,7 @@ impl RecordsTable {
             reader.report(diagnostic);
             return None;
         }
-        let at_depth = |depth: &At<f64>| {
+        let at_depth = |depth: &Spanned<f64>| {
             let md_m = depth.value;
             signals.iter().map(move |at| Probe {
                 md_m,

@@ -2,7 +2,9 @@
 
 use wholestring::{
     GRAVITY_M_PER_S2,
-    dynamics::{Autodriller, DynamicsSettings, HoistControl, HoistLine, LIFT_TOLERANCE, Schedule},
+    dynamics::{
+        Autodriller, DynamicsSettings, HoistControl, HoistLine, Schedule, WEIGHT_TOLERANCE,
+    },
     operation::Operation,
     rig::Rig,
 };
@@ -99,7 +101,7 @@ table! {
         /// "autodriller" (the block follows the bit so that the weight on bit holds `wob`),
         /// "block-velocity" (constant speed), "hook-load" (constant lifting force) or "tuned-lift" (the constant lifting
         /// force under which the mean weight on bit over the window is `wob`: the case is run several times to find it,
-        /// and the summary tells). Default: the autodriller where the bit is on bottom, the operation's own
+        /// and the summary shows). Default: the autodriller where the bit is on bottom, the operation's own
         /// constant speed elsewhere.
         control: Control = optional(Choice {
             noun: "a hoist control",
@@ -149,7 +151,7 @@ table! {
         /// Tuned lift: how far the mean weight on bit may be from `wob`, as a part of it. Raising it takes fewer runs.
         tolerance: f64 = default(
             Number { unit: "", range: Range::from_to(1e-4, 0.5) },
-            LIFT_TOLERANCE,
+            WEIGHT_TOLERANCE,
         ).used_with(&[TUNED_LIFT]);
         /// Axial stiffness of lines and derrick.
         stiffness: f64 = default(
@@ -276,7 +278,7 @@ impl HoistTable {
 
     /// Whether the lift is to be found before the run, or is none that could be: nothing to tune it for, or no constant
     /// one.
-    pub(crate) fn tunes_lift(
+    pub(crate) fn tunes_hook_load(
         &self,
         operations: &[Operation],
         schedule: &Schedule,
@@ -315,7 +317,7 @@ fn word_of(control: Control) -> &'static str {
 fn needed(
     field: &Field<f64>,
     name: &str,
-    chosen: wholestring_config::source::Place,
+    chosen: wholestring_config::source::Span,
     reader: &mut Reader,
 ) -> Option<f64> {
     if let Field::Absent = field {

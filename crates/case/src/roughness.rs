@@ -15,7 +15,7 @@ use wholestring_config::{
     quantity::Quantity,
     range::Range,
     reader::Reader,
-    source::Place,
+    source::Span,
     table::{Field, default, table},
 };
 
@@ -89,8 +89,8 @@ impl RoughnessTable {
     }
 
     fn check_band(&self, roughness: &Roughness, reader: &mut Reader) -> Option<()> {
-        let least_m = wholestring::well::NARROWEST_BAND * roughness.shortest_m;
-        if roughness.longest_m >= least_m {
+        let min_m = wholestring::well::NARROWEST_BAND * roughness.shortest_m;
+        if roughness.longest_m >= min_m {
             return Some(());
         }
         let given = self.longest_wavelength.given();
@@ -98,7 +98,7 @@ impl RoughnessTable {
         let mut diagnostic = Diagnostic::error("the band of wavelengths is too narrow").at(
             place,
             match given {
-                Some(_) => format!("expected {} m or more", number_text(least_m)),
+                Some(_) => format!("expected {} m or more", number_text(min_m)),
                 None => format!("the longest is {} m", number_text(roughness.longest_m)),
             },
         );
@@ -154,7 +154,7 @@ fn check_slope(field: &Field<f64>, roughness: &Roughness, reader: &mut Reader) -
 pub(crate) fn check_clearance(
     string: &DrillString,
     hole: &Hole,
-    rms_place: Option<Place>,
+    rms_place: Option<Span>,
     reader: &mut Reader,
 ) {
     let (Some(roughness), Some(place)) = (hole.roughness(), rms_place) else {

@@ -14,8 +14,8 @@ use wholestring_config::{
     quantity::Quantity,
     range::Range,
     reader::Reader,
-    rule::{At, Text},
-    source::Place,
+    rule::{Spanned, Text},
+    source::Span,
     table::{default, optional, required, table},
 };
 
@@ -23,7 +23,7 @@ table! {
     /// A line of the plan: what changes, when, and how fast. What it does not name stays as it is.
     StepTable in "[[operation.schedule]]" {
         /// When it begins, from time zero of the run (`settle` and `duration` count from there, too). Set points of
-        /// lines at 0 s without a ramp hold from the start: the string is laid as it moves then.
+        /// lines at 0 s without a ramp hold from the start: the string is initialised as it moves then.
         at: f64 = required(Quantity::si(
             Dimension::Time,
             Range::from_to(0.0, 172_800.0),
@@ -71,7 +71,7 @@ table! {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Around<'a> {
     /// The operations that it might belong to.
-    pub(crate) kinds: &'a [At<OperationKind>],
+    pub(crate) kinds: &'a [Spanned<OperationKind>],
     /// The models that solve them.
     pub(crate) models: &'a [ModelKind],
     /// The operation's weight on bit, N.
@@ -82,16 +82,16 @@ pub(crate) struct Around<'a> {
 
 /// The plan that the lines make.
 pub(crate) fn build(
-    lines: &At<Vec<At<StepTable>>>,
+    lines: &Spanned<Vec<Spanned<StepTable>>>,
     around: &Around<'_>,
     reader: &mut Reader,
 ) -> Option<Schedule> {
-    let mut sound = true;
+    let mut valid = true;
     let mut steps = Vec::new();
     for line in &lines.value {
         match step(line, around, reader) {
             Some(step) => steps.push(step),
-            None => sound = false,
+            None => valid = false,
         }
     }
     if let [_, second, ..] = around.kinds {
@@ -101,9 +101,9 @@ pub(crate) fn build(
                 .at(lines.value[0].place, "the schedule")
                 .help("put each operation with its schedule into a case of its own"),
         );
-        sound = false;
+        valid = false;
     }
-    if !sound {
+    if !valid {
         return None;
     }
     let schedule = Schedule { steps };
@@ -129,7 +129,11 @@ pub(crate) fn build(
     Some(schedule)
 }
 
-fn step(line: &At<StepTable>, around: &Around<'_>, reader: &mut Reader) -> Option<ScheduleStep> {
+fn step(
+    line: &Spanned<StepTable>,
+    around: &Around<'_>,
+    reader: &mut Reader,
+) -> Option<ScheduleStep> {
     let table = &line.value;
     let rpm = table.rpm.optional()?;
     let velocity = table.block_velocity.optional()?;
@@ -145,7 +149,7 @@ fn step(line: &At<StepTable>, around: &Around<'_>, reader: &mut Reader) -> Optio
         );
         return None;
     }
-    // A misspelt key is enough to be told of.
+    // A misspelt key is enough to be reported of.
     let empty = [rpm, velocity, wob, flow].iter().all(Option::is_none) && note.is_none();
     if empty && !reader.has_errors() {
         reader.report(
@@ -191,7 +195,7 @@ fn step(line: &At<StepTable>, around: &Around<'_>, reader: &mut Reader) -> Optio
     })
 }
 
-fn fault_at(index: usize, fault: ScheduleFault, lines: &[At<StepTable>]) -> Diagnostic {
+fn fault_at(index: usize, fault: ScheduleFault, lines: &[Spanned<StepTable>]) -> Diagnostic {
     let line = &lines[index];
     let at = line.value.at.at().map_or(line.place, |at| at.place);
     let above = index
@@ -199,7 +203,7 @@ fn fault_at(index: usize, fault: ScheduleFault, lines: &[At<StepTable>]) -> Diag
         .and_then(|above| lines[above].value.at.at());
     match (fault, above) {
         (ScheduleFault::Order, Some(above)) => {
-            Diagnostic::error("the lines of the schedule must go on in time")
+            Diagnostic::error("the lines of the schedule must continue in time")
                 .at(
                     at,
                     format!("expected {} s or later", number_text(above.value)),
@@ -229,14 +233,14 @@ fn names(line: &StepTable, what: &str) -> bool {
     }
 }
 
-fn warn_of_late_lines(lines: &[At<StepTable>], end_s: Option<f64>, reader: &mut Reader) {
+fn warn_of_late_lines(lines: &[Spanned<StepTable>], end_s: Option<f64>, reader: &mut Reader) {
     let Some(end_s) = end_s else { return };
     let late = lines
         .iter()
         .filter_map(|line| line.value.at.at())
         .find(|at| at.value >= end_s);
     if let Some(at) = late {
-        let place: Place = at.place;
+        let place: Span = at.place;
         reader.report(
             Diagnostic::warning("the run ends before this line of the schedule begins")
                 .at(place, format!("the run ends at {} s", number_text(end_s)))

@@ -12,8 +12,8 @@ use wholestring_config::{
     quantity::Quantity,
     range::Range,
     reader::Reader,
-    rule::{At, Rule},
-    source::{Files, Place},
+    rule::{Rule, Spanned},
+    source::{Files, Span},
 };
 
 /// No hole bends more sharply than this, rad/m: 10 deg/m is a radius of 5.7 m.
@@ -24,9 +24,9 @@ const SHARPEST_RAD_PER_M: f64 = 10.0 * std::f64::consts::PI / 180.0;
 pub(crate) struct Stations {
     pub(crate) list: Vec<Station>,
     /// One for each station, if they stand in the case.
-    places: Vec<Place>,
+    places: Vec<Span>,
     /// The survey as a whole.
-    whole: Place,
+    whole: Span,
     /// Position of the first station, if the survey's file says it.
     pub(crate) tie_in: Option<TieIn>,
     /// How the file was understood.
@@ -34,7 +34,7 @@ pub(crate) struct Stations {
 }
 
 impl Stations {
-    pub(crate) fn place(&self, index: usize) -> Place {
+    pub(crate) fn place(&self, index: usize) -> Span {
         self.places.get(index).copied().unwrap_or(self.whole)
     }
 
@@ -175,7 +175,7 @@ impl Rule for StationRule {
 }
 
 /// The stations that stand in the case.
-pub(crate) fn from_case(listed: &At<Vec<At<[f64; 3]>>>) -> Stations {
+pub(crate) fn from_case(listed: &Spanned<Vec<Spanned<[f64; 3]>>>) -> Stations {
     let list = listed.value.iter().map(|at| {
         let [md_m, inclination_rad, azimuth_rad] = at.value;
         Station {
@@ -195,7 +195,7 @@ pub(crate) fn from_case(listed: &At<Vec<At<[f64; 3]>>>) -> Stations {
 
 /// The stations of a file beside the case.
 pub(crate) fn from_file(
-    file: &At<String>,
+    file: &Spanned<String>,
     said: &Said,
     files: &dyn Files,
     reader: &mut Reader,
@@ -235,14 +235,14 @@ pub(crate) fn from_file(
 }
 
 /// What is wrong with a survey file, underlined in it where it is a text.
-fn no_survey(error: &SurveyError, file: &At<String>, reader: &mut Reader) -> Diagnostic {
+fn no_survey(error: &SurveyError, file: &Spanned<String>, reader: &mut Reader) -> Diagnostic {
     let sentence = error.kind().to_string();
     let (message, expected) = sentence.split_once("; ").unwrap_or((&sentence, ""));
     let diagnostic = Diagnostic::error(message);
     match (error.text(), error.span(), error.place()) {
         (Some(text), Some(span), _) => {
             let source = reader.add_source(&file.value, text);
-            let place = Place {
+            let place = Span {
                 source,
                 start: span.start,
                 end: span.end,

@@ -8,7 +8,7 @@ use wholestring_config::{
     quantity::Quantity,
     range::Range,
     reader::Reader,
-    source::Place,
+    source::Span,
     table::{default, table},
 };
 
@@ -59,7 +59,7 @@ impl SteelTable {
 }
 
 /// Moduli may be inconsistent, but then probably one of the two was forgotten.
-pub(crate) fn check_moduli(material: &Material, place: Place, reader: &mut Reader) {
+pub(crate) fn check_moduli(material: &Material, place: Span, reader: &mut Reader) {
     let poisson = material.youngs_modulus_Pa / (2.0 * material.shear_modulus_Pa) - 1.0;
     if !(0.0..=0.5).contains(&poisson) {
         reader.report(

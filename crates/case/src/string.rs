@@ -4,7 +4,7 @@ use wholestring::string::{ComponentSpec, Material, catalogue};
 use wholestring_units::{Dimension, number_text};
 
 use wholestring_config::{
-    diagnostic::Diagnostic, names::short, reader::Reader, rule::At, source::Place,
+    diagnostic::Diagnostic, names::short, reader::Reader, rule::Spanned, source::Span,
 };
 
 use crate::{
@@ -16,7 +16,7 @@ impl ComponentTable {
     pub(crate) fn build(
         &self,
         is_bit: bool,
-        place: Place,
+        place: Span,
         steel: &Material,
         reader: &mut Reader,
     ) -> Option<ComponentSpec> {
@@ -56,7 +56,7 @@ impl ComponentTable {
 
     fn of_catalogue(
         &self,
-        designation: &At<String>,
+        designation: &Spanned<String>,
         material: Material,
         reader: &mut Reader,
     ) -> Option<ComponentSpec> {
@@ -95,7 +95,7 @@ impl ComponentTable {
     fn of_diameters(
         &self,
         is_bit: bool,
-        place: Place,
+        place: Span,
         material: Material,
         reader: &mut Reader,
     ) -> Option<ComponentSpec> {
@@ -139,7 +139,7 @@ impl ComponentTable {
 }
 
 /// A pipe is not heavier than a solid bar as thick as its joints, nor lighter than its own body.
-fn check_mass(component: &ComponentSpec, place: Place, reader: &mut Reader) -> Option<()> {
+fn check_mass(component: &ComponentSpec, place: Span, reader: &mut Reader) -> Option<()> {
     let od_m = component
         .joints
         .map_or(component.od_m, |joints| joints.od_m);

@@ -24,7 +24,7 @@ pub fn load(path: &Path, changes: &[Override]) -> Result<Case, Report> {
 }
 
 /// A case file and the files that it names, read once: what becomes of them on the disk while a sweep
-/// goes on does not change its later cases.
+/// continues does not change its later cases.
 #[derive(Debug)]
 pub struct Template {
     name: String,
@@ -55,7 +55,7 @@ impl Template {
     }
 }
 
-/// Files that are read from the disk when they are first asked for.
+/// Files that are read from the disk when they are first requested.
 #[derive(Debug)]
 struct Remembered {
     disk: Disk,

@@ -77,7 +77,7 @@ table! {
             Range::from_to(1e-3, 100.0).usual(0.01, 5.0),
             "0.2 Hz",
         )).used_with(&[SOFT_TORQUE, Z_TORQUE]);
-        /// Largest torque that the drive gives: it stalls where the string asks for more. Default: none. Used by
+        /// Largest torque that the drive gives: it stalls where the string requires more. Default: none. Used by
         /// every control but "constant".
         torque_limit: f64 = optional(Quantity::si(
             Dimension::Torque,

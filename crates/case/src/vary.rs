@@ -4,7 +4,7 @@ use wholestring_config::{
     diagnostic::{Diagnostic, Report},
     names::short,
     reader::Reader,
-    source::{COMMAND_LINE, Place},
+    source::{COMMAND_LINE, Span},
 };
 
 use crate::overrides::{Override, Quote};
@@ -34,7 +34,7 @@ pub struct Variation {
 }
 
 /// More values than this make no sense of one key, in a range or in all.
-const MOST_VALUES: f64 = 10_000.0;
+const MAX_VALUES: f64 = 10_000.0;
 
 /// No range is written with more characters.
 const LONGEST: usize = 500;
@@ -85,7 +85,7 @@ impl Variation {
         &mut self,
         [says, written]: [&str; 2],
         quote: Quote,
-        place: Place,
+        place: Span,
         reader: &mut Reader,
     ) -> bool {
         let values = match expand(says) {
@@ -103,10 +103,10 @@ impl Variation {
                 return false;
             }
         };
-        // Before they are held against each other, which takes the square of their number.
-        if (self.values.len() + values.len()) as f64 > MOST_VALUES {
+        // Before they are compared with each other, which takes the square of their number.
+        if (self.values.len() + values.len()) as f64 > MAX_VALUES {
             let message = format!(
-                "`{}` is given more than {MOST_VALUES} values",
+                "`{}` is given more than {MAX_VALUES} values",
                 short(&self.key)
             );
             reader.report(Diagnostic::error(message).at(place, "expected fewer"));
@@ -143,8 +143,8 @@ impl Text {
         }
     }
 
-    fn place(&self, start: usize, end: usize) -> Place {
-        Place {
+    fn place(&self, start: usize, end: usize) -> Span {
+        Span {
             source: self.source,
             start,
             end,
@@ -175,7 +175,7 @@ impl Text {
             values: Vec::new(),
         };
         let values_start = self.quoted.len() - values.len();
-        let mut sound = true;
+        let mut valid = true;
         for (offset, element) in elements(values) {
             let start = values_start + offset + element.len() - element.trim_start().len();
             let element = element.trim();
@@ -187,9 +187,9 @@ impl Text {
                 verbatim: true,
             };
             let place = self.place(start, start + element.len());
-            sound &= variation.take([element, element], quote, place, reader);
+            valid &= variation.take([element, element], quote, place, reader);
         }
-        sound.then_some(variation)
+        valid.then_some(variation)
     }
 }
 
@@ -274,10 +274,10 @@ fn expand(element: &str) -> Result<Option<Vec<String>>, Mistake> {
     }
     // As many whole steps as fit, but for the rounding of decimal fractions.
     let steps = ((to - from.number).abs() / step + 1e-9).floor();
-    if steps >= MOST_VALUES {
+    if steps >= MAX_VALUES {
         return Err((
             format!("this range has {} values", steps + 1.0),
-            format!("expected at most {MOST_VALUES}"),
+            format!("expected at most {MAX_VALUES}"),
         ));
     }
     let toward = step.copysign(to - from.number);

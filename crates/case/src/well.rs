@@ -10,8 +10,8 @@ use wholestring_config::{
     quantity::Quantity,
     range::Range,
     reader::Reader,
-    rule::{At, Choice, List, Section, Text},
-    source::{Files, Place},
+    rule::{Choice, List, Section, Spanned, Text},
+    source::{Files, Span},
     table::{optional, required, table},
 };
 
@@ -47,7 +47,7 @@ table! {
         /// Survey file beside the case, CSV or Excel, with columns md, inc and azi.
         survey: String = optional(Text);
         /// The survey itself, instead of a file: a list of [md, inc, azi] in m, deg and deg.
-        stations: Vec<At<[f64; 3]>> = optional(List {
+        stations: Vec<Spanned<[f64; 3]>> = optional(List {
             item: StationRule,
             or_one: false,
             noun: "stations",
@@ -74,7 +74,7 @@ table! {
         /// Roughness and micro-tortuosity of the wall. Default: a smooth wall.
         roughness: RoughnessTable = optional(Section::<RoughnessTable>::RULE);
         /// Sections of the hole from the surface down to the bit or deeper.
-        hole: Vec<At<HoleTable>> = required(List {
+        hole: Vec<Spanned<HoleTable>> = required(List {
             item: Section::<HoleTable>::RULE,
             or_one: false,
             noun: "hole sections ([[well.hole]])",
@@ -87,7 +87,7 @@ impl WellTable {
     /// The survey, from the file or from the case.
     pub(crate) fn stations(
         &self,
-        place: Place,
+        place: Span,
         files: &dyn Files,
         reader: &mut Reader,
     ) -> Option<Stations> {
@@ -164,7 +164,7 @@ impl WellTable {
         path: Option<&Path>,
         hole: Option<&Hole>,
         bit_depth_m: f64,
-        bit_place: Option<Place>,
+        bit_place: Option<Span>,
         reader: &mut Reader,
     ) -> Option<()> {
         let bit_text = format!("bit at {} m", number_text(bit_depth_m));
@@ -180,7 +180,7 @@ impl WellTable {
                         number_text(last_m),
                         number_text((beyond_m * 100.0).round() / 100.0)
                     ))
-                    .at(place, "the hole is taken to go on straight to here"),
+                    .at(place, "the hole is taken to continue straight to here"),
                 );
             }
         }

@@ -196,12 +196,12 @@ fn check_accepted(case: &Case) {
 /// Runs the dynamics for a few hundredths of a second, the mesh coarse enough for a test. The run ends,
 /// diverges or cannot begin, and says so; it never answers with numbers that are none.
 fn run_dynamics(case: &Case, operation: &Operation) {
-    const MOST_ELEMENTS: f64 = 150.0;
+    const MAX_ELEMENTS: f64 = 150.0;
     const RUN_S: f64 = 0.03;
     const LONGEST_S: f64 = 0.05;
     let mut settings = case.dynamics.clone();
     let length_m = case.model.string.length_m();
-    settings.element_length_m = settings.element_length_m.max(length_m / MOST_ELEMENTS);
+    settings.element_length_m = settings.element_length_m.max(length_m / MAX_ELEMENTS);
     // A bit on solid rock is run in before the string begins, for seconds.
     if matches!(settings.bit.law, BitLaw::Rock(_)) {
         return;

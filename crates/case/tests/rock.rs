@@ -45,7 +45,7 @@ fn test(case: &Case) -> &BitTest {
 
 const SOUND: &str = "strength = \"60 MPa\"";
 
-/// Of the strength follow the other numbers of the rock, of the diameter of the lowest component face, bricks and block.
+/// Of the strength follow the other numbers of the rock, of the diameter of the lowest component face, elements and block.
 #[test]
 fn a_strength_suffices() {
     let case = on_rock("", SOUND, "");
@@ -142,9 +142,9 @@ fn the_energy_of_a_crushed_band_follows_that_of_crushing() {
     assert!((rock.compressive_fracture_energy_J_per_m2 / 12e3 - 1.0).abs() < 1e-12);
 }
 
-/// A brick is no larger than the body leaves room for behind the cutters.
+/// An element is no larger than the body leaves room for behind the cutters.
 #[test]
-fn bricks_follow_the_cutters() {
+fn elements_follow_the_cutters() {
     let case = on_rock("", SOUND, "[bit.face]\nexposure = \"6 mm\"");
     assert!((spec(&case).block.size_m[0] - 9e-3).abs() < 1e-12);
 }

@@ -85,7 +85,7 @@ pub(crate) struct RunArgs {
     )]
     pub(crate) output: Option<PathBuf>,
 
-    /// Go on with the run in this folder from its checkpoint
+    /// Continue with the run in this folder from its checkpoint
     #[arg(long, value_name = "DIR", conflicts_with_all = ["output", "overwrite"])]
     pub(crate) resume: Option<PathBuf>,
 
@@ -204,7 +204,7 @@ enum KeepArg {
 }
 
 impl KeptArgs {
-    /// What they ask for, if they ask for anything.
+    /// What they require, if they require anything.
     pub(crate) fn keep(&self) -> Option<Keep> {
         self.keep.map(|keep| match keep {
             KeepArg::Summary => Keep::Summary,
@@ -275,7 +275,7 @@ pub(crate) struct BatchArgs {
     #[arg(long, value_name = "I/N")]
     pub(crate) shard: Option<Shard>,
 
-    /// Leave out what is finished in the folder, and go on with what is not from its checkpoints
+    /// Leave out what is finished in the folder, and continue with what is not from its checkpoints
     #[arg(long)]
     pub(crate) resume: bool,
 
@@ -306,7 +306,7 @@ pub(crate) struct BatchArgs {
 }
 
 impl BatchArgs {
-    /// What they ask for.
+    /// What they require.
     pub(crate) fn options(&self) -> BatchOptions {
         BatchOptions {
             output: Output {

@@ -67,7 +67,7 @@ fn rock(spec: &DrillingSpec, case: &Case) -> String {
     let [nx, ny, nz] = block.cells;
     let size_m = block.size_m[0];
     let mut text = format!(
-        "rock of {} under {face}: {nx} x {ny} x {nz} bricks of {}",
+        "rock of {} under {face}: {nx} x {ny} x {nz} elements of {}",
         show(Dimension::Pressure, block.rock.ucs_Pa()),
         show(Dimension::Diameter, size_m),
     );
@@ -80,7 +80,7 @@ fn rock(spec: &DrillingSpec, case: &Case) -> String {
         let speed = case.dynamics.bit.drilling_speed_rad_per_s(operation);
         let cut = law.steady(operation.weight_on_bit_N, speed);
         text += &format!(
-            "to begin with, it is taken to drill {}, {} per revolution ({:.1} bricks)\n",
+            "to begin with, it is taken to drill {}, {} per revolution ({:.1} elements)\n",
             show(
                 Dimension::RateOfPenetration,
                 cut.rate_of_penetration_m_per_s

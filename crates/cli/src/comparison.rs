@@ -7,7 +7,7 @@ use wholestring_units::{Dimension, UnitSet};
 
 mod drift;
 
-use crate::pace::pace;
+use crate::speed::real_time_factor;
 
 /// Space between columns of one operation, and before the first of the next.
 const NARROW: usize = 2;
@@ -23,7 +23,7 @@ struct Column {
     width: usize,
 }
 
-/// The whole table. Where the operations do not fit in `width` columns of the screen they go on
+/// The whole table. Where the operations do not fit in `width` columns of the screen they continue
 /// below, with the labels again.
 pub(crate) fn table(summary: &Summary, units: UnitSet, width: Option<usize>) -> String {
     let rows = scalars_by_row();
@@ -104,7 +104,7 @@ pub(crate) fn notes(summary: &Summary, units: UnitSet) -> String {
             largest(|of| of.run.elements as f64),
             shortest_step_s * 1e3,
             largest(|of| of.run.added_axial_mass_fraction) * 100.0,
-            pace(simulated_s / took_s),
+            real_time_factor(simulated_s / took_s),
         );
     }
     notes

@@ -1,4 +1,4 @@
-//! What is told at the end of many cases or points.
+//! What is reported at the end of many cases or points.
 
 use wholestring_runner::{BatchOutcome, sweep};
 
@@ -34,7 +34,7 @@ pub(crate) fn conclude(
             failures + "\n"
         };
         return Err(Failure::Interrupted(format!(
-            "{failures}interrupted: what was computed is in {place}\nto go on, run the {noun} again with --resume"
+            "{failures}interrupted: what was computed is in {place}\nto continue, run the {noun} again with --resume"
         )));
     }
     if failed.is_empty() {

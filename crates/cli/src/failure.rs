@@ -90,7 +90,7 @@ fn way_out(refused: &FolderRefused) -> String {
                 "run" => format!("run the case with --resume {}", path.display()),
                 _ => "add --resume".to_owned(),
             };
-            format!("to go on with it, {go_on}; to begin anew, add --overwrite")
+            format!("to continue with it, {go_on}; to begin anew, add --overwrite")
         }
         FolderRefused::Busy { .. } => {
             "wait until it has ended, or name another folder with -o".to_owned()

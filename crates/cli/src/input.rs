@@ -4,7 +4,7 @@ use wholestring_case::Case;
 
 use crate::{args::CaseArgs, color::color, failure::Failure, terminal::tell};
 
-/// Reads the case with its overrides, and tells its warnings.
+/// Reads the case with its overrides, and shows its warnings.
 pub(crate) fn load(args: &CaseArgs, quiet: bool) -> Result<Case, Failure> {
     let case = wholestring_case::load(&args.case, &args.overrides)
         .map_err(|report| Failure::BadInput(report.render(color())))?;

@@ -13,7 +13,7 @@ use wholestring_runner::{BatchSize, CaseEnded, Observer, Progress, Task};
 
 use crate::{
     color::color,
-    pace::{duration, pace},
+    speed::{duration, real_time_factor},
     terminal::tell,
 };
 
@@ -113,7 +113,7 @@ pub(crate) struct BatchScreen {
     noun: &'static str,
     /// What its cases are called.
     items: &'static str,
-    /// Whether it tells how fast it is.
+    /// Whether it shows how fast it is.
     with_pace: bool,
     quiet: bool,
     shown: Mutex<Option<BatchBar>>,
@@ -224,7 +224,7 @@ impl Observer for BatchScreen {
         bar.set_message(if self.with_pace {
             let simulated_s = bar.position() as f64 * 1e-3;
             let speed = simulated_s / start.elapsed().as_secs_f64();
-            format!("{count}, {}", pace(speed))
+            format!("{count}, {}", real_time_factor(speed))
         } else {
             count
         });
@@ -311,10 +311,10 @@ impl OwnBar {
         self.bar.set_length(milliseconds(end_s));
         let speed = (time_s - self.from_s) / self.start.elapsed().as_secs_f64();
         self.bar.set_position(milliseconds(time_s));
-        let pace = pace(speed);
+        let real_time_factor = real_time_factor(speed);
         self.bar.set_message(match progress.settling {
-            true => format!("{time_s:.1} of at most {end_s:.0} s, settling, {pace}"),
-            false => format!("{time_s:.1} of {end_s:.0} s, {pace}"),
+            true => format!("{time_s:.1} of at most {end_s:.0} s, settling, {real_time_factor}"),
+            false => format!("{time_s:.1} of {end_s:.0} s, {real_time_factor}"),
         });
     }
 }

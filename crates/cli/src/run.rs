@@ -87,7 +87,7 @@ fn stopped(stop: Stop, outcome: &Outcome) -> Failure {
     match stop {
         Stop::Interrupted => {
             let how = if outcome.is_resumable {
-                format!("\nto go on, run the case with --resume {place}")
+                format!("\nto continue, run the case with --resume {place}")
             } else {
                 String::new()
             };

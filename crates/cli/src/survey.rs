@@ -3,7 +3,7 @@
 use std::{fs, io, path::Path};
 
 use wholestring::well::{Interpolation, Path as WellPath};
-use wholestring_case::{Diagnostic, Label, Place, Report, Severity, Source, read_file};
+use wholestring_case::{Diagnostic, Label, Report, Severity, Source, Span, read_file};
 use wholestring_survey::{ImportedSurvey, Said, SurveyError, read_as};
 
 use crate::{
@@ -75,7 +75,7 @@ fn report(error: &SurveyError) -> Option<Report> {
             severity: Severity::Error,
             message: message.to_owned(),
             labels: vec![Label {
-                place: Place {
+                place: Span {
                     source: 0,
                     start: span.start,
                     end: span.end,

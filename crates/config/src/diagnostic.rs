@@ -6,7 +6,7 @@ use annotate_snippets::{
     Annotation, AnnotationKind, Element, Group, Level, Origin, Renderer, Snippet,
 };
 
-use crate::source::{Place, Source};
+use crate::source::{Source, Span};
 
 /// Whether a case can be used in spite of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,7 +21,7 @@ pub enum Severity {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Label {
     /// What is underlined.
-    pub place: Place,
+    pub place: Span,
     /// What stands beside the underline; may be empty.
     pub text: String,
 }
@@ -59,7 +59,7 @@ impl Diagnostic {
     }
 
     /// Underlines a place; `text` stands beside the line.
-    pub fn at(mut self, place: Place, text: impl Into<String>) -> Self {
+    pub fn at(mut self, place: Span, text: impl Into<String>) -> Self {
         self.labels.push(Label {
             place,
             text: text.into(),
@@ -202,7 +202,7 @@ impl fmt::Display for Report {
 impl std::error::Error for Report {}
 
 /// The place as a range that the text can be cut at, on one line.
-fn span_within(text: &str, place: Place) -> std::ops::Range<usize> {
+fn span_within(text: &str, place: Span) -> std::ops::Range<usize> {
     let mut start = place.start.min(text.len());
     while !text.is_char_boundary(start) {
         start -= 1;

@@ -49,8 +49,8 @@ pub fn tree(name: &str, text: &[u8], kind: &'static Kind) -> Result<(Entries, Re
 /// The text of a file, or why it is none.
 fn as_text<'a>(bytes: &'a [u8], kind: &Kind) -> Result<&'a str, Diagnostic> {
     let noun = kind.noun;
-    const MOST_BYTES: usize = 8 << 20;
-    if bytes.len() > MOST_BYTES {
+    const MAX_BYTES: usize = 8 << 20;
+    if bytes.len() > MAX_BYTES {
         let message = format!(
             "this file holds {} MB: it is no {noun} file",
             bytes.len() >> 20

@@ -8,7 +8,7 @@
 //! ```
 //! use wholestring_config::{
 //!     Json, diagnostic::Report, file, kind::Kind, number::Number, quantity::Quantity, range::Range,
-//!     rule::Table, source::Place, table::{default, required, table},
+//!     rule::Table, source::Span, table::{default, required, table},
 //! };
 //! use wholestring_units::Dimension;
 //!
@@ -34,7 +34,7 @@
 //!
 //! fn read(text: &str) -> Result<(f64, f64), Report> {
 //!     let (root, mut reader) = file::tree("pump.toml", text.as_bytes(), &PUMP_FILE)?;
-//!     let pump = Pump::read(&root, Place::default(), &mut reader);
+//!     let pump = Pump::read(&root, Span::default(), &mut reader);
 //!     match (pump.rate.get(), pump.efficiency.get()) {
 //!         (Some(rate), Some(efficiency)) if !reader.has_errors() => Ok((*rate, *efficiency)),
 //!         _ => Err(reader.into_report()),

@@ -9,14 +9,14 @@ use crate::{
     diagnostic::Diagnostic,
     names::short,
     nesting::{MAX_DEPTH, too_deep},
-    source::Place,
+    source::Span,
 };
 
 /// A value and where it stands.
 #[derive(Debug, Clone)]
 pub struct Node {
     /// Where it stands.
-    pub place: Place,
+    pub place: Span,
     /// What it is.
     pub value: Value,
 }
@@ -72,7 +72,7 @@ pub struct Key {
     /// What it is called.
     pub name: String,
     /// Where it stands.
-    pub place: Place,
+    pub place: Span,
 }
 
 impl Entries {
@@ -126,7 +126,7 @@ fn shallow(text: &str, source: usize, offset: usize) -> Result<(), Diagnostic> {
     let Some(bracket) = too_deep(text) else {
         return Ok(());
     };
-    let place = Place {
+    let place = Span {
         source,
         start: bracket.start + offset,
         end: bracket.end + offset,
@@ -140,7 +140,7 @@ fn shallow(text: &str, source: usize, offset: usize) -> Result<(), Diagnostic> {
 /// What the parser says, in the words of somebody who has not read the TOML specification.
 fn syntax_error(error: &toml::de::Error, text: &str, source: usize, offset: usize) -> Diagnostic {
     let span = error.span().unwrap_or(0..0);
-    let place = Place {
+    let place = Span {
         source,
         start: span.start + offset,
         end: span.end + offset,
@@ -259,9 +259,9 @@ fn node(value: &Spanned<DeValue<'_>>, text: &str, source: usize, offset: usize) 
     }
 }
 
-fn place<T>(spanned: &Spanned<T>, source: usize, offset: usize) -> Place {
+fn place<T>(spanned: &Spanned<T>, source: usize, offset: usize) -> Span {
     let span = spanned.span();
-    Place {
+    Span {
         source,
         start: span.start + offset,
         end: span.end + offset,

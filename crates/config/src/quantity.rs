@@ -11,7 +11,7 @@ use crate::{
     range::Range,
     reader::Reader,
     rule::Rule,
-    source::Place,
+    source::Span,
     usual::Entry,
 };
 
@@ -155,7 +155,7 @@ impl Quantity {
         symbols.join(", ")
     }
 
-    fn no_quantity(&self, kind: &QuantityErrorKind, text: &str, place: Place) -> Diagnostic {
+    fn no_quantity(&self, kind: &QuantityErrorKind, text: &str, place: Span) -> Diagnostic {
         let name = self.dimension.name();
         let a_name = with_article(name);
         let units = format!("units of {name}: {}", self.units());

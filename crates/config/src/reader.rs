@@ -10,7 +10,7 @@ use crate::{
     names::{nearest, short},
     node::{Entries, Node, Value},
     schema::homes_of,
-    source::{COMMAND_LINE, Place, Source},
+    source::{COMMAND_LINE, Source, Span},
 };
 
 /// The texts read so far and the mistakes found in them.
@@ -25,14 +25,14 @@ pub struct Reader {
     /// The units that people are shown.
     units: Option<UnitSet>,
     /// Where a number without a unit is refused.
-    asking: Vec<Place>,
+    asking: Vec<Span>,
     diagnostics: Vec<Diagnostic>,
     /// What is read; nothing for arguments.
     kind: Option<&'static Kind>,
 }
 
 /// More mistakes than this are kept by nobody: the file is probably something else.
-const MOST: usize = 100;
+const MAX: usize = 100;
 
 impl Reader {
     /// A reader of such a file.
@@ -67,7 +67,7 @@ impl Reader {
         self.units = Some(units);
     }
 
-    /// Asks for a unit where this number is read as a quantity, or each of this list: a shell may have taken
+    /// Requires a unit where this number is read as a quantity, or each of this list: a shell may have taken
     /// the quotes away, and the unit's absence says nothing.
     pub fn ask_unit(&mut self, node: &Node) {
         let items = match &node.value {
@@ -81,19 +81,19 @@ impl Reader {
     }
 
     /// Whether a number at this place is refused without a unit.
-    pub fn asks_unit(&self, place: Place) -> bool {
+    pub fn asks_unit(&self, place: Span) -> bool {
         self.asking.contains(&place)
     }
 
     /// Whether a place is in an argument of the command.
-    pub fn is_argument(&self, place: Place) -> bool {
+    pub fn is_argument(&self, place: Span) -> bool {
         let source = self.sources.get(place.source);
         source.is_some_and(|source| source.name == COMMAND_LINE)
     }
 
     /// Keeps a diagnostic, if there are not too many already.
     pub fn report(&mut self, diagnostic: Diagnostic) {
-        if self.diagnostics.len() >= MOST {
+        if self.diagnostics.len() >= MAX {
             if diagnostic.severity == Severity::Warning || self.has_errors() {
                 return;
             }
@@ -132,12 +132,12 @@ impl Reader {
     }
 
     /// What the user wrote at a place, short enough to quote.
-    pub fn written(&self, place: Place) -> String {
+    pub fn written(&self, place: Span) -> String {
         short(self.text_at(place))
     }
 
     /// What the user wrote at a place.
-    pub fn text_at(&self, place: Place) -> &str {
+    pub fn text_at(&self, place: Span) -> &str {
         let text = self.sources.get(place.source).map(|source| &source.text);
         text.and_then(|text| text.get(place.start..place.end))
             .unwrap_or_default()
@@ -178,7 +178,7 @@ impl Reader {
     ) -> Vec<&'static str> {
         let mut meant = Vec::new();
         for (key, _) in &table.0 {
-            if names.contains(&key.name.as_str()) || self.diagnostics.len() >= MOST {
+            if names.contains(&key.name.as_str()) || self.diagnostics.len() >= MAX {
                 continue;
             }
             let mut diagnostic =

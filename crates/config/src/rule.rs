@@ -7,7 +7,7 @@ use crate::{
     names::{any_of, nearest, short},
     node::{Entries, Node, Value, in_single_quotes},
     reader::Reader,
-    source::Place,
+    source::Span,
 };
 
 /// How a value is read and described.
@@ -17,7 +17,7 @@ pub trait Rule {
     /// Reads a value; what is wrong with it goes to the reader.
     fn read(&self, node: &Node, reader: &mut Reader) -> Option<Self::Value>;
     /// What the value is where its key does not stand in the file.
-    fn absent(&self, _table: Place, _reader: &mut Reader) -> Option<Self::Value> {
+    fn absent(&self, _table: Span, _reader: &mut Reader) -> Option<Self::Value> {
         None
     }
     /// JSON schema of the value.
@@ -84,7 +84,7 @@ impl Rule for Prose {
     type Value = String;
 
     fn read(&self, node: &Node, reader: &mut Reader) -> Option<String> {
-        const MOST: usize = 5000;
+        const MAX: usize = 5000;
         let Value::Text { text, .. } = &node.value else {
             reader.expected(node, "text in quotes");
             return None;
@@ -92,8 +92,8 @@ impl Rule for Prose {
         let control = |letter: char| letter.is_control() && !letter.is_whitespace();
         let problem = if text.chars().any(control) {
             "holds a control character".to_owned()
-        } else if text.chars().count() > MOST {
-            format!("is longer than {MOST} characters")
+        } else if text.chars().count() > MAX {
+            format!("is longer than {MAX} characters")
         } else {
             return Some(text.trim().to_owned());
         };
@@ -154,16 +154,16 @@ impl<T: Copy + PartialEq> Rule for Choice<T> {
 
 /// A value and the place it stands at.
 #[derive(Debug, Clone, PartialEq)]
-pub struct At<T> {
+pub struct Spanned<T> {
     /// The value.
     pub value: T,
     /// The place.
-    pub place: Place,
+    pub place: Span,
 }
 
 /// Refuses a list that names one thing twice.
 pub fn once_each<T: Copy + PartialEq>(
-    list: &[At<T>],
+    list: &[Spanned<T>],
     name: fn(T) -> &'static str,
     reader: &mut Reader,
 ) -> Option<()> {
@@ -193,7 +193,7 @@ pub struct List<R> {
 }
 
 impl<R: Rule> Rule for List<R> {
-    type Value = Vec<At<R::Value>>;
+    type Value = Vec<Spanned<R::Value>>;
 
     fn read(&self, node: &Node, reader: &mut Reader) -> Option<Self::Value> {
         let items = match &node.value {
@@ -217,12 +217,12 @@ impl<R: Rule> Rule for List<R> {
             reader.report(Diagnostic::error(message).at(node.place, expected));
             return None;
         }
-        let read: Vec<At<R::Value>> = items
+        let read: Vec<Spanned<R::Value>> = items
             .iter()
             .filter_map(|item| {
                 let value = self.item.read(item, reader)?;
                 let place = item.place;
-                Some(At { value, place })
+                Some(Spanned { value, place })
             })
             .collect();
         (read.len() == items.len()).then_some(read)
@@ -262,7 +262,7 @@ pub struct Written {
     /// What it is called.
     pub name: &'static str,
     /// Where its value stands.
-    pub place: Place,
+    pub place: Span,
     /// The words of the table's choice with which it has an effect; all, where none is listed.
     pub used_with: &'static [&'static str],
 }
@@ -279,7 +279,7 @@ pub trait Table: Sized {
     /// How messages call it: `[mud]`.
     const HEADING: &'static str;
     /// Reads the table; what is wrong with it goes to the reader.
-    fn read(entries: &Entries, place: Place, reader: &mut Reader) -> Self;
+    fn read(entries: &Entries, place: Span, reader: &mut Reader) -> Self;
     /// The keys that stand in the file.
     fn written(&self) -> Vec<Written>;
     /// JSON schema of the table.
@@ -302,7 +302,7 @@ impl<T: Table> Rule for Section<T> {
         Some(T::read(entries, node.place, reader))
     }
 
-    fn absent(&self, table: Place, reader: &mut Reader) -> Option<T> {
+    fn absent(&self, table: Span, reader: &mut Reader) -> Option<T> {
         Some(T::read(&Entries::default(), table, reader))
     }
 

@@ -19,7 +19,7 @@ pub const COMMAND_LINE: &str = "command line";
 
 /// A stretch of one source, in bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Place {
+pub struct Span {
     /// Index of the source in its [`Report`](crate::diagnostic::Report).
     pub source: usize,
     /// First byte.

@@ -6,8 +6,8 @@ use crate::{
     diagnostic::Diagnostic,
     node::Entries,
     reader::Reader,
-    rule::{At, Rule},
-    source::Place,
+    rule::{Rule, Spanned},
+    source::Span,
 };
 
 /// What became of a key.
@@ -18,9 +18,9 @@ pub enum Field<T> {
     /// What stands in the file is wrong, which has been reported.
     Bad,
     /// It stands in the file.
-    Given(At<T>),
+    Given(Spanned<T>),
     /// It does not stand in the file; this is the default. The place is that of its table.
-    Default(At<T>),
+    Default(Spanned<T>),
 }
 
 impl<T> Field<T> {
@@ -30,7 +30,7 @@ impl<T> Field<T> {
     }
 
     /// The value and its place, given or default.
-    pub fn at(&self) -> Option<&At<T>> {
+    pub fn at(&self) -> Option<&Spanned<T>> {
         match self {
             Self::Given(at) | Self::Default(at) => Some(at),
             Self::Absent | Self::Bad => None,
@@ -38,7 +38,7 @@ impl<T> Field<T> {
     }
 
     /// The value and its place, if it stands in the file.
-    pub fn given(&self) -> Option<&At<T>> {
+    pub fn given(&self) -> Option<&Spanned<T>> {
         match self {
             Self::Given(at) => Some(at),
             _ => None,
@@ -46,12 +46,12 @@ impl<T> Field<T> {
     }
 
     /// Where the value stands, if it stands in the file.
-    pub fn place(&self) -> Option<Place> {
+    pub fn place(&self) -> Option<Span> {
         self.given().map(|at| at.place)
     }
 
     /// `None` where the value is wrong, `Some(None)` where there is none.
-    pub fn optional(&self) -> Option<Option<&At<T>>> {
+    pub fn optional(&self) -> Option<Option<&Spanned<T>>> {
         match self {
             Self::Bad => None,
             _ => Some(self.at()),
@@ -130,7 +130,7 @@ pub struct Here<'a> {
     /// Its keys and values.
     pub entries: &'a Entries,
     /// Where it stands.
-    pub place: Place,
+    pub place: Span,
     /// How messages call it.
     pub heading: &'static str,
     /// The keys that misspelt ones were probably meant to be: they are not missed as well.
@@ -153,7 +153,7 @@ impl<R: Rule> Key<R> {
         reader.key = name;
         if let Some(node) = here.entries.get(name) {
             return match self.rule.read(node, reader) {
-                Some(value) => Field::Given(At {
+                Some(value) => Field::Given(Spanned {
                     value,
                     place: node.place,
                 }),
@@ -161,7 +161,7 @@ impl<R: Rule> Key<R> {
             };
         }
         match self.need {
-            Need::Default(value) => Field::Default(At { value, place }),
+            Need::Default(value) => Field::Default(Spanned { value, place }),
             Need::RequiredUnless(other) if here.entries.get(other).is_some() => Field::Absent,
             Need::Required | Need::RequiredUnless(_) => {
                 let unless = match self.need {
@@ -174,7 +174,7 @@ impl<R: Rule> Key<R> {
                 Field::Bad
             }
             Need::Optional => match self.rule.absent(place, reader) {
-                Some(value) => Field::Default(At { value, place }),
+                Some(value) => Field::Default(Spanned { value, place }),
                 None => Field::Absent,
             },
         }
@@ -267,7 +267,7 @@ macro_rules! __table {
 
             fn read(
                 entries: &$crate::node::Entries,
-                place: $crate::source::Place,
+                place: $crate::source::Span,
                 reader: &mut $crate::reader::Reader,
             ) -> Self {
                 let names = [$($crate::table::name(stringify!($field))),+];

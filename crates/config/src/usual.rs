@@ -12,11 +12,11 @@ use crate::{
 };
 
 /// How many units a help line names.
-const MOST_UNITS: usize = 3;
+const MAX_UNITS: usize = 3;
 
 /// How many numbers without a unit are underlined, of all keys and of one key.
-const MOST_BARE: usize = 6;
-const MOST_BARE_OF_A_KEY: usize = 2;
+const MAX_BARE: usize = 6;
+const MAX_BARE_OF_A_KEY: usize = 2;
 
 /// What stands in the file for a quantity.
 pub(crate) struct Entry<'a> {
@@ -50,7 +50,7 @@ impl Entry<'_> {
                 units.push(unit);
             }
         }
-        units.truncate(MOST_UNITS);
+        units.truncate(MAX_UNITS);
         units
     }
 
@@ -217,7 +217,7 @@ pub fn warn_of_bare(reader: &mut Reader) {
     let mut shown: Vec<&Bare> = Vec::new();
     for number in &bare {
         let of_key = shown.iter().filter(|other| other.key == number.key).count();
-        if shown.len() < MOST_BARE && of_key < MOST_BARE_OF_A_KEY {
+        if shown.len() < MAX_BARE && of_key < MAX_BARE_OF_A_KEY {
             diagnostic = diagnostic.at(number.place, &number.text);
             shown.push(number);
         }

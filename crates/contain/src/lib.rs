@@ -40,7 +40,7 @@ pub fn contain<T>(of: impl FnOnce() -> T) -> Result<T, Panicked> {
     QUIET.call_once(|| {
         let told = panic::take_hook();
         panic::set_hook(Box::new(move |info| {
-            // A thread that is ending has no such count any more: its panics are told.
+            // A thread that is ending has no such count any more: its panics are reported.
             if DEPTH.try_with(Cell::get).unwrap_or(0) == 0 {
                 told(info);
             }

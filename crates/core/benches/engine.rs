@@ -1,6 +1,6 @@
 //! Speed of the engine's parts on NP13-X1042, for whoever works on them: `cargo bench -p wholestring`.
 //!
-//! `wholestring bench` tells the speed of a machine; this tells whether a change made a part slower.
+//! `wholestring bench` shows the speed of a machine; this reports whether a change made a part slower.
 
 #[path = "../tests/common/mod.rs"]
 mod common;
@@ -22,7 +22,7 @@ use wells::{Case, go, np13};
 /// Steps of the inner loop that are timed at once: between two followings of the nodes.
 const STEPS: usize = 16;
 
-/// The string, laid and settled, the window begun.
+/// The string, initialised and settled, the window begun.
 fn settled(precision: Precision) -> Simulation {
     let mut case = np13(0.3);
     case.settings.precision = precision;
@@ -77,13 +77,13 @@ fn statics(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// A step of a block of rock, per brick, with each instruction set: one that stays in the second-level cache, and a live
-/// zone of a bit. The return to the cone is computed whether a brick yields or not.
+/// A step of a block of rock, per element, with each instruction set: one that stays in the second-level cache, and a live
+/// zone of a bit. The return to the cone is computed whether an element yields or not.
 fn rock(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("rock");
     for (name, cells) in [("small", [32, 16, 16]), ("live zone", [96, 96, 12])] {
         let squeezed = squeezed(cells);
-        group.throughput(Throughput::Elements(squeezed.grid().bricks() as u64));
+        group.throughput(Throughput::Elements(squeezed.grid().elements() as u64));
         for stepper in Stepper::all() {
             let mut block = squeezed.clone();
             group.bench_function(format!("{name}/{}", stepper.instructions), |bencher| {

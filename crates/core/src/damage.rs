@@ -1,11 +1,11 @@
 //! What a stored state may not be.
 
-/// Why a stored state is not one of the model that it is taken up with: a length or a place does not fit.
+/// Why a stored state is not one of the model that it is resumed with: a length or a place does not fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("it is damaged: {0}")]
 pub struct Damaged(pub &'static str);
 
 /// That something holds of a stored state; what it is about, if not.
-pub(crate) fn sound(holds: bool, about: &'static str) -> Result<(), Damaged> {
+pub(crate) fn ensure(holds: bool, about: &'static str) -> Result<(), Damaged> {
     holds.then_some(()).ok_or(Damaged(about))
 }

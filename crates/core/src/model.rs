@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::{GRAVITY_M_PER_S2, mud::Mud, rig::Rig, string::DrillString, well::Well};
 
 /// Everything about the drill string and its surroundings that does not depend on what the driller
-/// is doing. All solvers read the same one, so that their answers can be held against each other.
+/// is doing. All solvers read the same one, so that their answers can be compared with each other.
 #[derive(Debug, Clone, Serialize)]
 pub struct Model {
     /// Path of the hole and its sections.

@@ -6,7 +6,7 @@ mod common;
 use common::*;
 use serde_json::Value;
 use wholestring::statics::buckling::{
-    Criterion, Criterion::*, Place, Pushed, Stretch, push_through, weight_at_bit_N,
+    Criterion, Criterion::*, Place, Pushed, Segment, push_through, weight_at_bit_N,
 };
 
 fn number(of: &Value, key: &str) -> f64 {
@@ -97,7 +97,7 @@ fn c03_curved_holes() {
             expected: number(&row["expected"], "F_crit_N"),
             computed: place.critical_loads_N(criterion)[0],
             tolerance: Tolerance::Relative(1e-6),
-            reason: "what its source asks for",
+            reason: "what its source requires",
         }
     });
     report_worst(rows.collect::<Vec<_>>());
@@ -129,7 +129,7 @@ fn s2a_all_roots() {
                 expected,
                 computed,
                 tolerance: Tolerance::Relative(1e-6),
-                reason: "what its source asks for",
+                reason: "what its source requires",
             });
         }
     };
@@ -161,7 +161,7 @@ fn s2a_all_roots() {
 }
 
 /// In a sharp drop a pipe is straight, buckled, pressed straight to the high side, and buckled
-/// again as it is pushed harder; what it is held against is the load that it passed last.
+/// again as it is pushed harder; what it is compared with is the load that it passed last.
 #[test]
 fn a_drop_has_three_critical_loads() {
     let data = verification("S2a_buckling_along_string.json");
@@ -198,7 +198,7 @@ fn s2b_lock_up() {
             Some("WuJuvkamWold") => FullHelical,
             _ => Helical,
         };
-        let stretch = Stretch {
+        let segment = Segment {
             length_m: 5.0,
             place: straight(
                 number(pipe, "EI"),
@@ -210,7 +210,7 @@ fn s2b_lock_up() {
             weight_along_N_per_m: 0.0,
         };
         let at_bit_N = number(of, "F_at_bit_N");
-        let Pushed::LocksUp(length_m) = push_through(&[stretch; 2000], at_bit_N, helix) else {
+        let Pushed::LocksUp(length_m) = push_through(&[segment; 2000], at_bit_N, helix) else {
             panic!("it does not lock up: {row}");
         };
         let hold = |quantity, computed, expected| Row {
@@ -219,14 +219,14 @@ fn s2b_lock_up() {
             expected,
             computed,
             tolerance: Tolerance::Relative(1e-6),
-            reason: "what its source asks for",
+            reason: "what its source requires",
         };
         let closed_m = number(expected, "closed_form_m");
         lengths.push(hold("length that locks up, m", length_m, closed_m));
         // Nine tenths of that length are a whole number of stretches of their own.
-        let part = Stretch {
+        let part = Segment {
             length_m: 0.9 * closed_m / 1000.0,
-            ..stretch
+            ..segment
         };
         let Pushed::Through(push_N) = push_through(&[part; 1000], at_bit_N, helix) else {
             panic!("it locks up too early: {row}");
@@ -239,14 +239,14 @@ fn s2b_lock_up() {
         // Beyond that length the greatest push does not bring the load to the bit, short of it the
         // load and more.
         let whole = |length_m: f64| {
-            [Stretch {
+            [Segment {
                 length_m: length_m / 1000.0,
-                ..stretch
+                ..segment
             }; 1000]
         };
-        let most_N = |length_m| weight_at_bit_N(&whole(length_m), f64::INFINITY, helix);
-        assert!(most_N(1.01 * closed_m) < at_bit_N, "{row}");
-        assert!(most_N(0.99 * closed_m) > at_bit_N, "{row}");
+        let max_N = |length_m| weight_at_bit_N(&whole(length_m), f64::INFINITY, helix);
+        assert!(max_N(1.01 * closed_m) < at_bit_N, "{row}");
+        assert!(max_N(0.99 * closed_m) > at_bit_N, "{row}");
     }
     report_worst(lengths);
     report_worst(pushes);

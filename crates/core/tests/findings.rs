@@ -1,4 +1,4 @@
-//! What is told of an answer: every kind where it must be, and not where it must not.
+//! What is reported of an answer: every kind where it must be, and not where it must not.
 
 mod common;
 
@@ -399,7 +399,7 @@ fn weight_on_bit_against_its_target() {
         assert_eq!(ran.level(WeightOnBitNotReached), below, "{part}");
         assert_eq!(ran.level(WeightOnBitExceeded), above, "{part}");
     }
-    // A lift that is given holds nothing: it is what the user asked for.
+    // A lift that is given holds nothing: it is what the user requested.
     ran.outcome.series.weight_on_bit_set_N.fill(None);
     assert_eq!(ran.level(WeightOnBitExceeded), None);
     ran.settings.hoist_control = Some(HoistControl::HookLoad(1e3));

@@ -54,7 +54,7 @@ fn s1a_spans_between_tool_joints() {
         let regime = match bent.contact {
             BodyContact::None => "none",
             BodyContact::Middle => "point",
-            BodyContact::Stretch => "line",
+            BodyContact::Line => "line",
         };
         assert_eq!(expected["regime"], regime, "{input}");
         let hole_per_m = rate_deg.to_radians() / 30.0;

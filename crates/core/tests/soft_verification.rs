@@ -246,7 +246,7 @@ fn side_switch(row: &Given, id: &str) {
     let inclination = |md_m: f64| model.well.path.at(md_m).inclination_rad().to_degrees();
     assert!(inclination(profile.md_m[crossing]) <= switch);
     assert!(inclination(profile.md_m[crossing + 1]) >= switch);
-    // The landmarks need a survey; here the arc's own ends are known.
+    // Kick-off and end of build need a survey; here the arc's own ends are known.
     let cutoff_m = wholestring::outcome::cutoff_depth_m(
         &profile.md_m,
         &profile.side_force_N_per_m,

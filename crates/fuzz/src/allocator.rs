@@ -13,7 +13,7 @@ static HELD: AtomicUsize = AtomicUsize::new(0);
 static PEAK: AtomicUsize = AtomicUsize::new(0);
 
 /// The system's memory, counted. What would go over [`CAP`] is not given: the process ends then, and whoever
-/// started it tells of the input.
+/// started it reports the input.
 pub(crate) struct Counting;
 
 // SAFETY: all memory is the system's.

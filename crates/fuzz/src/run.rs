@@ -1,4 +1,4 @@
-//! The process that watches: it starts one that reads, and tells how that ended.
+//! The process that watches: it starts one that reads, and shows how that ended.
 
 use std::{
     env,
@@ -16,7 +16,7 @@ use crate::{tally::Tally, worker::Inputs};
 const LONGEST: Duration = Duration::from_secs(60);
 
 /// How often a reading process is looked at.
-const LOOK: Duration = Duration::from_millis(50);
+const POLL_INTERVAL: Duration = Duration::from_millis(50);
 
 /// An input that a reader did not stand.
 pub(crate) struct Fault {
@@ -141,7 +141,7 @@ fn wait(child: &mut Child, counted: &Path) -> io::Result<Option<String>> {
         if let Some(status) = child.try_wait()? {
             return Ok((!status.success()).then(|| format!("ends the program ({status})")));
         }
-        thread::sleep(LOOK);
+        thread::sleep(POLL_INTERVAL);
         let next = File::open(counted)
             .and_then(|mut file| Tally::read(&mut file))
             .map_or(u64::MAX, |tally| tally.next);

@@ -34,7 +34,7 @@ pub(crate) fn input(reader: &Reader, seed: u64, number: u64) -> Vec<u8> {
     reader.input(&mut rng)
 }
 
-/// Reads the inputs; panics are told on standard output, a line each.
+/// Reads the inputs; panics are reported on standard output, a line each.
 pub(crate) fn work(reader: &mut Reader, inputs: Inputs, counted: &Path) -> std::io::Result<()> {
     let mut file = OpenOptions::new()
         .write(true)
@@ -76,7 +76,7 @@ pub(crate) fn work(reader: &mut Reader, inputs: Inputs, counted: &Path) -> std::
     tally.write(&mut file)
 }
 
-/// Writes an input beside the others that were asked for, and reads it alone, uncontained.
+/// Writes an input beside the others that were requested, and reads it alone, uncontained.
 pub(crate) fn one(
     reader: &mut Reader,
     seed: u64,

@@ -72,7 +72,7 @@ mod tests {
     }
 
     #[test]
-    fn a_loose_brick_is_not_the_bottom() {
+    fn a_loose_element_is_not_the_bottom() {
         let radii = [0.02, 0.06, 0.1];
         let bottom = BottomPicture::new(&radii, &[0.0], &[0.0, 1.1, 0.09]);
         let depths = bottom.expect("depths are known").depth_m.values();

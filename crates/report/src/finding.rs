@@ -1,4 +1,4 @@
-//! What an engineer must be told of an answer, as a page shows it.
+//! What an engineer must know about a result, as a page shows it.
 
 use serde::{Deserialize, Serialize};
 
@@ -16,7 +16,7 @@ pub enum Level {
     Error,
 }
 
-/// One thing that an engineer must be told.
+/// One thing that an engineer must know.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
     /// What was found, as a word for programs: `hook_load_negative`, ...
@@ -29,7 +29,7 @@ pub struct Finding {
     pub to_md_m: Option<f64>,
     /// What was found; nothing where it is no number.
     pub value: Cell,
-    /// What it is held against; nothing where there is no such number.
+    /// What it is compared with; nothing where there is no such number.
     pub limit: Cell,
     /// A sentence for people, with numbers in the units of the case.
     pub message: String,

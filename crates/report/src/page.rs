@@ -17,7 +17,7 @@ use crate::{
 /// The programs of the pages and their looks, bundled from `web/` by `npm run bundle`.
 const PROGRAM: &str = include_str!("../assets/report.js");
 const SWEEP_PROGRAM: &str = include_str!("../assets/sweep.js");
-pub(crate) const LOOKS: &str = include_str!("../assets/report.css");
+pub(crate) const STYLES: &str = include_str!("../assets/report.css");
 /// Licences of what is in the bundle.
 const LICENCES: &str = include_str!("../assets/licences.txt");
 
@@ -184,16 +184,16 @@ fn page(title: &str, made_by: &str, data: &impl Serialize, rest: &str, program: 
 {program}</script>"#,
         escaped(title)
     );
-    let looks = format!("{}{LOOKS}", palette::css());
-    document(title, made_by, POLICY, &looks, &body)
+    let styles = format!("{}{STYLES}", palette::css());
+    document(title, made_by, POLICY, &styles, &body)
 }
 
-/// A whole file of one page, which opens offline: `policy` says what it may do, `looks` how it looks.
+/// A whole file of one page, which opens offline: `policy` says what it may do, `styles` how it looks.
 pub(crate) fn document(
     title: &str,
     made_by: &str,
     policy: &str,
-    looks: &str,
+    styles: &str,
     body: &str,
 ) -> String {
     let title = escaped(title);
@@ -209,7 +209,7 @@ pub(crate) fn document(
 <link rel="icon" href="data:,">
 <title>{title}</title>
 <style>
-{looks}</style>
+{styles}</style>
 </head>
 <body>
 {body}
@@ -381,7 +381,7 @@ pub(crate) mod tests {
     #[test]
     fn the_page_names_no_other_place() {
         for scheme in ["src=\"", "href=\"h", "@import", "url(h"] {
-            assert!(!LOOKS.contains(scheme), "{scheme}");
+            assert!(!STYLES.contains(scheme), "{scheme}");
         }
         assert!(LICENCES.contains("MIT"));
     }

@@ -1,4 +1,4 @@
-//! What a page tells of a run: plain data, SI, ready to be shown.
+//! What a page reports a run: plain data, SI, ready to be shown.
 
 use std::collections::BTreeMap;
 
@@ -66,7 +66,7 @@ pub struct Solved {
     pub operation: String,
     /// Why it ended before its end; nothing where it did not.
     pub message: Option<String>,
-    /// What an engineer must be told of the answer, the gravest first.
+    /// What an engineer must know of the answer, the gravest first.
     #[serde(default)]
     pub findings: Vec<Finding>,
     /// The numbers that matter most, beside their limits.
@@ -82,11 +82,11 @@ pub struct Solved {
 pub struct Answer {
     /// What it is.
     pub label: String,
-    /// The number that people ask for: of a dynamic run a mean, where `worst` is given.
+    /// The number that people require: of a dynamic run a mean, where `worst` is given.
     pub value: Cell,
     /// The largest of the window, where the value is a mean.
     pub worst: Option<f64>,
-    /// What is held against the limit, where that is neither the largest nor the value itself.
+    /// What is compared with the limit, where that is neither the largest nor the value itself.
     #[serde(default)]
     pub held: Option<f64>,
     /// The limit.
@@ -175,7 +175,7 @@ pub struct TimeRun {
     pub drill_off: Option<DrillOff>,
     /// The bottom of the hole at the end, where the bit stands on solid rock.
     pub bottom: Option<BottomPicture>,
-    /// Power spectral densities of the signals that the case asks for.
+    /// Power spectral densities of the signals that the case requires.
     #[serde(default)]
     pub spectra: Vec<SpectrumPicture>,
 }

@@ -3,7 +3,7 @@
 use crate::{
     draw::palette,
     figure::Figure,
-    page::{LOOKS, document, escaped},
+    page::{STYLES, document, escaped},
 };
 
 /// A study as its page shows it.
@@ -90,8 +90,8 @@ pub enum Verdict {
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
 
 /// The looks of a run's page, dark where the reader's other windows are: this page has no program that could ask.
-fn looks() -> String {
-    format!("{}{LOOKS}", palette::css_by_window())
+fn styles() -> String {
+    format!("{}{STYLES}", palette::css_by_window())
 }
 
 /// The page as the text of an HTML file. No name in it can end the element that it stands in.
@@ -116,7 +116,7 @@ pub fn study_html(page: &StudyPage) -> String {
          <nav class=\"contents noprint\" aria-label=\"Contents\">\n{links}</nav>\n{parts}\
          <footer><p>Made by {program}. The files beside this one hold every digit.</p></footer>\n</main>"
     );
-    document(&page.title, &page.program, POLICY, &looks(), &body)
+    document(&page.title, &page.program, POLICY, &styles(), &body)
 }
 
 fn paragraphs(text: &str) -> String {
@@ -264,7 +264,7 @@ mod tests {
         assert!(page.contains("class=\"differs\""));
     }
     /// Pictures are cut to their own frames: no two elements of the page have one name. And they wear the page's colours,
-    /// which are dark where the reader asks for it.
+    /// which are dark where the reader requires it.
     #[test]
     fn figures_keep_their_own_names_and_follow_the_page() {
         let part = || StudyPart::Figure {

@@ -1,4 +1,4 @@
-//! `checkpoint.bin`: what an unfinished run needs to go on.
+//! `checkpoint.bin`: what an unfinished run needs to continue.
 //!
 //! Twelve bytes of a mark and the version of this layout; the version of the program that wrote it; the content in
 //! [postcard](https://postcard.jamesmunns.com)'s format; its length and its checksum. Numbers keep every bit. Only the version of the program that wrote a checkpoint reads it: what
@@ -42,7 +42,7 @@ impl ResultsFolder {
             writer.write_all(&[PROGRAM.len() as u8])?;
             writer.write_all(PROGRAM.as_bytes())?;
             let mut summed = Summed::new(&mut *writer);
-            // The disk's own error, where there is one, tells more than that it could not be written.
+            // The disk's own error, where there is one, shows more than that it could not be written.
             if let Err(error) = postcard::to_io(content, &mut summed) {
                 return Err(summed.failed.unwrap_or_else(|| io::Error::other(error)));
             }
@@ -231,15 +231,15 @@ mod tests {
     fn damage_is_found() {
         let (_place, folder) = written();
         let path = folder.checkpoint_path();
-        let sound = fs::read(&path).unwrap();
-        assert_eq!(unwrap::<Content>(&sound, &path).unwrap(), content());
-        for place in 0..sound.len() {
-            let mut bytes = sound.clone();
+        let valid = fs::read(&path).unwrap();
+        assert_eq!(unwrap::<Content>(&valid, &path).unwrap(), content());
+        for place in 0..valid.len() {
+            let mut bytes = valid.clone();
             bytes[place] ^= 1 << (place % 8);
             assert!(unwrap::<Content>(&bytes, &path).is_err(), "byte {place}");
-            assert!(unwrap::<Content>(&sound[..place], &path).is_err());
+            assert!(unwrap::<Content>(&valid[..place], &path).is_err());
         }
-        fs::write(&path, &sound[..sound.len() - 1]).unwrap();
+        fs::write(&path, &valid[..valid.len() - 1]).unwrap();
         assert_eq!(
             message(&folder),
             "PATH is no checkpoint that can be resumed: it is damaged"

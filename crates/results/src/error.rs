@@ -40,7 +40,7 @@ pub enum ResultsError {
         /// What is wrong with it.
         reason: String,
     },
-    /// A checkpoint that no run can go on from.
+    /// A checkpoint that no run can continue from.
     #[error("{} is no checkpoint that can be resumed: {reason}", path.display())]
     Checkpoint {
         /// The file.

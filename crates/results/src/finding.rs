@@ -1,10 +1,10 @@
-//! What an engineer must be told of an answer.
+//! What an engineer must know about a result.
 
 use serde::{Deserialize, Serialize};
 
 pub use wholestring::findings::Level;
 
-/// One thing that an engineer must be told of an answer: what, where, how much, and what it is held against.
+/// One thing that an engineer must know about a result: what, where, how much, and what it is compared with.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
     /// What was found, as a word for programs: `hook_load_negative`, `helical_buckling`, ...
@@ -20,7 +20,7 @@ pub struct Finding {
     /// The value that was found, in SI units; none where it is no number.
     #[serde(default)]
     pub value: Option<f64>,
-    /// What it is held against, in the same unit; none where there is no such number.
+    /// What it is compared with, in the same unit; none where there is no such number.
     #[serde(default)]
     pub limit: Option<f64>,
     /// SI unit of value and limit; empty for a ratio.

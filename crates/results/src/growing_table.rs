@@ -55,7 +55,7 @@ impl GrowingTable {
         self.name
     }
 
-    /// Goes on with what a checkpoint kept of the table and what the folder holds of it; rows that
+    /// Continues with what a checkpoint kept of the table and what the folder holds of it; rows that
     /// have come since go.
     ///
     /// # Errors
@@ -108,7 +108,7 @@ impl GrowingTable {
         self.written = false;
     }
 
-    /// What a checkpoint must keep, to go on from here.
+    /// What a checkpoint must keep, to continue from here.
     pub fn so_far(&self) -> TableSoFar<'_> {
         TableSoFar {
             groups: self.groups,
@@ -116,7 +116,7 @@ impl GrowingTable {
         }
     }
 
-    /// Writes `<name>.parquet` with all rows so far, and `<name>.csv` where `csv` asks for it. Their
+    /// Writes `<name>.parquet` with all rows so far, and `<name>.csv` where `csv` requires it. Their
     /// bytes depend on the rows and on what was written together, not on where a run was taken up.
     ///
     /// # Errors
@@ -258,7 +258,7 @@ mod tests {
         append(&mut resumed, "slide", 9.0);
         resumed.write(&folder, true).unwrap();
         assert!(all(&folder) == whole);
-        // A file without the rows that it had is told.
+        // A file without the rows that it had is reported.
         let path = folder.path().join("contact.parquet");
         let refused = |kept: &[u8], what: &str| {
             let so_far = postcard::from_bytes(kept).unwrap();

@@ -143,10 +143,10 @@ impl Hold {
 /// What the file says; nothing where it is empty, or where a lock keeps it from being read.
 fn read(file: &mut File) -> Option<Occupant> {
     /// Longer is no such file.
-    const MOST_BYTES: u64 = 1 << 16;
+    const MAX_BYTES: u64 = 1 << 16;
     let mut text = Vec::new();
     file.rewind().ok()?;
-    file.take(MOST_BYTES).read_to_end(&mut text).ok()?;
+    file.take(MAX_BYTES).read_to_end(&mut text).ok()?;
     serde_json::from_slice(&text).ok()
 }
 

@@ -331,7 +331,7 @@ fn read_columns(
             .unwrap_or_default()
     };
     let mut columns: Vec<Column> = Vec::new();
-    let mut text_left = parquet_guard::MOST_TEXT;
+    let mut text_left = parquet_guard::MAX_TEXT;
     let fields = metadata.schema_descr().columns().iter().enumerate();
     for (index, field) in fields.filter(|(_, field)| wanted(field.name())) {
         let data = match field.physical_type() {
@@ -400,7 +400,7 @@ fn read_column(
             for word in words {
                 // A dictionary's word may stand in every row.
                 *text_left = text_left.checked_sub(word.len()).ok_or_else(|| {
-                    let most = parquet_guard::MOST_TEXT >> 20;
+                    let most = parquet_guard::MAX_TEXT >> 20;
                     ParquetError::General(format!("it holds more than {most} MB of text"))
                 })?;
                 all.push(word.as_utf8()?.to_owned());

@@ -22,13 +22,13 @@ const LONGEST_FOOTER: u64 = 4 << 20;
 const LARGEST_PAGE: i64 = 32 << 20;
 
 /// Numbers that are read at once, 640 MB: an hour of samples every 10 ms in a hundred columns is 36 million.
-const MOST_VALUES: u64 = 40_000_000;
+const MAX_VALUES: u64 = 40_000_000;
 
 /// A word takes as much room as so many numbers.
 const WORD: u64 = 4;
 
 /// Text that is read at once, bytes.
-pub(crate) const MOST_TEXT: usize = 128 << 20;
+pub(crate) const MAX_TEXT: usize = 128 << 20;
 
 /// What every Parquet file ends with, after the length of its footer.
 const MARK: &[u8] = b"PAR1";
@@ -94,10 +94,10 @@ pub(crate) fn columns(
     let rows = rows.ok_or("its number of rows is damaged")?;
     if rows
         .checked_mul(each)
-        .is_none_or(|values| values > MOST_VALUES)
+        .is_none_or(|values| values > MAX_VALUES)
     {
         return Err(format!(
-            "it is said to hold {rows} rows of {} columns; at most {MOST_VALUES} values are read",
+            "it is said to hold {rows} rows of {} columns; at most {MAX_VALUES} values are read",
             columns.len()
         ));
     }
@@ -141,13 +141,13 @@ fn pages(file: &File, length: u64, group: &RowGroupMetaData, column: usize) -> R
         })
         .map_err(|_| damaged())?;
         let head = end - at - left.limit();
-        let sound = (0..=LARGEST_PAGE).contains(&unpacked)
+        let valid = (0..=LARGEST_PAGE).contains(&unpacked)
             && packed >= 0
             && packed as u64 <= left.limit()
             && (0..=group.num_rows()).contains(&values)
             // Every word of a dictionary takes a byte at least.
             && (0..=unpacked).contains(&words);
-        if !sound {
+        if !valid {
             return Err(damaged());
         }
         at += head + packed as u64;

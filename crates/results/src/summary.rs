@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, path::Path};
 
 use serde::{Deserialize, Serialize};
 use wholestring::{
-    dynamics::{self, Indicators, Statistic, TableUse, TunedLift},
+    dynamics::{self, Indicators, Statistic, TableUse, TunedHookLoad},
     mud::Hydraulics,
     outcome::{ModelKind, Scalars},
 };
@@ -27,7 +27,7 @@ pub struct Summary {
     pub engine_version: Option<String>,
     /// Name of the case.
     pub case: String,
-    /// [Digest](crate::digest) of all that the answers depend on, which `settings` tells: cases with the same one have the
+    /// [Digest](crate::digest) of all that the answers depend on, which `settings` shows: cases with the same one have the
     /// same answers. None in files of versions that did not say.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub identity: Option<String>,
@@ -45,7 +45,7 @@ pub enum Status {
     Complete,
     /// The user stopped it; what was computed until then is there.
     Interrupted,
-    /// It could not go on, for this reason; what was computed until then is there.
+    /// It could not continue, for this reason; what was computed until then is there.
     Failed(String),
 }
 
@@ -85,7 +85,7 @@ pub struct OperationSummary {
     /// Measured depth of the bit, m.
     #[serde(with = "finite")]
     pub bit_depth_m: f64,
-    /// What an engineer must be told of the answer, the gravest first; empty where nothing was found.
+    /// What an engineer must know of the answer, the gravest first; empty where nothing was found.
     #[serde(default)]
     pub findings: Vec<Finding>,
     /// Torque and drag; means over the window for a dynamic model.
@@ -93,7 +93,7 @@ pub struct OperationSummary {
     pub scalars: Scalars,
     /// The constant lift that was found for it, where the hoist is a tuned lift; dynamic models only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub lift: Option<TunedLift>,
+    pub lift: Option<TunedHookLoad>,
     /// What the mud does, if it has a rheology; means over the window for a dynamic model.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hydraulics: Option<Hydraulics>,

@@ -13,7 +13,7 @@ use crate::{
 
 /// More than any table that is read back from CSV holds.
 const LARGEST_CSV: u64 = 64 << 20;
-const MOST_CELLS: usize = 8_000_000;
+const MAX_CELLS: usize = 8_000_000;
 
 /// The values of one column.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -286,8 +286,8 @@ impl Table {
         let mut cells = 0;
         for record in csv.records() {
             cells += columns.len();
-            if cells > MOST_CELLS {
-                let reason = format!("it holds more than {MOST_CELLS} cells");
+            if cells > MAX_CELLS {
+                let reason = format!("it holds more than {MAX_CELLS} cells");
                 return Err(ResultsError::format(path, reason));
             }
             for (column, cell) in columns.iter_mut().zip(&record.map_err(malformed)?) {

@@ -61,21 +61,21 @@ fn no_byte_of_a_table_makes_the_reader_panic() {
     let path = folder.path().join("nodes.parquet");
     table().write_parquet(&path).unwrap();
     assert_eq!(read(&path).unwrap(), table());
-    let sound = fs::read(&path).unwrap();
+    let valid = fs::read(&path).unwrap();
     let mut refused = 0;
-    for place in 0..sound.len() {
-        for byte in [sound[place] ^ 1 << (place % 8), 0xff] {
-            let mut bytes = sound.clone();
+    for place in 0..valid.len() {
+        for byte in [valid[place] ^ 1 << (place % 8), 0xff] {
+            let mut bytes = valid.clone();
             bytes[place] = byte;
             fs::write(&path, &bytes).unwrap();
             refused += usize::from(read(&path).is_err());
         }
         if place % 16 == 0 {
-            fs::write(&path, &sound[..place]).unwrap();
+            fs::write(&path, &valid[..place]).unwrap();
             assert!(read(&path).is_err(), "cut at {place}");
         }
     }
-    assert!(refused > sound.len() / 2, "{refused} of {}", sound.len());
+    assert!(refused > valid.len() / 2, "{refused} of {}", valid.len());
 }
 
 /// A schema of columns within columns was followed until the stack ended.

@@ -106,7 +106,7 @@ fn numbered(number: u32) -> Frame {
     frame
 }
 
-/// Frames that go on from a checkpoint, whatever came after it, are the same file to the byte: the checkpoint
+/// Frames that continue from a checkpoint, whatever came after it, are the same file to the byte: the checkpoint
 /// before the first part, at its last frame and after it, within the second, and twice the same; each time
 /// with all frames on the disk already, whole and in parts.
 #[test]

@@ -4,7 +4,9 @@ use std::{collections::BTreeMap, fs};
 
 use serde_json::{Value, json};
 use wholestring::{
-    dynamics::{self, EnergyBalance, Indicators, StickSlip, TableUse, TorqueUse, TunedLift, Whirl},
+    dynamics::{
+        self, EnergyBalance, Indicators, StickSlip, TableUse, TorqueUse, TunedHookLoad, Whirl,
+    },
     mud::Hydraulics,
     outcome::{ModelKind, Scalars},
 };
@@ -71,7 +73,7 @@ fn dynamic() -> OperationSummary {
             unit: "N".into(),
             message: "Buckled to a helix".into(),
         }],
-        lift: Some(TunedLift {
+        lift: Some(TunedHookLoad {
             hook_load_N: 7e5,
             weight_on_bit_N: 59.9e3,
             runs: 5,

@@ -1,4 +1,4 @@
-//! A request to stop, which work looks at as it goes on.
+//! A request to stop, which work looks at as it continues.
 
 use std::sync::{
     Arc,

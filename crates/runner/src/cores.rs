@@ -14,8 +14,8 @@ use wholestring_case::Case;
 
 use crate::cancellation::CancellationToken;
 
-/// Who may be lent to a simulation.
-pub(crate) type Lent = Arc<dyn Executor + Send + Sync>;
+/// Who may be given to a simulation.
+pub(crate) type SharedExecutor = Arc<dyn Executor + Send + Sync>;
 
 /// Threads that wait for work.
 pub(crate) struct Cores(ThreadPool);
@@ -51,7 +51,7 @@ pub(crate) fn for_rock(
     case: &Case,
     threads: Option<NonZeroUsize>,
     cancellation: &CancellationToken,
-) -> Lent {
+) -> SharedExecutor {
     Arc::new(Workers {
         cores: Cores::of_case(case, threads),
         cancellation: cancellation.clone(),
@@ -59,7 +59,7 @@ pub(crate) fn for_rock(
 }
 
 /// The thread that solves, alone.
-pub(crate) fn alone(cancellation: &CancellationToken) -> Lent {
+pub(crate) fn alone(cancellation: &CancellationToken) -> SharedExecutor {
     Arc::new(Workers {
         cores: None,
         cancellation: cancellation.clone(),

@@ -16,11 +16,11 @@ pub enum Error {
     #[error("{}", .0.render(false).trim_end())]
     Unsound(Unsound),
 
-    /// Something else that was asked for is not possible.
+    /// Something else that was requested is not possible.
     #[error("{0}")]
     BadInput(String),
 
-    /// What lies in the folder cannot be gone on with.
+    /// What lies in the folder cannot be continued.
     #[error("{reason}")]
     NotResumable {
         /// What would have to begin anew: `case`, `test`.
@@ -49,14 +49,14 @@ pub enum Error {
 /// Mistakes in case files.
 #[derive(Debug)]
 pub struct Unsound {
-    /// Some of them; the same is told once.
+    /// Some of them; the same is reported once.
     pub reports: Vec<Report>,
     /// How many cases are concerned, where there are several.
     pub summary: Option<String>,
 }
 
 impl Unsound {
-    /// The mistakes underlined in their files, coloured for a terminal if that is asked for.
+    /// The mistakes underlined in their files, coloured for a terminal if that is requested.
     pub fn render(&self, color: bool) -> String {
         let reports = self.reports.iter().map(|report| report.render(color));
         let told = reports.chain(self.summary.clone());

@@ -11,8 +11,8 @@ pub(crate) fn default_output(name: &str) -> PathBuf {
 pub(crate) fn file_name(name: &str) -> String {
     const LONGEST: usize = 100;
     // Most systems take 255 bytes, and a letter may be four: this leaves room for a number after it.
-    const MOST_BYTES: usize = 240;
-    let mut sound: String = name
+    const MAX_BYTES: usize = 240;
+    let mut valid: String = name
         .chars()
         .map(|letter| match letter {
             '<' | '>' | ':' | '"' | '/' | '\\' | '|' | '?' | '*' => '-',
@@ -21,11 +21,11 @@ pub(crate) fn file_name(name: &str) -> String {
         })
         .take(LONGEST)
         .collect();
-    while sound.len() > MOST_BYTES {
-        sound.pop();
+    while valid.len() > MAX_BYTES {
+        valid.pop();
     }
     // Windows drops dots and blanks at the end, and `.` and `..` are folders already.
-    let mut folder = sound.trim_start().trim_end_matches(['.', ' ']).to_owned();
+    let mut folder = valid.trim_start().trim_end_matches(['.', ' ']).to_owned();
     if folder.is_empty() || is_device(&folder) {
         folder.insert(0, '_');
     }

@@ -5,7 +5,7 @@ use std::path::Path;
 use wholestring::outcome::{Cost, ModelKind};
 use wholestring_case::Case;
 
-/// What is kept of a case, each with what stands before it. Frames and spectra are kept wherever a case asks for them.
+/// What is kept of a case, each with what stands before it. Frames and spectra are kept wherever a case requires them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Keep {
     /// Its `summary.json`.

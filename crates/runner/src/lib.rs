@@ -1,8 +1,9 @@
-//! Carries out what fronts ask for: runs, sweeps, studies and bit tests, with their checkpoints,
+//! Carries out what fronts require: runs, sweeps, studies and bit tests, with their checkpoints,
 //! pages and pictures.
 //!
 //! A front loads a case, makes a request of it and hands it over with an [`Observer`], which is
-//! told how far the work has come, and a [`CancellationToken`], which stops it. It gets an outcome,
+//!
+//! reported how far the work has come, and a [`CancellationToken`], which stops it. It gets an outcome,
 //! or an [`Error`]. Nothing here prints, reads arguments or looks at a terminal; results go to
 //! folders, whose files `wholestring-results` describes.
 //!
@@ -23,7 +24,7 @@
 //! # let place = tempfile::tempdir()?;
 //! # let results = place.path().to_owned();
 //! # let file = std::path::Path::new("../../cases/slant.toml");
-//! let case = wholestring_case::load(file, &["model=soft".parse()?]).expect("a sound case");
+//! let case = wholestring_case::load(file, &["model=soft".parse()?]).expect("a valid case");
 //! let mut request = run::Request::new(&case);
 //! request.output.folder = Some(results);
 //!

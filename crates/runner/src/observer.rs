@@ -1,8 +1,8 @@
-//! What whoever asked for work is told while it goes on.
+//! What whoever requested work is reported while it continues.
 
 use wholestring_case::Report;
 
-/// Is told what happens while cases are solved: a progress bar, a log, a page that follows.
+/// Is reported what happens while cases are solved: a progress bar, a log, a page that follows.
 ///
 /// Every method does nothing unless it is written. Cases of a batch are solved on several threads,
 /// which call at the same time; a method that takes long holds the work up.
@@ -112,14 +112,14 @@ pub(crate) struct Watch<'a> {
 }
 
 impl<'a> Watch<'a> {
-    /// Tells what is done before an operation's first step, until what it gives is dropped.
+    /// Shows what is done before an operation's first step, until what it gives is dropped.
     pub(crate) fn preparing(&self, name: &'a str, what: &str) -> Preparing<'a> {
         let shown = Preparing(self.observer, self.task(name, None));
         self.observer.preparing(&shown.1, what);
         shown
     }
 
-    /// Tells of a simulation, until what it gives is dropped.
+    /// Reports a simulation, until what it gives is dropped.
     pub(crate) fn simulation(
         &self,
         name: &'a str,
@@ -146,11 +146,11 @@ impl Drop for Preparing<'_> {
     }
 }
 
-/// A simulation that goes on.
+/// A simulation that continues.
 pub(crate) struct Simulating<'a>(&'a dyn Observer, Task<'a>);
 
 impl Simulating<'_> {
-    /// Tells how far it has come.
+    /// Shows how far it has come.
     pub(crate) fn reach(&self, time_s: f64, end_s: f64, settling: bool) {
         let progress = Progress {
             time_s,

@@ -18,7 +18,7 @@ pub enum Existing {
     /// Finished results of the same work are replaced; with all others the work is refused.
     #[default]
     Protect,
-    /// It is gone on with: what is finished is left out, what is not goes on from its checkpoints.
+    /// It is continued: what is finished is left out, what is not continues from its checkpoints.
     Resume,
     /// It is replaced, whatever it is of.
     Overwrite,

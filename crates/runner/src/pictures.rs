@@ -46,7 +46,7 @@ pub fn pictures(folders: &[PathBuf], units: Option<UnitSet>) -> Result<Vec<Plot>
         }
         (_, [true, ..]) => {
             return Err(bad(
-                "two sweeps cannot be overlaid: vary in one what tells them apart",
+                "two sweeps cannot be overlaid: vary in one what distinguishes them",
             ));
         }
         ([], _) => return Err(bad("no folder is given")),
@@ -123,7 +123,7 @@ fn drawn(runs: &[Drawn]) -> Result<Vec<Plot>, Error> {
     let names: Vec<String> = runs
         .iter()
         .map(|run| match alike {
-            // Two runs of one case are told apart by where they lie.
+            // Two runs of one case are distinguished by where they lie.
             true => run.folder.display().to_string(),
             false => run.report.title.clone(),
         })

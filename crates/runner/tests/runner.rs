@@ -36,7 +36,7 @@ fn request<'a>(case: &'a Case, folder: &Path, existing: Existing) -> run::Reques
     }
 }
 
-/// Writes down what it is told, and cancels once a time is reached.
+/// Writes down what it is reported, and cancels once a time is reached.
 #[derive(Default)]
 struct Log {
     lines: Mutex<Vec<String>>,
@@ -118,7 +118,7 @@ fn an_observer_is_told_of_every_operation() {
     assert!(!outcome.is_resumable);
     let expected = ["trip_out", "rotate_off_bottom"].map(|name| {
         [
-            format!("preparing {name}: laying the string"),
+            format!("preparing {name}: initialising the string"),
             format!("prepared {name}"),
             format!("started {name}: 0.0 to 2.0"),
             "reached 2.0 of 2.0".to_owned(),

@@ -6,8 +6,8 @@ use wholestring_config::{
     diagnostic::Diagnostic,
     names::{nearest, short},
     reader::Reader,
-    rule::{At, List, Text},
-    source::Place,
+    rule::{List, Spanned, Text},
+    source::Span,
     table::Field,
 };
 
@@ -49,9 +49,9 @@ pub struct Chosen {
 
 /// The keys that choose cases, as a figure, a table and a row have them.
 pub(crate) struct Choosing<'a> {
-    pub(crate) sweeps: &'a Field<Vec<At<String>>>,
-    pub(crate) models: &'a Field<Vec<At<ModelKind>>>,
-    pub(crate) operations: &'a Field<Vec<At<OperationKind>>>,
+    pub(crate) sweeps: &'a Field<Vec<Spanned<String>>>,
+    pub(crate) models: &'a Field<Vec<Spanned<ModelKind>>>,
+    pub(crate) operations: &'a Field<Vec<Spanned<OperationKind>>>,
     pub(crate) only: &'a Field<Selection>,
 }
 
@@ -109,7 +109,7 @@ impl Chosen {
     }
 }
 
-fn sweep_named(at: &At<String>, sweeps: &[Sweep], reader: &mut Reader) -> Option<usize> {
+fn sweep_named(at: &Spanned<String>, sweeps: &[Sweep], reader: &mut Reader) -> Option<usize> {
     let found = sweeps.iter().position(|sweep| sweep.name == at.value);
     if found.is_none() {
         let names: Vec<&str> = sweeps.iter().map(|sweep| sweep.name.as_str()).collect();
@@ -125,7 +125,7 @@ fn sweep_named(at: &At<String>, sweeps: &[Sweep], reader: &mut Reader) -> Option
 
 /// Warns of keys that say nothing here.
 pub(crate) fn unheeded(
-    fields: impl IntoIterator<Item = (&'static str, Option<Place>)>,
+    fields: impl IntoIterator<Item = (&'static str, Option<Span>)>,
     why: &str,
     reader: &mut Reader,
 ) {

@@ -8,7 +8,7 @@ use wholestring_config::{
     names::{nearest, short},
     node::{Node, Value},
     reader::Reader,
-    rule::{At, Choice, Rule},
+    rule::{Choice, Rule, Spanned},
 };
 
 /// Results of a case that have columns.
@@ -75,7 +75,7 @@ pub struct Quantity {
 impl Quantity {
     /// The column that is written `tension_N`, or `|contact_force_N|`.
     pub(crate) fn named(
-        at: &At<String>,
+        at: &Spanned<String>,
         source: Source,
         columns: &[ColumnName],
         reader: &mut Reader,
@@ -190,7 +190,7 @@ impl Rule for StatisticRule {
 }
 
 /// Refuses a percentile that no summary holds.
-pub(crate) fn check_summarised(at: &At<Statistic>, reader: &mut Reader) -> Option<()> {
+pub(crate) fn check_summarised(at: &Spanned<Statistic>, reader: &mut Reader) -> Option<()> {
     if at.value.is_summarised() {
         return Some(());
     }
@@ -234,7 +234,7 @@ impl Rule for AmountRule {
 impl Amount {
     /// Its value in SI where it measures that; a mistake where it does not.
     pub(crate) fn si(
-        at: &At<Self>,
+        at: &Spanned<Self>,
         dimension: Option<Dimension>,
         reader: &mut Reader,
     ) -> Option<f64> {
@@ -281,7 +281,7 @@ impl Amount {
 }
 
 /// A tolerance that allows nothing is a mistake.
-pub(crate) fn check_positive(value: f64, at: &At<Amount>, reader: &mut Reader) -> Option<f64> {
+pub(crate) fn check_positive(value: f64, at: &Spanned<Amount>, reader: &mut Reader) -> Option<f64> {
     if value > 0.0 && value.is_finite() {
         return Some(value);
     }

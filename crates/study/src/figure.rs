@@ -9,8 +9,8 @@ use wholestring_config::{
     quantity,
     range::Range,
     reader::Reader,
-    rule::{At, Choice, List, Prose, Section, Text},
-    source::Place,
+    rule::{Choice, List, Prose, Section, Spanned, Text},
+    source::Span,
     table::{default, optional, required, table},
 };
 
@@ -25,8 +25,8 @@ use crate::{
     sweep::Sweep,
 };
 
-/// Times or depths of one figure: more curves nobody tells apart.
-const MOST: usize = 12;
+/// Times or depths of one figure: more curves nobody shows apart.
+const MAX: usize = 12;
 
 pub(crate) fn time() -> quantity::Quantity {
     quantity::Quantity::si(Dimension::Time, Range::from_to(0.0, 1e9), "10 s")
@@ -41,7 +41,7 @@ pub(crate) fn times() -> List<quantity::Quantity> {
         item: time(),
         or_one: true,
         noun: "times",
-        most: MOST,
+        most: MAX,
     }
 }
 
@@ -50,7 +50,7 @@ pub(crate) fn depths() -> List<quantity::Quantity> {
         item: depth(),
         or_one: true,
         noun: "depths",
-        most: MOST,
+        most: MAX,
     }
 }
 
@@ -71,11 +71,11 @@ table! {
         /// What stands under it on the page.
         caption: String = optional(Prose);
         /// Sweeps whose cases it shows. Default: all.
-        sweeps: Vec<At<String>> = optional(NAMES);
+        sweeps: Vec<Spanned<String>> = optional(NAMES);
         /// Models that it shows. Default: all that were solved.
-        models: Vec<At<ModelKind>> = optional(MODELS);
+        models: Vec<Spanned<ModelKind>> = optional(MODELS);
         /// Operations that it shows. Default: all that were solved.
-        operations: Vec<At<OperationKind>> = optional(OPERATIONS);
+        operations: Vec<Spanned<OperationKind>> = optional(OPERATIONS);
         /// Cases that it shows, by values of varied keys: single, listed or in a range such as "..1200 m".
         /// Default: all.
         only: Selection = optional(SelectionRule);
@@ -92,31 +92,31 @@ table! {
         x_axis: Pointing = default(POINTING, Pointing::Across);
         /// Columns on the vertical axis, all of one unit; of |tension_N| the sign is dropped. A depth points
         /// down.
-        y: Vec<At<String>> = required(List { item: Text, or_one: true, noun: "columns", most: MOST });
+        y: Vec<Spanned<String>> = required(List { item: Text, or_one: true, noun: "columns", most: MAX });
         /// Column that colours a map of "contact", over x = "time_s" and y = "md_m". A sign is a side of the hole, but
         /// of |side_force_N_per_m| it is dropped.
         colour: String = optional(Text);
         /// What is shown of a quantity that varies over the window of a dynamic model: "mean", "std", "mean+std", "min",
         /// "max", "p05" or "p95". For "summary". Default: the mean.
-        statistic: Vec<At<Statistic>> = optional(List {
+        statistic: Vec<Spanned<Statistic>> = optional(List {
             item: StatisticRule,
             or_one: true,
             noun: "statistics",
             most: 7,
         });
         /// Times of the frames that are drawn, a curve for each.
-        times: Vec<At<f64>> = optional(times());
+        times: Vec<Spanned<f64>> = optional(times());
         /// Measured depths of the nodes whose frames are drawn against time, a curve for each. The nearest node is
         /// taken, and for contact force and friction of those within 5 m the one to which the wall does most.
-        depths: Vec<At<f64>> = optional(depths());
+        depths: Vec<Spanned<f64>> = optional(depths());
         /// First and last time that is drawn. For "time", "contact", and "frames" at depths. Default: the whole run.
-        window: Vec<At<f64>> = optional(WINDOW());
+        window: Vec<Spanned<f64>> = optional(WINDOW());
         /// Values of `y` to hold the curves against, or to mark on a map.
-        level: Vec<At<LevelTable>> = optional(List {
+        level: Vec<Spanned<LevelTable>> = optional(List {
             item: Section::<LevelTable>::RULE,
             or_one: false,
             noun: "levels ([[figure.level]])",
-            most: MOST,
+            most: MAX,
         });
     }
 }
@@ -255,7 +255,7 @@ impl FigureTable {
     pub(crate) fn build(
         &self,
         name: String,
-        place: Place,
+        place: Span,
         sweeps: &[Sweep],
         columns: &[ColumnName],
         reader: &mut Reader,
@@ -296,7 +296,7 @@ impl FigureTable {
             x_axis: *self.x_axis.get()?,
             levels: levels
                 .iter()
-                .map(|At { value: table, .. }| {
+                .map(|Spanned { value: table, .. }| {
                     Some(Level {
                         label: table.label.get()?.clone(),
                         value: Amount::si(table.value.at()?, unit(&y[0]), reader)?,
@@ -310,13 +310,13 @@ impl FigureTable {
     fn data(
         &self,
         source: Source,
-        at: Place,
+        at: Span,
         (chosen, sweeps): (&Chosen, &[Sweep]),
         columns: &[ColumnName],
         reader: &mut Reader,
     ) -> Option<FigureData> {
         let window_s = window(self.window.optional()?, reader)?;
-        let values = |list: Option<&At<Vec<At<f64>>>>| {
+        let values = |list: Option<&Spanned<Vec<Spanned<f64>>>>| {
             list.map(|at| at.value.iter().map(|at| at.value).collect::<Vec<f64>>())
         };
         let times_s = values(self.times.optional()?);
@@ -423,7 +423,7 @@ impl FigureTable {
     /// What colours a map, whose axes are time and depth.
     fn map_colour(
         &self,
-        at: Place,
+        at: Span,
         columns: &[ColumnName],
         reader: &mut Reader,
     ) -> Option<Quantity> {
@@ -458,7 +458,7 @@ impl FigureTable {
 
 /// First and last time.
 pub(crate) fn window(
-    given: Option<&At<Vec<At<f64>>>>,
+    given: Option<&Spanned<Vec<Spanned<f64>>>>,
     reader: &mut Reader,
 ) -> Option<Option<[f64; 2]>> {
     let Some(given) = given else {
@@ -478,7 +478,7 @@ pub(crate) fn window(
 
 /// The key on the horizontal axis, which every sweep varies.
 fn abscissa(
-    at: &At<String>,
+    at: &Spanned<String>,
     chosen: &Chosen,
     sweeps: &[Sweep],
     reader: &mut Reader,

@@ -18,8 +18,8 @@ impl Rule for FileName {
 
     fn read(&self, node: &Node, reader: &mut Reader) -> Option<String> {
         let name = Text.read(node, reader)?;
-        let sound = |letter: char| letter.is_ascii_alphanumeric() || "-_ +=,()".contains(letter);
-        if name.chars().all(sound) && name.len() <= 80 && name.trim() == name {
+        let valid = |letter: char| letter.is_ascii_alphanumeric() || "-_ +=,()".contains(letter);
+        if name.chars().all(valid) && name.len() <= 80 && name.trim() == name {
             return Some(name);
         }
         let message = format!("`{}` makes no file name on every system", short(&name));

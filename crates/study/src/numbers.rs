@@ -1,4 +1,4 @@
-//! `[[table]]`: numbers of the cases, held against given ones.
+//! `[[table]]`: numbers of the cases, compared with given ones.
 
 use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_units::Dimension;
@@ -7,8 +7,8 @@ use wholestring_config::{
     diagnostic::Diagnostic,
     names::short,
     reader::Reader,
-    rule::{At, Choice, List, Prose, Section, Text},
-    source::Place,
+    rule::{Choice, List, Prose, Section, Spanned, Text},
+    source::Span,
     table::{default, optional, required, table},
 };
 
@@ -25,7 +25,7 @@ use crate::{
 };
 
 table! {
-    /// Numbers of the cases held against given ones, a column for each sweep, model and operation.
+    /// Numbers of the cases compared with given ones, a column for each sweep, model and operation.
     NumbersTable in "[[table]]" {
         /// What stands over it.
         title: String = required(Text);
@@ -34,15 +34,15 @@ table! {
         /// What stands under it on the page.
         caption: String = optional(Prose);
         /// Sweeps that it compares, a column each. Default: all.
-        sweeps: Vec<At<String>> = optional(NAMES);
+        sweeps: Vec<Spanned<String>> = optional(NAMES);
         /// Models that it compares. Default: all that were solved.
-        models: Vec<At<ModelKind>> = optional(MODELS);
+        models: Vec<Spanned<ModelKind>> = optional(MODELS);
         /// Operations that it compares. Default: all that were solved.
-        operations: Vec<At<OperationKind>> = optional(OPERATIONS);
+        operations: Vec<Spanned<OperationKind>> = optional(OPERATIONS);
         /// Cases that its rows are about, by values of varied keys.
         only: Selection = optional(SelectionRule);
         /// Its rows, a number each.
-        row: Vec<At<RowTable>> = required(List {
+        row: Vec<Spanned<RowTable>> = required(List {
             item: Section::<RowTable>::RULE,
             or_one: false,
             noun: "rows ([[table.row]])",
@@ -52,18 +52,18 @@ table! {
 }
 
 table! {
-    /// One number: what it is made of, and what it is held against.
+    /// One number: what it is made of, and what it is compared with.
     RowTable in "[[table.row]]" {
         /// What it is.
         label: String = required(Text);
         /// Where the given number comes from.
         source: String = optional(Text);
         /// Sweeps that the row is about. Default: those of the table.
-        sweeps: Vec<At<String>> = optional(NAMES);
+        sweeps: Vec<Spanned<String>> = optional(NAMES);
         /// Models that the row is about. Default: those of the table.
-        models: Vec<At<ModelKind>> = optional(MODELS);
+        models: Vec<Spanned<ModelKind>> = optional(MODELS);
         /// Operations that the row is about. Default: those of the table.
-        operations: Vec<At<OperationKind>> = optional(OPERATIONS);
+        operations: Vec<Spanned<OperationKind>> = optional(OPERATIONS);
         /// The case that the number is taken from, by a value of every varied key. Keys that are left out are
         /// those of the table.
         only: Selection = optional(SelectionRule);
@@ -83,14 +83,14 @@ table! {
         /// The value at the sample or frame that is nearest to this time.
         time: f64 = optional(time());
         /// First and last time of "time", "frames" and "contact". Default: the window of the case, after it has settled.
-        window: Vec<At<f64>> = optional(WINDOW());
+        window: Vec<Spanned<f64>> = optional(WINDOW());
         /// Subtract the same of another case, which differs in these keys.
         less: Selection = optional(SelectionRule);
         /// Divide by the same of another case, which differs in these keys.
         over: Selection = optional(SelectionRule);
-        /// Key whose values give a row of numbers, of which `shape` is told.
+        /// Key whose values give a row of numbers, of which `shape` is reported.
         along: String = optional(Text);
-        /// What is told of the numbers along a key: "linearity" (share of their variance that a straight line explains),
+        /// What is reported of the numbers along a key: "linearity" (share of their variance that a straight line explains),
         /// "growth" (share of the steps from one to the next that go up), "least" or "most" (the smallest and
         /// largest of them).
         shape: Shape = optional(SHAPES);
@@ -105,7 +105,7 @@ table! {
     }
 }
 
-/// What is told of numbers along a key.
+/// What is reported of numbers along a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shape {
     /// Share of their variance that a straight line explains.
@@ -128,7 +128,7 @@ const SHAPES: Choice<Shape> = Choice {
     ],
 };
 
-/// Numbers held against given ones.
+/// Numbers compared with given ones.
 #[derive(Debug, Clone)]
 pub struct NumberTable {
     /// Name of its files.
@@ -141,7 +141,7 @@ pub struct NumberTable {
     pub rows: Vec<Row>,
 }
 
-/// One number of the cases, held against a given one.
+/// One number of the cases, compared with a given one.
 #[derive(Debug, Clone)]
 pub struct Row {
     /// What it is.
@@ -158,7 +158,7 @@ pub struct Row {
     pub over: Option<Selection>,
     /// Tell the shape of the numbers along a key.
     pub along: Option<(String, Shape)>,
-    /// What it is held against.
+    /// What it is compared with.
     pub wanted: Wanted,
 }
 
@@ -177,7 +177,7 @@ pub struct Number {
     pub window_s: Option<[f64; 2]>,
 }
 
-/// What a number is held against, SI.
+/// What a number is compared with, SI.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Wanted {
     /// The number that is given.
@@ -233,7 +233,7 @@ impl NumbersTable {
 impl RowTable {
     fn build(
         &self,
-        at: Place,
+        at: Span,
         outer: &Chosen,
         sweeps: &[Sweep],
         columns: &[ColumnName],
@@ -261,7 +261,7 @@ impl RowTable {
             self.check_case(sweep, &chosen.only, along, at, reader)?;
         }
         let [less, over] = [&self.less, &self.over].map(|field| field.optional());
-        let other = |given: Option<&At<Selection>>, reader: &mut Reader| {
+        let other = |given: Option<&Spanned<Selection>>, reader: &mut Reader| {
             let Some(given) = given else {
                 return Some(None);
             };
@@ -293,7 +293,7 @@ impl RowTable {
         &self,
         source: Source,
         quantity: Quantity,
-        at: Place,
+        at: Span,
         reader: &mut Reader,
     ) -> Option<Number> {
         let window_s = window(self.window.optional()?, reader)?;
@@ -367,7 +367,7 @@ impl RowTable {
             (key, shape) => {
                 let (missing, at) = match key {
                     Some(key) => ("shape", key.place),
-                    None => ("along", shape.map_or(Place::default(), |shape| shape.place)),
+                    None => ("along", shape.map_or(Span::default(), |shape| shape.place)),
                 };
                 reader.report(
                     Diagnostic::error(format!("`{missing}` is missing"))
@@ -385,7 +385,7 @@ impl RowTable {
         sweep: &Sweep,
         only: &Selection,
         along: Option<&str>,
-        at: Place,
+        at: Span,
         reader: &mut Reader,
     ) -> Option<()> {
         if let (Some(along), Some(field)) = (along, self.along.given())
@@ -424,7 +424,7 @@ impl RowTable {
     }
 
     fn wanted(&self, dimension: Option<Dimension>, reader: &mut Reader) -> Option<Wanted> {
-        let mut si = |given: Option<&At<Amount>>| match given {
+        let mut si = |given: Option<&Spanned<Amount>>| match given {
             None => Some(None),
             Some(at) => Amount::si(at, dimension, reader).map(Some),
         };

@@ -12,7 +12,7 @@ use wholestring_config::{
     node::{Entries, Node, Value},
     reader::Reader,
     rule::Rule,
-    source::Place,
+    source::Span,
 };
 
 /// Cases of a sweep: by varied key, the values that count.
@@ -24,7 +24,7 @@ pub struct Selection {
 #[derive(Debug, Clone, PartialEq)]
 struct Term {
     key: String,
-    key_place: Place,
+    key_place: Span,
     wanted: Vec<Wish>,
 }
 
@@ -33,7 +33,7 @@ struct Wish {
     /// First and last value; none where the range is open. A single value is both.
     from: Option<String>,
     to: Option<String>,
-    place: Place,
+    place: Span,
 }
 
 impl Wish {
@@ -91,7 +91,7 @@ impl Selection {
 
     /// Whether the sweep varies every key that it names, to a value that it names.
     pub(crate) fn check(&self, sweep: &str, vary: &[Variation], reader: &mut Reader) -> Option<()> {
-        let mut sound = Some(());
+        let mut valid = Some(());
         for term in &self.terms {
             let Some(varied) = vary.iter().find(|varied| varied.key == term.key) else {
                 let message = format!("sweep `{}` does not vary `{}`", sweep, short(&term.key));
@@ -108,7 +108,7 @@ impl Selection {
                     keys.join(", ")
                 };
                 reader.report(diagnostic.help(format!("keys that it varies: {keys}")));
-                sound = None;
+                valid = None;
                 continue;
             };
             for wish in &term.wanted {
@@ -120,11 +120,11 @@ impl Selection {
                             .at(wish.place, "expected one of its values")
                             .help(format!("its values: {}", values.join(", "))),
                     );
-                    sound = None;
+                    valid = None;
                 }
             }
         }
-        sound
+        valid
     }
 }
 
@@ -140,7 +140,7 @@ impl Rule for SelectionRule {
             return None;
         };
         let mut terms = Vec::new();
-        let sound = leaves(entries, "", &mut |key, key_place, node| {
+        let valid = leaves(entries, "", &mut |key, key_place, node| {
             let items = match &node.value {
                 Value::List(items) => items.as_slice(),
                 _ => std::slice::from_ref(node),
@@ -154,7 +154,7 @@ impl Rule for SelectionRule {
             });
             true
         });
-        sound.then_some(Selection { terms })
+        valid.then_some(Selection { terms })
     }
 
     fn schema(&self) -> Json {
@@ -205,17 +205,17 @@ fn wish(node: &Node, reader: &mut Reader) -> Option<Wish> {
 pub(crate) fn leaves(
     entries: &Entries,
     before: &str,
-    visit: &mut impl FnMut(&str, Place, &Node) -> bool,
+    visit: &mut impl FnMut(&str, Span, &Node) -> bool,
 ) -> bool {
-    let mut sound = true;
+    let mut valid = true;
     for (key, node) in &entries.0 {
         let name = format!("{before}{}", key.name);
-        sound &= match &node.value {
+        valid &= match &node.value {
             Value::Table(inner) => leaves(inner, &format!("{name}."), visit),
             _ => visit(&name, key.place, node),
         };
     }
-    sound
+    valid
 }
 
 /// Whether two values are the same, however they are written.

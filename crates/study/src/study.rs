@@ -11,8 +11,8 @@ use wholestring_config::{
     kind::Kind,
     names::short,
     reader::Reader,
-    rule::{At, List, Prose, Section, Table, Text},
-    source::Place,
+    rule::{List, Prose, Section, Spanned, Table, Text},
+    source::Span,
     table::{Field, default, optional, required, table},
 };
 use wholestring_units::UnitSet;
@@ -35,21 +35,21 @@ table! {
         /// "field" (ft, klbf, ft-lbf, in, ppg). Their data as CSV are SI always.
         units: UnitSet = default(UNIT_SETS, UnitSet::Si);
         /// The cases to solve.
-        sweep: Vec<At<SweepTable>> = required(List {
+        sweep: Vec<Spanned<SweepTable>> = required(List {
             item: Section::<SweepTable>::RULE,
             or_one: false,
             noun: "sweeps ([[sweep]])",
             most: 100,
         });
         /// The figures, in the order of the page.
-        figure: Vec<At<FigureTable>> = optional(List {
+        figure: Vec<Spanned<FigureTable>> = optional(List {
             item: Section::<FigureTable>::RULE,
             or_one: false,
             noun: "figures ([[figure]])",
             most: 500,
         });
         /// The tables, in the order of the page.
-        table: Vec<At<NumbersTable>> = optional(List {
+        table: Vec<Spanned<NumbersTable>> = optional(List {
             item: Section::<NumbersTable>::RULE,
             or_one: false,
             noun: "tables ([[table]])",
@@ -125,7 +125,7 @@ pub fn load(path: &Path, columns: &[ColumnName]) -> Result<Study, Report> {
 /// As [`load`].
 pub fn parse(name: &str, text: &[u8], columns: &[ColumnName]) -> Result<Study, Report> {
     let (root, mut reader) = tree(name, text, &STUDY_FILE)?;
-    let table = StudyTable::read(&root, Place::default(), &mut reader);
+    let table = StudyTable::read(&root, Span::default(), &mut reader);
     let study = build(name, &table, columns, &mut reader);
     let failed = reader.has_errors();
     let report = reader.into_report();

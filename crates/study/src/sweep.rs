@@ -10,8 +10,8 @@ use wholestring_config::{
     names::short,
     node::{Node, Value},
     reader::Reader,
-    rule::{At, List, Rule, Section, Text},
-    source::Place,
+    rule::{List, Rule, Section, Spanned, Text},
+    source::Span,
     table::{Field, optional, required, table},
 };
 
@@ -34,7 +34,7 @@ table! {
         /// `--vary` takes them. Every combination is a case, the last key varying fastest. Default: one case.
         vary: Vec<Variation> = optional(Varied);
         /// What is different in some of its cases; where several say so, the last one counts.
-        r#where: Vec<At<WhereTable>> = optional(List {
+        r#where: Vec<Spanned<WhereTable>> = optional(List {
             item: Section::<WhereTable>::RULE,
             or_one: false,
             noun: "exceptions ([[sweep.where]])",
@@ -90,9 +90,9 @@ impl Sweep {
 }
 
 /// All sweeps; every exception must have a case.
-pub(crate) fn build(tables: &[At<SweepTable>], reader: &mut Reader) -> Option<Vec<Sweep>> {
+pub(crate) fn build(tables: &[Spanned<SweepTable>], reader: &mut Reader) -> Option<Vec<Sweep>> {
     let mut sweeps: Vec<Sweep> = Vec::new();
-    for At { value: table, .. } in tables {
+    for Spanned { value: table, .. } in tables {
         let sweep = table.build()?;
         for exception in &sweep.exceptions {
             exception.when.check(&sweep.name, &sweep.vary, reader)?;
@@ -122,7 +122,7 @@ impl SweepTable {
                 .map_or_else(Vec::new, |at| at.value.clone()),
             exceptions: exceptions
                 .iter()
-                .map(|At { value: table, .. }| {
+                .map(|Spanned { value: table, .. }| {
                     Some(Exception {
                         when: table.when.get()?.clone(),
                         case: table.case.optional()?.map(|at| at.value.clone()),
@@ -143,7 +143,7 @@ fn changes(field: &Field<Vec<Override>>) -> Option<Vec<Override>> {
 }
 
 /// The quotation of what stands at these places of the study.
-fn quote(key: Place, value: Place, reader: &Reader) -> Quote {
+fn quote(key: Span, value: Span, reader: &Reader) -> Quote {
     let source = &reader.sources[key.source];
     Quote {
         name: Arc::from(source.name.as_str()),
@@ -195,7 +195,7 @@ impl Rule for Varied {
             return None;
         };
         let mut variations = Vec::new();
-        let sound = leaves(entries, "", &mut |key, key_place, node| {
+        let valid = leaves(entries, "", &mut |key, key_place, node| {
             let items = match &node.value {
                 Value::List(items) => items.as_slice(),
                 _ => std::slice::from_ref(node),
@@ -209,7 +209,7 @@ impl Rule for Varied {
                 key: key.to_owned(),
                 values: Vec::new(),
             };
-            let mut sound = true;
+            let mut valid = true;
             for item in items {
                 let written = reader.text_at(item.place).to_owned();
                 let says = match &item.value {
@@ -217,12 +217,12 @@ impl Rule for Varied {
                     _ => &written,
                 };
                 let quote = quote(key_place, item.place, reader);
-                sound &= variation.take([says, &written], quote, item.place, reader);
+                valid &= variation.take([says, &written], quote, item.place, reader);
             }
             variations.push(variation);
-            sound
+            valid
         });
-        sound.then_some(variations)
+        valid.then_some(variations)
     }
 
     fn schema(&self) -> Json {

@@ -13,7 +13,7 @@ const FEWEST: usize = 3;
 
 /// Cuts a text into cells at runs of blanks.
 ///
-/// The first line of numbers tells how many columns there are and where they stand; the headings
+/// The first line of numbers shows how many columns there are and where they stand; the headings
 /// above go to the column under which they stand.
 pub(crate) fn cut<'a>(source: Source<'a>, text: &'a str) -> Table<'a> {
     let starts: Vec<usize> = line_starts(text).collect();

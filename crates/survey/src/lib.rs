@@ -4,7 +4,7 @@
 //! `MD (m)`, `Measured Depth ( ft )`, `md_m`, `INCL`, `Azimuth Grid [deg]`. Units stand in the
 //! headings or in a row below them. Titles and comments above the header, a comma, semicolon, tab
 //! or blanks between the columns, decimal commas and thousands separators are taken as they come.
-//! What was recognised is told in [`ImportedSurvey::notes`].
+//! What was recognised is reported in [`ImportedSurvey::notes`].
 //!
 //! Nothing is guessed where a mistake would go unseen: lengths without any unit are an error until
 //! their unit is [said](Said), with which three columns need no header either. Angles without a unit are

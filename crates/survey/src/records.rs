@@ -243,7 +243,7 @@ impl Strings<'_> {
             self.at += taken * width;
             left -= taken;
             if left > 0 {
-                // Each piece tells anew how wide its letters are.
+                // Each piece shows anew how wide its letters are.
                 self.piece += 1;
                 wide = *self.pieces.get(self.piece)?.first()? & 1 != 0;
                 self.at = 1;

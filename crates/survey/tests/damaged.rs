@@ -12,7 +12,7 @@ use proptest::prelude::*;
 use wholestring_survey::{ImportedSurvey, SurveyError, read, read_csv, read_excel};
 
 /// What must hold for any bytes.
-fn sound(result: Result<ImportedSurvey, SurveyError>) -> Result<(), TestCaseError> {
+fn valid(result: Result<ImportedSurvey, SurveyError>) -> Result<(), TestCaseError> {
     match result {
         Ok(survey) => {
             prop_assert!(survey.stations.len() >= 2);
@@ -204,32 +204,32 @@ proptest! {
         &b""[..], b"PK\x03\x04", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", b"\xff\xfe", b"\xef\xbb\xbf",
     ])) {
         let bytes = [head, &bytes].concat();
-        sound(read_csv(&bytes, "a.csv"))?;
-        sound(read_excel(&bytes, "a.xlsx"))?;
+        valid(read_csv(&bytes, "a.csv"))?;
+        valid(read_excel(&bytes, "a.xlsx"))?;
         for name in ["a.csv", "a.xlsx", "a", ""] {
-            sound(read(&bytes, name))?;
+            valid(read(&bytes, name))?;
         }
     }
 
     #[test]
     fn any_text(text in ".{0,200}") {
-        sound(read_csv(text.as_bytes(), "a.csv"))?;
+        valid(read_csv(text.as_bytes(), "a.csv"))?;
     }
 
     #[test]
     fn pieces_of_surveys(bytes in nearly_a_survey()) {
-        sound(read(&bytes, "a.csv"))?;
+        valid(read(&bytes, "a.csv"))?;
     }
 
     #[test]
     fn damaged_text(bytes in prop_oneof![damaged(TEXT), damaged(REPORT)]) {
-        sound(read(&bytes, "a.csv"))?;
+        valid(read(&bytes, "a.csv"))?;
     }
 
     #[test]
     fn damaged_workbooks(bytes in prop_oneof![
         damaged(&WORKBOOK), damaged_part(), damaged(&OLD_WORKBOOK), damaged_records(),
     ]) {
-        sound(read_excel(&bytes, "a.xlsx"))?;
+        valid(read_excel(&bytes, "a.xlsx"))?;
     }
 }

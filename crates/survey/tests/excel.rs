@@ -352,7 +352,7 @@ fn shared_strings_that_are_only_claimed_are_refused() {
     }
 }
 
-/// 65 KB that unpack to 65 MB, and a directory of parts that goes on.
+/// 65 KB that unpack to 65 MB, and a directory of parts that continues.
 #[test]
 fn workbooks_that_unpack_to_too_much_are_refused() {
     let blanks = vec![b' '; 65 << 20];

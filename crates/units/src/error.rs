@@ -42,7 +42,7 @@ pub enum QuantityErrorKind {
     },
 }
 
-/// Why a text is no quantity of the dimension asked for.
+/// Why a text is no quantity of the dimension requested.
 ///
 /// Its `Display` is one sentence for the person who wrote the text: what is wrong, what was
 /// expected, which units are accepted.
@@ -52,7 +52,7 @@ pub struct QuantityError {
     pub kind: QuantityErrorKind,
     /// Where in the text, in bytes, on character boundaries.
     pub span: Range<usize>,
-    /// The dimension that was asked for.
+    /// The dimension that was requested.
     pub dimension: Dimension,
 }
 

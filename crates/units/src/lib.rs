@@ -26,7 +26,7 @@
 //! - `sg`, specific gravity, is relative to fresh water of exactly 1000 kg/m3, as mud reports use it.
 //! - `psi/ft` and `kPa/m` as densities are the pressure gradient of a fluid at rest under standard
 //!   gravity, 9.80665 m/s2.
-//! - `lb` is a pound of mass where a mass is asked for and a pound-force where a force is; `t` is
+//! - `lb` is a pound of mass where a mass is requested and a pound-force where a force is; `t` is
 //!   1000 kg or their weight under standard gravity in the same way.
 //! - `ton` is not read: it is 2000 lb to some and 1000 kg to others. Write `t` or `tonfUS`.
 //! - `Hz` is one turn per second as a rotary speed, and 1/s as a frequency or rate.

@@ -39,7 +39,7 @@ pub enum Tolerance {
     Any,
 }
 
-/// One number, held against another.
+/// One number, compared with another.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row<'a> {
     /// The case: the name of a file of `verification/` up to its first underscore (`E05`), or another

@@ -1,6 +1,6 @@
 //! The file of a bit's table: CSV, a line of column names and a line for each point.
 
-use std::{f64::consts::PI, ops::Range as Span};
+use std::{f64::consts::PI, ops::Range as ByteRange};
 
 use wholestring::dynamics::TablePoint;
 
@@ -8,12 +8,12 @@ use wholestring_config::{
     diagnostic::Diagnostic,
     names::{nearest, short},
     reader::Reader,
-    rule::At,
-    source::{Files, Place},
+    rule::Spanned,
+    source::{Files, Span},
 };
 
 /// More lines than this are no table of a bit.
-pub(super) const MOST: usize = 10_000;
+pub(super) const MAX: usize = 10_000;
 
 /// Columns of the file: name, what one is worth in SI, whether it must be there.
 const COLUMNS: [(&str, f64, bool); 6] = [
@@ -29,15 +29,15 @@ const COLUMNS: [(&str, f64, bool); 6] = [
 #[derive(Debug, Clone)]
 struct Cell<'a> {
     text: &'a str,
-    span: Span<usize>,
+    span: ByteRange<usize>,
 }
 
 /// The points of a file beside the case.
 pub(super) fn read(
-    file: &At<String>,
+    file: &Spanned<String>,
     files: &dyn Files,
     reader: &mut Reader,
-) -> Option<Vec<At<TablePoint>>> {
+) -> Option<Vec<Spanned<TablePoint>>> {
     let name = short(&file.value);
     let bytes = match files.read(&file.value) {
         Ok(bytes) => bytes,
@@ -63,7 +63,7 @@ pub(super) fn read(
         return None;
     };
     let lines = lines(text);
-    let Some((head, lines)) = lines.split_first().filter(|(_, lines)| lines.len() <= MOST) else {
+    let Some((head, lines)) = lines.split_first().filter(|(_, lines)| lines.len() <= MAX) else {
         let (what, expected) = match lines.len() {
             0 => ("is empty".to_owned(), "expected a line of column names"),
             more => (format!("has {} points", more - 1), "expected at most 10000"),
@@ -116,8 +116,8 @@ fn trimmed(text: &str, from: usize) -> Cell<'_> {
     }
 }
 
-fn place(source: usize, span: &Span<usize>) -> Place {
-    Place {
+fn place(source: usize, span: &ByteRange<usize>) -> Span {
+    Span {
         source,
         start: span.start,
         end: span.end,
@@ -159,7 +159,7 @@ fn point(
     line: &Cell<'_>,
     found: &[Option<usize>; 6],
     source: usize,
-) -> Result<At<TablePoint>, Diagnostic> {
+) -> Result<Spanned<TablePoint>, Diagnostic> {
     let cells = cells(line);
     let number = |column: usize| -> Result<Option<f64>, Diagnostic> {
         let (name, worth, _) = COLUMNS[column];
@@ -182,7 +182,7 @@ fn point(
     };
     // What must be there has been found.
     let needed = |column: usize| number(column).map(Option::unwrap_or_default);
-    Ok(At {
+    Ok(Spanned {
         value: TablePoint {
             weight_on_bit_N: needed(0)?,
             rotary_speed_rad_per_s: needed(1)?,

@@ -9,13 +9,13 @@ use wholestring::{
 
 use wholestring_units::number_text;
 
-use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::At};
+use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::Spanned};
 
 /// The set points that stand in the file.
 pub(crate) struct Given<'a> {
-    pub(crate) rpm: Option<&'a At<f64>>,
-    pub(crate) wob: Option<&'a At<f64>>,
-    pub(crate) rop: Option<&'a At<f64>>,
+    pub(crate) rpm: Option<&'a Spanned<f64>>,
+    pub(crate) wob: Option<&'a Spanned<f64>>,
+    pub(crate) rop: Option<&'a Spanned<f64>>,
 }
 
 impl Given<'_> {

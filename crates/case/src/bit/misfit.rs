@@ -5,7 +5,7 @@ use wholestring::rock::bit_face::FaceError;
 use super::table::BitTable;
 use wholestring_units::number_text;
 
-use wholestring_config::{diagnostic::Diagnostic, rule::Table, source::Place};
+use wholestring_config::{diagnostic::Diagnostic, rule::Table, source::Span};
 
 /// The key that holds a number which the face names so; the diameters are those of other tables.
 const KEYS: [(&str, &str); 24] = [
@@ -40,7 +40,7 @@ fn millimetres(m: f64) -> String {
 }
 
 /// The mistake, at those of its numbers that stand in the case; `od` is the diameter's place.
-pub(crate) fn misfit(error: &FaceError, bit: &BitTable, od: Place) -> Diagnostic {
+pub(crate) fn misfit(error: &FaceError, bit: &BitTable, od: Span) -> Diagnostic {
     let whole = bit.face.at().map_or(od, |at| at.place);
     let given = |key: &str| {
         let keys = bit.face.get()?.written();

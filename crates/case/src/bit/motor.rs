@@ -9,8 +9,8 @@ use wholestring_config::{
     quantity::Quantity,
     range::Range,
     reader::Reader,
-    rule::At,
-    source::Place,
+    rule::Spanned,
+    source::Span,
     table::{Field, default, optional, table},
 };
 
@@ -68,7 +68,7 @@ impl MotorTable {
     /// The motor with what the pumps deliver in the case.
     pub(super) fn build(
         &self,
-        place: Place,
+        place: Span,
         flow_m3_per_s: Option<f64>,
         reader: &mut Reader,
     ) -> Option<MudMotor> {
@@ -114,8 +114,8 @@ impl MotorTable {
     }
 }
 
-fn stalls_early(stall: &At<f64>, most_N_m: f64) -> Diagnostic {
-    let most = number_text((most_N_m * 1e-2).round() * 1e-1);
+fn stalls_early(stall: &Spanned<f64>, max_N_m: f64) -> Diagnostic {
+    let most = number_text((max_N_m * 1e-2).round() * 1e-1);
     Diagnostic::error("the motor stalls below its largest pressure drop")
         .at(stall.place, format!("expected more than {most} kN.m"))
         .help("that is efficiency * displacement * max_differential_pressure / 2 pi")
@@ -126,7 +126,7 @@ fn needed(
     field: &Field<f64>,
     name: &str,
     example: &str,
-    place: Place,
+    place: Span,
     reader: &mut Reader,
 ) -> Option<f64> {
     let value = field.optional()?;

@@ -6,15 +6,15 @@ use serde_json::json;
 use wholestring::dynamics::{BitTable as Points, TableFault, TablePoint};
 use wholestring_units::{Dimension, number_text};
 
-use super::file::{self, MOST};
+use super::file::{self, MAX};
 use wholestring_config::{
     diagnostic::Diagnostic,
     node::{Node, Value},
     quantity::Quantity,
     range::Range,
     reader::Reader,
-    rule::{At, List, Rule, Text},
-    source::{Files, Place},
+    rule::{List, Rule, Spanned, Text},
+    source::{Files, Span},
     table::{optional, table},
 };
 
@@ -29,11 +29,11 @@ table! {
         file: String = optional(Text);
         /// The same in the case, in place of a file: [weight, speed, rate, torque], or with the standard deviation of
         /// the torque, or of torque and weight, after them. Bare numbers are in N, rev/min, m/h, N.m, N.m and N.
-        points: Vec<At<TablePoint>> = optional(List {
+        points: Vec<Spanned<TablePoint>> = optional(List {
             item: PointRule,
             or_one: false,
             noun: "points",
-            most: MOST,
+            most: MAX,
         });
     }
 }
@@ -116,7 +116,7 @@ impl Rule for PointRule {
 impl PointsTable {
     pub(super) fn build(
         &self,
-        place: Place,
+        place: Span,
         files: &dyn Files,
         reader: &mut Reader,
     ) -> Option<Points> {
@@ -152,7 +152,7 @@ impl PointsTable {
     }
 }
 
-fn no_table(fault: &TableFault, points: &[At<TablePoint>], whole: Place) -> Diagnostic {
+fn no_table(fault: &TableFault, points: &[Spanned<TablePoint>], whole: Span) -> Diagnostic {
     let at = |line: usize| points.get(line - 1).map_or(whole, |at| at.place);
     match *fault {
         TableFault::Twice { first, second } => {

@@ -144,7 +144,7 @@ table! {
         steerability: f64 = default(Number::up_to(1.0), 0.0);
         /// Lateral stiffness that holds the bit to the hole's axis, instead of contact and friction
         /// with the wall: the bit fills its hole. Raising it holds the bit closer. On solid rock it stands for what the wall
-        /// is finer than bricks; with 0 the bricks alone hold the bit. Only the dynamic model
+        /// is finer than elements; with 0 the elements alone hold the bit. Only the dynamic model
         /// uses it.
         lateral_stiffness: f64 = default(
             Quantity::si(Dimension::Stiffness, Range::from_to(0.0, 1e12).usual(1e4, 1e10), "1e7 N/m"),

@@ -3,18 +3,18 @@
 use wholestring::rock::DrillingSpec;
 
 use wholestring_config::{
-    diagnostic::Diagnostic, reader::Reader, rule::At, source::Place, table::Field,
+    diagnostic::Diagnostic, reader::Reader, rule::Spanned, source::Span, table::Field,
 };
 
-use super::{bricks::Places, table::RockTable};
+use super::{elements::Places, table::RockTable};
 use crate::bit::BitTable;
 
-/// What the bit drills, if anything asks for solid rock: `asks` is where.
+/// What the bit drills, if anything requires solid rock: `asks` is where.
 pub(crate) fn drilling(
     table: &Field<RockTable>,
     bit: &BitTable,
-    asks: Option<(Place, &str)>,
-    lowest: Option<(f64, Place)>,
+    asks: Option<(Span, &str)>,
+    lowest: Option<(f64, Span)>,
     reader: &mut Reader,
 ) -> Option<Option<DrillingSpec>> {
     let rock = match (table.given(), asks) {
@@ -43,9 +43,9 @@ pub(crate) fn drilling(
 }
 
 fn build(
-    table: &At<RockTable>,
+    table: &Spanned<RockTable>,
     bit: &BitTable,
-    lowest: Option<(f64, Place)>,
+    lowest: Option<(f64, Span)>,
     reader: &mut Reader,
 ) -> Option<DrillingSpec> {
     let rock = table.value.rock(table.place, reader);

@@ -1,32 +1,32 @@
-//! How heavy the bricks may be, and how long they may move.
+//! How heavy the elements may be, and how long they may move.
 
 use wholestring::rock::{BitShape, DrillingSpec};
 
 use wholestring_units::number_text;
 
-use wholestring_config::{diagnostic::Diagnostic, reader::Reader, source::Place};
+use wholestring_config::{diagnostic::Diagnostic, reader::Reader, source::Span};
 
 use super::table::RockTable;
 
 /// Part of the strength that scaled density times the square of the rim's speed may be: the mean forces then move by
 /// less than 5 %.
-const MOST_INERTIA: f64 = 0.0625;
+const MAX_INERTIA: f64 = 0.0625;
 
-/// More brick-steps than this are weeks of computing.
-const MOST_BRICK_STEPS: f64 = 3e13;
+/// More element-steps than this are weeks of computing.
+const MAX_ELEMENT_STEPS: f64 = 3e13;
 impl RockTable {
-    /// Warns of bricks so heavy that the bit feels them at a speed.
+    /// Warns of elements so heavy that the bit feels them at a speed.
     pub(crate) fn warn_of_inertia(
         &self,
         spec: &DrillingSpec,
         fastest_rad_per_s: f64,
-        whole: Place,
+        whole: Span,
         reader: &mut Reader,
     ) {
         let rock = &spec.block.rock;
         let rim_m_per_s = 0.5 * fastest_rad_per_s * diameter_m(&spec.bit);
-        let least_Pa = rock.density_kg_per_m3 * rim_m_per_s.powi(2);
-        let most = (MOST_INERTIA * rock.ucs_Pa() / least_Pa).max(1.0);
+        let min_Pa = rock.density_kg_per_m3 * rim_m_per_s.powi(2);
+        let most = (MAX_INERTIA * rock.ucs_Pa() / min_Pa).max(1.0);
         if spec.block.numerics.density_factor <= most * (1.0 + 1e-9) {
             return;
         }
@@ -46,8 +46,8 @@ impl RockTable {
         );
     }
 
-    /// What makes the bricks heavy, if it stands in the case.
-    pub(crate) fn weighty_place(&self) -> Option<Place> {
+    /// What makes the elements heavy, if it stands in the case.
+    pub(crate) fn weighty_place(&self) -> Option<Span> {
         self.density_factor
             .place()
             .or(self.element_size.place())
@@ -59,16 +59,16 @@ impl RockTable {
         &self,
         spec: &DrillingSpec,
         time_s: f64,
-        whole: Place,
+        whole: Span,
         reader: &mut Reader,
     ) -> Option<()> {
         let step_s = spec.block.step_s().ok()?;
-        if spec.block.bricks() as f64 * time_s / step_s <= MOST_BRICK_STEPS {
+        if spec.block.elements() as f64 * time_s / step_s <= MAX_ELEMENT_STEPS {
             return Some(());
         }
         let message = format!(
-            "{} bricks over {} s would take weeks",
-            spec.block.bricks(),
+            "{} elements over {} s would take weeks",
+            spec.block.elements(),
             number_text(time_s.round())
         );
         reader.report(

@@ -4,13 +4,13 @@ use wholestring::rock::{Rock, RockError};
 
 use wholestring_units::number_text;
 
-use wholestring_config::{diagnostic::Diagnostic, reader::Reader, source::Place};
+use wholestring_config::{diagnostic::Diagnostic, reader::Reader, source::Span};
 
 use super::table::{DEGREE, RockTable};
 
 impl RockTable {
     /// The rock; `place` is that of the table.
-    pub(super) fn rock(&self, place: Place, reader: &mut Reader) -> Option<Rock> {
+    pub(super) fn rock(&self, place: Span, reader: &mut Reader) -> Option<Rock> {
         let friction_angle_rad = *self.friction_angle.get()?;
         let (sin, cos) = friction_angle_rad.sin_cos();
         // Unconfined compressive strength over cohesion.
@@ -97,7 +97,7 @@ impl RockTable {
     }
 
     /// The mistake, at those of its numbers that stand in the case.
-    pub(super) fn unsound(&self, error: &RockError, whole: Place) -> Diagnostic {
+    pub(super) fn unsound(&self, error: &RockError, whole: Span) -> Diagnostic {
         match error {
             RockError::OutOfRange {
                 quantity,
@@ -131,16 +131,16 @@ impl RockTable {
             }
             RockError::TooLarge { largest_m, .. } => {
                 let most = number_text((largest_m * 1e4).floor() * 1e-1);
-                Diagnostic::error("the bricks are too large for this rock: they would snap, not soften")
+                Diagnostic::error("the elements are too large for this rock: they would snap, not soften")
                     .at(
                         self.element_size.place()
                             .or(self.crushing_energy.place())
                             .or(self.tensile_fracture_energy.place())
                             .or(self.compressive_fracture_energy.place())
                             .unwrap_or(whole),
-                        format!("expected bricks below {most} mm"),
+                        format!("expected elements below {most} mm"),
                     )
-                    .help("raise crushing_energy or youngs_modulus, or lower element_size and raise the fracture energies: a brick holds more elastic energy than its failure takes")
+                    .help("raise crushing_energy or youngs_modulus, or lower element_size and raise the fracture energies: an element holds more elastic energy than its failure takes")
             }
             RockError::Cells(..) => Diagnostic::error(error.to_string())
                 .at(self.element_size.place().unwrap_or(whole), "raise it"),

@@ -1,7 +1,7 @@
 //! `[rock]`: the solid rock, and what drills it.
 
-mod bricks;
 mod drilling;
+mod elements;
 mod limits;
 mod material;
 mod table;

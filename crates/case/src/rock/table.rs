@@ -64,10 +64,10 @@ table! {
         /// Energy that failure takes per volume at the least, in tension and in compression. Raising it raises the bit's work per
         /// drilled volume about as much. Default: 0.085 of the strength, with which that work is about the strength.
         crushing_energy: f64 = optional(pressure(Range::positive_to(1e9), "5 MJ/m3"));
-        /// Energy that a tensile crack takes per area. Bricks of more than some millimetres are crushed all through and
+        /// Energy that a tensile crack takes per area. Elements of more than some millimetres are crushed all through and
         /// do not feel it. Default: 80 J/m2.
         tensile_fracture_energy: f64 = optional(toughness("80 J/m2"));
-        /// Energy that a crushed band takes per area. Bricks of more than 2 mm do not feel the default: 2 mm times
+        /// Energy that a crushed band takes per area. Elements of more than 2 mm do not feel the default: 2 mm times
         /// `crushing_energy`.
         compressive_fracture_energy: f64 = optional(toughness("8 kJ/m2"));
         /// Pressure of the mud at the bottom over that in the rock's pores. Raising it strengthens the rock.
@@ -76,22 +76,22 @@ table! {
         confinement: f64 = optional(pressure(Range::from_to(0.0, 5e8).usual(1e4, 3e8), "15 MPa"));
         /// Friction between bit and rock. Raising it drags more rock along.
         friction: f64 = default(Number { unit: "", range: Range::from_to(0.0, 2.0) }, 0.3);
-        /// Edge of the bricks. Halving it costs eight times the bricks and twice the steps. Default: an eighteenth of the
+        /// Edge of the elements. Halving it costs eight times the elements and twice the steps. Default: an eighteenth of the
         /// bit's diameter, or one and a half times what the cutters stand out of its body where that is less.
         element_size: f64 = optional(Quantity::si(
             Dimension::Diameter,
             Range::from_to(5e-4, 0.2).usual(5e-4, 0.1),
             "12 mm",
         ));
-        /// Factor on the density of the bricks, for longer steps: twenty times the step at 400. Raising it makes a run
+        /// Factor on the density of the elements, for longer steps: twenty times the step at 400. Raising it makes a run
         /// faster, until the rock's inertia is felt in the forces; a warning says from where on.
         density_factor: f64 = default(
             Number { unit: "", range: Range::from_to(1.0, 1e6) },
             DENSITY_FACTOR,
         );
-        /// Rock beside the bit, on each side. Default: an eighth of its diameter, two bricks at least.
+        /// Rock beside the bit, on each side. Default: an eighth of its diameter, two elements at least.
         beside: f64 = optional(length("27 mm"));
-        /// Rock below the bit. Default: a quarter of its diameter, four bricks at least.
+        /// Rock below the bit. Default: a quarter of its diameter, four elements at least.
         below: f64 = optional(length("54 mm"));
     }
 }

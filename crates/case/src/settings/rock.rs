@@ -8,7 +8,7 @@ use wholestring::rock::{
 use super::fields::{Fields, json};
 use crate::bit_test::BitTest;
 
-/// The rock in bricks.
+/// The rock in elements.
 pub(super) fn rock(spec: &DrillingSpec) -> Fields {
     let (rock, block) = (&spec.block.rock, &spec.block);
     Fields::of(rock)

@@ -41,7 +41,7 @@ fn converted(value: &DeValue<'_>) -> Json {
 
 fn check(schema: &Json, value: &Json, at: &str, problems: &mut Vec<String>) {
     for (word, rule) in schema.as_object().expect("a schema is an object") {
-        let sound = match word.as_str() {
+        let valid = match word.as_str() {
             "$schema" | "title" | "description" | "default" | "examples" | "x-usual"
             | "x-dimension" => true,
             "required" | "additionalProperties" | "prefixItems" => true,
@@ -77,7 +77,7 @@ fn check(schema: &Json, value: &Json, at: &str, problems: &mut Vec<String>) {
             }
             other => panic!("the schema says `{other}`, which is not checked here"),
         };
-        if !sound {
+        if !valid {
             problems.push(format!("{at}: {value} against {word} {rule}"));
         }
     }

@@ -77,9 +77,9 @@ fn tuned_lifts() {
             of("kind = \"drill\"\nschedule = [{ at = 10, block_velocity = 0 }]"),
         ),
     ]);
-    let sound = read(&of("kind = \"drill\"")).unwrap_or_else(|report| panic!("{report}"));
-    assert!(sound.tunes_lift && sound.dynamics.hoist_control.is_none());
-    assert_eq!(sound.settings["hoist"]["control"], "tuned-lift");
+    let valid = read(&of("kind = \"drill\"")).unwrap_or_else(|report| panic!("{report}"));
+    assert!(valid.tunes_hook_load && valid.dynamics.hoist_control.is_none());
+    assert_eq!(valid.settings["hoist"]["control"], "tuned-lift");
     texts_refused([(
         "lift_tolerance_in_per_cent",
         of("kind = \"drill\"").replace("tuned-lift\"", "tuned-lift\"\ntolerance = 2"),

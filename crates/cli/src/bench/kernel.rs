@@ -42,7 +42,7 @@ pub(crate) fn measure(bench: &Bench) -> Result<Kernel, Failure> {
     bench.begin(precisions.len() * sets.len());
     let mut kernel = Kernel::default();
     for (precision, name) in precisions {
-        let settled = well::lay(&case, precision)?;
+        let settled = well::initialise(&case, precision)?;
         let (flops, elements) = (settled.clone().count_kernel(), settled.elements());
         if kernel.rows.is_empty() {
             (kernel.flops, kernel.elements) = (flops, elements);

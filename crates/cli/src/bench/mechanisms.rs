@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::{clock::Spread, session::Bench, well};
 use crate::{failure::Failure, screen_table::Table};
 
-/// Something that a case can ask for: keys of the case, as for `--set`.
+/// Something that a case can require: keys of the case, as for `--set`.
 struct Mechanism {
     name: &'static str,
     keys: &'static [&'static str],
@@ -123,14 +123,14 @@ struct Row {
 pub(crate) fn measure(bench: &Bench) -> Result<Mechanisms, Failure> {
     bench.begin(1 + MECHANISMS.len());
     let plain_case = bench.well.case(&[])?;
-    let plain = well::lay(&plain_case, plain_case.dynamics.precision)?;
+    let plain = well::initialise(&plain_case, plain_case.dynamics.precision)?;
     let mut plain_s = Vec::new();
     let mut rows = Vec::new();
     bench.next("a run without any mechanism")?;
     for mechanism in MECHANISMS {
         bench.next(mechanism.name)?;
         let case = bench.well.case(mechanism.keys)?;
-        let simulation = well::lay(&case, case.dynamics.precision)?;
+        let simulation = well::initialise(&case, case.dynamics.precision)?;
         let mut run_s = Vec::new();
         // By turns: a processor that grows slower does so for both.
         let ratio = bench.repeat(|| {

@@ -10,11 +10,11 @@ use serde::Serialize;
 use super::{process, session::Bench};
 use crate::failure::{Failure, failed};
 
-/// Whether this system tells the memory of another process.
+/// Whether this system shows the memory of another process.
 pub(crate) const IS_MEASURED: bool = cfg!(target_os = "linux");
 
-/// Time between two looks at the process.
-const LOOK_INTERVAL: Duration = Duration::from_millis(5);
+/// Time between two checks of the process.
+const POLL_INTERVAL: Duration = Duration::from_millis(5);
 
 #[derive(Serialize)]
 pub(crate) struct Memory {
@@ -50,7 +50,7 @@ pub(crate) fn measure(bench: &Bench) -> Result<Memory, Failure> {
         if let Some(status) = child.try_wait().map_err(|error| failed(&error))? {
             break status;
         }
-        thread::sleep(LOOK_INTERVAL);
+        thread::sleep(POLL_INTERVAL);
     };
     process::check(status)?;
     Ok(Memory {

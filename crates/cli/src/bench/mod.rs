@@ -24,7 +24,7 @@ use crate::{
 use session::Bench;
 use well::Well;
 
-/// What was measured, for `--json`; a part that was not asked for is not there.
+/// What was measured, for `--json`; a part that was not requested is not there.
 #[derive(Serialize)]
 struct Numbers {
     version: &'static str,

@@ -66,12 +66,12 @@ pub(crate) fn measure(bench: &Bench) -> Result<RockSpeed, Failure> {
         hexahedra: CELLS.iter().product(),
         rows: Vec::new(),
     };
-    for (name, lay) in [
+    for (name, set_up) in [
         ("under a bit", cut as fn() -> Result<Scene, Failure>),
         ("all of it yielding", squeezed),
     ] {
         bench.next(&format!("solid rock, {name}"))?;
-        let scene = lay()?;
+        let scene = set_up()?;
         let yielding = scene.clone().yielding();
         for stepper in &steppers {
             bench.next(&format!("solid rock, {name}, {}", stepper.instructions))?;
@@ -107,7 +107,7 @@ struct Scene {
     bit: Bit,
 }
 
-/// A bit that moves as it is told, and the nodes that it meets.
+/// A bit that moves as prescribed, and the nodes that it meets.
 #[derive(Clone)]
 struct Bit {
     face: BitFace,
@@ -185,8 +185,8 @@ impl Scene {
     /// Part of the hexahedra that yield in the next step: their intact part falls.
     fn yielding(mut self) -> f64 {
         let intact = |block: &Block| -> Vec<Option<f64>> {
-            let bricks = block.grid().each_brick();
-            bricks.map(|brick| block.intact(brick)).collect()
+            let elements = block.grid().each_element();
+            elements.map(|element| block.intact(element)).collect()
         };
         let before = intact(&self.block);
         self.go(&Stepper::default(), 1);

@@ -22,7 +22,7 @@ const SURVEY: (&str, &str) = (
     include_str!("../../../../cases/np13-x1042-survey.csv"),
 );
 
-/// Simulated time before anything is timed, s: what the laying has left is gone.
+/// Simulated time before anything is timed, s: what the initialisation has left is gone.
 const SETTLED_S: f64 = 1.0;
 
 /// Simulated time that is timed at once, s: some hundredths of a second of computing.
@@ -99,7 +99,7 @@ impl Well {
     }
 
     /// Processor time that a second of simulated time takes, s, with everything that `run` does in it. Where the case
-    /// asks for frames, they are written.
+    /// requires frames, they are written.
     pub(crate) fn run_s(&self, case: &Case, simulation: &Simulation) -> Result<f64, Failure> {
         let mut simulation = simulation.clone();
         let folder = ResultsFolder::create(self.folder())?;
@@ -142,8 +142,8 @@ impl About {
     }
 }
 
-/// The string in a precision, laid in its hole and settled, its window begun.
-pub(crate) fn lay(case: &Case, precision: Precision) -> Result<Simulation, Failure> {
+/// The string in a precision, initialised in its hole and settled, its window begun.
+pub(crate) fn initialise(case: &Case, precision: Precision) -> Result<Simulation, Failure> {
     let settings = DynamicsSettings {
         precision,
         settle_s: SETTLED_S,

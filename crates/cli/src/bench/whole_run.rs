@@ -21,7 +21,7 @@ pub(crate) fn measure(bench: &Bench) -> Result<Vec<Row>, Failure> {
     bench.begin(precisions.len() * sets.len());
     let mut rows = Vec::new();
     for (precision, name) in precisions {
-        let settled = well::lay(&case, precision)?;
+        let settled = well::initialise(&case, precision)?;
         for instructions in &sets {
             bench.next(&format!("whole run, {name} precision, {instructions}"))?;
             let mut simulation = settled.clone();

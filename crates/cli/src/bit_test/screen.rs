@@ -6,7 +6,7 @@ use wholestring_units::{Dimension, UnitSet};
 
 use crate::screen_table::Table;
 
-/// Kinetic energy of the rock, over the work of its deformation, from where it is told of.
+/// Kinetic energy of the rock, over the work of its deformation, from where it is reported.
 const MUCH_KINETIC: f64 = 0.05;
 
 /// A column: what people call the quantity, what it is measured in, and its value with its error, where there are such.

@@ -1,4 +1,4 @@
-//! `wholestring bench`: what it measures and how it tells; never how fast this machine is.
+//! `wholestring bench`: what it measures and how it shows; never how fast this machine is.
 
 use std::fs;
 
@@ -77,7 +77,7 @@ fn inner_loop_and_whole_run_with_every_instruction_set() {
         assert!(positive(&kernel["flops"][kind]), "{kind}");
     }
     for part in ["mechanisms", "memory", "sweep"] {
-        assert!(numbers.get(part).is_none(), "{part} was not asked for");
+        assert!(numbers.get(part).is_none(), "{part} was not requested");
     }
     assert_eq!(numbers["bit_depth_m"], 400.0);
     for line in [

@@ -14,7 +14,7 @@ use wholestring_results::{BitTestOutcome, BitTestSummary, Status, Table};
 
 use crate::desk::{Desk, masked, transcript};
 
-/// Weak rock in coarse bricks under the bit of 120 mm: a point takes half a second.
+/// Weak rock in coarse elements under the bit of 120 mm: a point takes half a second.
 const ROCK: &str = r#"
 [bit.face]
 cutter_diameter = "19 mm"
@@ -188,7 +188,7 @@ fn threads_leave_the_numbers_alone() {
     );
 }
 
-/// What is finished is left alone, what was begun goes on, the rest is drilled: as if nothing had happened. A grid
+/// What is finished is left alone, what was begun continues, the rest is drilled: as if nothing had happened. A grid
 /// that has grown keeps its points.
 #[test]
 fn a_killed_test_goes_on() {
@@ -224,7 +224,7 @@ fn a_killed_test_goes_on() {
     let before = written(done);
     // As if it had been killed between the outcome and this.
     let left = desk.path("killed").join(done).join("checkpoint.bin");
-    fs::write(left, "laid aside").unwrap();
+    fs::write(left, "written to a checkpoint").unwrap();
     let output = desk.run(&bit_test(&["-o", "killed", "--resume"]));
     assert!(output.status.success(), "{}", transcript(&output));
     assert_eq!(written(done), before);
@@ -286,7 +286,7 @@ fn an_interrupted_test_goes_on() {
     assert_eq!(output.status.code(), Some(130));
     let message = String::from_utf8(output.stderr).unwrap();
     let end = "interrupted: what was computed is in stopped\n\
-               to go on, run the bit test again with --resume\n";
+               to continue, run the bit test again with --resume\n";
     assert!(message.ends_with(end), "{message}");
     let place = desk.path("stopped");
     assert!(place.join(POINTS[1]).join("checkpoint.bin").exists());

@@ -1,4 +1,4 @@
-//! Every column has what its declaration says: a value in every row of the models that know it, but where it tells that
+//! Every column has what its declaration says: a value in every row of the models that know it, but where it shows that
 //! it may be `null`; nothing in those of the others.
 
 use std::{collections::BTreeSet, fs};
@@ -145,7 +145,7 @@ fn model(models: Option<&[String]>, row: usize) -> ModelKind {
     }
 }
 
-/// Where a column that may be `null` must be, as far as the row itself tells.
+/// Where a column that may be `null` must be, as far as the row itself shows.
 fn must_be_null(table: &Table, column: &str, row: usize) -> Option<bool> {
     match column {
         "climb_rad" => Some(number(table, "contact_fraction", row) == Some(0.0)),

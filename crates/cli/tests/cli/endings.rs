@@ -78,7 +78,7 @@ fn diverged() {
 
     let summary = desk.summary("results");
     let [soft, dynamic] = &summary.operations[..] else {
-        panic!("the run goes on to the next operation");
+        panic!("the run continues to the next operation");
     };
     assert_eq!(soft.status, Status::Complete);
     assert!(matches!(&dynamic.status, Status::Failed(reason) if message.contains(reason)));
@@ -152,7 +152,7 @@ fn interrupted() {
     assert_eq!(
         message,
         "interrupted: what was computed is in results\n\
-         to go on, run the case with --resume results\n"
+         to continue, run the case with --resume results\n"
     );
 
     let summary = desk.summary("results");

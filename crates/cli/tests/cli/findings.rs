@@ -1,4 +1,4 @@
-//! What is told of an answer: in the summary, on the screen, in `sweep.csv`, in studies, and as an
+//! What is reported of an answer: in the summary, on the screen, in `sweep.csv`, in studies, and as an
 //! exit status.
 
 use std::{collections::BTreeSet, fs, path::Path};
@@ -99,8 +99,8 @@ fn strict_ends_with_four() {
     assert_eq!(desk.summary("results").operations.len(), 2);
     assert!(desk.path("results/report.html").exists());
 
-    let sound = [&["run", "slant.toml", "--strict"], &SOFT[..]].concat();
-    let output = desk.run(&sound);
+    let valid = [&["run", "slant.toml", "--strict"], &SOFT[..]].concat();
+    let output = desk.run(&valid);
     assert_eq!(output.status.code(), Some(0));
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(

@@ -270,7 +270,7 @@ fn a_second_program_is_kept_out_and_an_unfinished_run_is_kept() {
         "error: another run is writing to results\n\
          wait until it has ended, or name another folder with -o\n"
     );
-    // Nor may it be replaced, or gone on with.
+    // Nor may it be replaced, or continued.
     assert_eq!(
         desk.run(&[&long[..], &["--overwrite"]].concat())
             .status
@@ -296,7 +296,7 @@ fn a_second_program_is_kept_out_and_an_unfinished_run_is_kept() {
     assert_eq!(
         said,
         "error: results holds an unfinished run of this case\n\
-         to go on with it, run the case with --resume results; to begin anew, add --overwrite\n"
+         to continue with it, run the case with --resume results; to begin anew, add --overwrite\n"
     );
     assert_eq!(fs::read(desk.path("results/checkpoint.bin")).unwrap(), kept);
     // Another case does not take its place either.
@@ -338,7 +338,7 @@ fn programs_are_told_in_their_own_words() {
     }
 }
 
-/// Of two sweeps of one case each goes on with its own; one with more values than before goes on with the one that has some.
+/// Of two sweeps of one case each continues with its own; one with more values than before continues with the one that has some.
 #[test]
 fn a_resumed_sweep_finds_its_folder() {
     let desk = Desk::new();

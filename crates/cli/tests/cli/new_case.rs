@@ -24,7 +24,7 @@ fn a_new_case_runs() {
     assert_eq!(desk.summary("out").operations.len(), 5);
 }
 
-/// Its dynamics are not asked for, but sound.
+/// Its dynamics are not requested, but sound.
 #[test]
 fn its_dynamics_are_sound() {
     let desk = Desk::new();

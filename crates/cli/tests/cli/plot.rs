@@ -138,7 +138,7 @@ fn two_runs_stand_on_the_same_axes() {
             }
         }
     }
-    // Of one case, runs are told apart by where they lie.
+    // Of one case, runs are distinguished by where they lie.
     run(&desk, "third", &SOFT);
     assert!(
         desk.run(&["plot", "first", "third", "-o", "both"])

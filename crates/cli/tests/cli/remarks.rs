@@ -1,4 +1,4 @@
-//! What a run tells of beside its numbers: what the rig cannot do, how a lift was tuned, where a bit left its table.
+//! What a run reports beside its numbers: what the rig cannot do, how a lift was tuned, where a bit left its table.
 
 use std::{f64::consts::PI, fs};
 
@@ -63,7 +63,7 @@ fn what_the_rig_cannot_do_is_told() {
     );
 }
 
-/// A tuned lift is told of on the screen and in the summary, and is what the answer was computed with.
+/// A tuned lift is reported of on the screen and in the summary, and is what the answer was computed with.
 #[test]
 fn a_tuned_lift_is_reported() {
     let desk = Desk::new();
@@ -128,7 +128,7 @@ fn a_lift_that_is_not_found_says_which_came_nearest() {
     );
 }
 
-/// A bit whose weight swings beyond its table is told of on the screen and in the summary; its rate of penetration is
+/// A bit whose weight swings beyond its table is reported of on the screen and in the summary; its rate of penetration is
 /// among the statistics.
 #[test]
 fn a_table_that_the_bit_leaves_is_told_of() {

@@ -14,7 +14,7 @@ use wholestring_results::{Data, Table};
 
 use crate::desk::{Desk, transcript};
 
-/// All that a run leaves but for the time that it took: every file but the summary and the page that tells of it to
+/// All that a run leaves but for the time that it took: every file but the summary and the page that reports it to
 /// the byte.
 fn leavings(desk: &Desk, folder: &str) -> (Value, BTreeMap<String, Vec<u8>>) {
     let files = fs::read_dir(desk.path(folder)).unwrap();
@@ -144,7 +144,7 @@ fn a_run_killed_at_twenty_moments_ends_as_if_nothing_had_happened() {
     killed(20, "dynamics.duration=200 s");
 }
 
-/// Ctrl-C leaves a checkpoint however long the interval is, and tells how to go on.
+/// Ctrl-C leaves a checkpoint however long the interval is, and shows how to continue.
 #[cfg(unix)]
 #[test]
 fn ctrl_c_lays_a_run_aside() {
@@ -169,7 +169,7 @@ fn ctrl_c_lays_a_run_aside() {
     assert_eq!(
         String::from_utf8(output.stderr).unwrap(),
         "interrupted: what was computed is in stopped\n\
-         to go on, run the case with --resume stopped\n"
+         to continue, run the case with --resume stopped\n"
     );
     let kept = frames(&desk, "stopped");
     let whole = frames(&desk, "whole");
@@ -188,7 +188,7 @@ fn ctrl_c_lays_a_run_aside() {
     assert_eq!(child.wait().unwrap().code(), Some(2));
 }
 
-/// A run that goes on with another case would answer neither.
+/// A run that continues with another case would answer neither.
 #[test]
 fn what_cannot_be_resumed_is_refused() {
     let desk = Desk::new();

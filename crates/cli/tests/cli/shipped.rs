@@ -115,7 +115,7 @@ fn every_case_runs_to_its_end() {
         found += 1;
         let text = fs::read_to_string(&path).unwrap();
         let solved = if text.contains("law = \"rock\"") {
-            // Wide bricks, which take a fiftieth of the time and less, and are not too heavy for
+            // Wide elements, which take a fiftieth of the time and less, and are not too heavy for
             // the bit.
             let coarse = [
                 "rock.element_size=24 mm",

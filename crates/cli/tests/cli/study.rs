@@ -275,7 +275,7 @@ fn maps_and_wells_are_drawn() {
         assert_eq!(painted[..4], *b"\x89PNG");
     }
 
-    // What a sweep varies cannot be set for all; what was painted goes where it is not asked for again.
+    // What a sweep varies cannot be set for all; what was painted goes where it is not requested again.
     let output = run(&["--set", "bit_depth=400m"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(

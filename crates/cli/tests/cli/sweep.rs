@@ -198,7 +198,7 @@ fn one_case_that_fails() {
     assert!(table[2][status + 1].contains("diverged"), "{:?}", table[2]);
 }
 
-/// What is finished is left alone, what was begun goes on, the rest is solved: as if nothing had
+/// What is finished is left alone, what was begun continues, the rest is solved: as if nothing had
 /// happened.
 #[test]
 fn a_killed_sweep_goes_on() {
@@ -485,7 +485,7 @@ fn an_interrupted_sweep_goes_on() {
     assert_eq!(
         message,
         "interrupted: what was computed is in stopped\n\
-         to go on, run the sweep again with --resume\n"
+         to continue, run the sweep again with --resume\n"
     );
     assert!(desk.path("stopped/sweep.csv").exists());
     let output = desk.run(&[&stopped[..], &["--resume"]].concat());

@@ -3,9 +3,9 @@
 mod assemble;
 mod body;
 mod boundary;
+mod hook_load;
 mod initial_state;
 mod kernel;
-mod lift;
 mod output;
 mod settings;
 mod simulation;
@@ -21,7 +21,7 @@ pub use boundary::bit::{
     MudMotor, RateLaw, RegenerativeLaw, RockLaw, SteadyCut, TableFault, TableLaw, TablePoint,
     TableUse,
 };
-pub use lift::{LiftError, MOST_LIFT_RUNS, TunedLift, tune_lift};
+pub use hook_load::{MAX_TUNING_RUNS, TunedHookLoad, TuningError, tune_hook_load};
 pub use output::{
     energy::EnergyBalance,
     frame::{Channel, FRAME, Frame},
@@ -32,9 +32,9 @@ pub use output::{
 };
 pub use settings::schedule::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep};
 pub use settings::{
-    Autodriller, CentredStart, DynamicsSettings, FrictionLaw, HoistControl, HoistLine,
-    LIFT_TOLERANCE, Precision, RodDamping, SpeedController, Start, StartTension, TopDriveSettings,
-    UntilSteady,
+    Autodriller, CentredStart, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, Precision,
+    RodDamping, SpeedController, Start, StartTension, TopDriveSettings, UntilSteady,
+    WEIGHT_TOLERANCE,
 };
 pub use simulation::{
     Simulation,

@@ -17,7 +17,7 @@ use crate::{
 /// A stretch shorter than this is not told, m: a joint of pipe, of which no wave is shorter.
 const SHORTEST_M: f64 = 10.0;
 
-/// The compression along a string, and what it is held against.
+/// The compression along a string, and what it is compared with.
 pub struct Line<'a> {
     md_m: &'a [f64],
     tension_N: &'a [f64],
@@ -131,8 +131,8 @@ impl<'a> Line<'a> {
 /// same stretch is a helix.
 pub fn findings(line: &Line<'_>) -> Vec<Finding> {
     let of = |criterion, kind, over: &[f64]| -> Vec<Finding> {
-        let stretches = beyond_one(line.md_m, over).into_iter();
-        let told = stretches.filter(|of| of.md_m[1] - of.md_m[0] >= SHORTEST_M);
+        let intervals = beyond_one(line.md_m, over).into_iter();
+        let told = intervals.filter(|of| of.md_m[1] - of.md_m[0] >= SHORTEST_M);
         told.map(|interval| finding(line, criterion, kind, over, &interval))
             .collect()
     };
@@ -174,7 +174,7 @@ fn finding(
         .over(interval.md_m)
         .value(compression_N)
         .limit(match place.critical_load_N(criterion, compression_N) {
-            // The curvature jumps at the row: the load that the row itself was held against.
+            // The curvature jumps at the row: the load that the row itself was compared with.
             load_N if load_N > compression_N => limit_N,
             load_N => load_N,
         })

@@ -1,4 +1,4 @@
-//! One thing that an engineer must be told.
+//! One thing that an engineer must know.
 
 use serde::{Deserialize, Serialize};
 
@@ -27,7 +27,7 @@ impl Level {
     }
 }
 
-/// One thing that an engineer must be told of an answer, in SI units.
+/// One thing that an engineer must know about a result, in SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Finding {
     /// What was found.
@@ -41,7 +41,7 @@ pub struct Finding {
     pub to_md_m: Option<f64>,
     /// What was found, in the kind's unit; none where it is no number.
     pub value: Option<f64>,
-    /// What it is held against, in the same unit; none where there is no such number.
+    /// What it is compared with, in the same unit; none where there is no such number.
     pub limit: Option<f64>,
 }
 
@@ -66,7 +66,7 @@ impl Finding {
         }
     }
 
-    /// The same with what the number is held against.
+    /// The same with what the number is compared with.
     pub(super) fn limit(self, limit: f64) -> Self {
         Self {
             limit: Some(limit),

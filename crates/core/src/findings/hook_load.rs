@@ -8,14 +8,14 @@ const NONE: f64 = 1e-3;
 
 /// Of a hook load that does not vary.
 pub fn steady(model: &Model, hook_load_N: f64) -> Option<Finding> {
-    (hook_load_N <= least_N(model)).then(|| finding(model, hook_load_N))
+    (hook_load_N <= min_N(model)).then(|| finding(model, hook_load_N))
 }
 
 /// Of a dynamic run: an error where the mean is so, a warning where it is so at times.
 pub fn varying(model: &Model, window: &Window<'_>) -> Option<Finding> {
     let of = window.statistic("hook_load_N")?;
     steady(model, of.mean).or_else(|| {
-        (of.min <= least_N(model)).then(|| {
+        (of.min <= min_N(model)).then(|| {
             Finding::new(Kind::HookLoadNegative, Level::Warning)
                 .value(of.min)
                 .limit(0.0)
@@ -26,7 +26,7 @@ pub fn varying(model: &Model, window: &Window<'_>) -> Option<Finding> {
 /// What the block still pushes is no reason to stop; where its weight is not known, nothing pushes.
 fn finding(model: &Model, hook_load_N: f64) -> Finding {
     let block_N = model.rig.block_weight_N.unwrap_or(0.0);
-    let level = if hook_load_N + block_N > least_N(model) {
+    let level = if hook_load_N + block_N > min_N(model) {
         Level::Warning
     } else {
         Level::Error
@@ -36,7 +36,7 @@ fn finding(model: &Model, hook_load_N: f64) -> Finding {
         .limit(0.0)
 }
 
-fn least_N(model: &Model) -> f64 {
+fn min_N(model: &Model) -> f64 {
     NONE * weight_N(model)
 }
 

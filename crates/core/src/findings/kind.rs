@@ -2,7 +2,7 @@
 
 macro_rules! kinds {
     ($($(#[$doc:meta])* $kind:ident, $word:literal, $unit:literal;)+) => {
-        /// What a finding tells of.
+        /// What a finding reports.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
         pub enum Kind {
             $($(#[$doc])* $kind,)+
@@ -32,15 +32,15 @@ macro_rules! kinds {
 kinds! {
     /// The hook load is at or below zero: the string does not go down by its weight. Against zero.
     HookLoadNegative, "hook_load_negative", "N";
-    /// A string that slides down does not bring the weight to the bit: the weight that was asked
-    /// for, against what arrives with the whole string slacked off and the block, where its weight
+    /// A string that slides down does not bring the weight to the bit: the weight that was requested
+    /// , against what arrives with the whole string slacked off and the block, where its weight
     /// is known, pushing.
     LockUp, "lock_up", "N";
     /// The mean weight on bit is below its target.
     WeightOnBitNotReached, "weight_on_bit_not_reached", "N";
     /// The mean weight on bit is above its target.
     WeightOnBitExceeded, "weight_on_bit_exceeded", "N";
-    /// The standard deviation of the weight on bit, against the part of its mean that is told.
+    /// The standard deviation of the weight on bit, against the part of its mean that is reported.
     WeightOnBitUnsteady, "weight_on_bit_unsteady", "N";
     /// The share of the window in which a bit that is to drill was off the rock.
     BitBounce, "bit_bounce", "";
@@ -78,6 +78,6 @@ kinds! {
     WindowDrifts, "window_drifts", "";
     /// The string was not steady when settling ended, after this time.
     NeverSteady, "never_steady", "s";
-    /// The mean measured depth of the bit over the window, against what was asked for.
+    /// The mean measured depth of the bit over the window, against what was requested.
     BitElsewhere, "bit_elsewhere", "m";
 }

@@ -5,7 +5,7 @@ use crate::{
     model::Model,
     operation::{Operation, OperationKind},
     statics::{
-        buckling::{Criterion, Place, Pushed, Stretch, push_through, weight_at_bit_N},
+        buckling::{Criterion, Place, Pushed, Segment, push_through, weight_at_bit_N},
         soft::SoftProfile,
     },
 };
@@ -19,7 +19,7 @@ const MISSING: f64 = 1e-3;
 /// A string that goes down by less than this part of what it is to go stands.
 const STANDS: f64 = 0.1;
 
-/// Part of the weight that is asked for, less than which does not arrive in a dynamic run.
+/// Part of the weight that is requested, less than which does not arrive in a dynamic run.
 const ARRIVES: f64 = 0.8;
 
 fn slides_down(operation: &Operation) -> bool {
@@ -38,29 +38,27 @@ pub fn of_soft(
     if !slides_down(operation) || hook_load_N > 0.0 && !line.is_helical() {
         return None;
     }
-    let stretches = stretches(model, operation, &profile.md_m);
+    let segments = segments(model, operation, &profile.md_m);
     let block_N = model.rig.block_weight_N.unwrap_or(0.0);
     let asked_N = operation.weight_on_bit_now_N();
-    let arrives_N = weight_at_bit_N(&stretches, block_N, Criterion::Helical);
+    let arrives_N = weight_at_bit_N(&segments, block_N, Criterion::Helical);
     if arrives_N >= asked_N - MISSING * weight_N(model) {
         return None;
     }
     let found = Finding::new(Kind::LockUp, Level::Error)
         .value(asked_N)
         .limit(arrives_N);
-    Some(
-        match push_through(&stretches, asked_N, Criterion::Helical) {
-            Pushed::LocksUp(above_bit_m) => found.at(operation.bit_depth_m - above_bit_m),
-            Pushed::Through(_) => found,
-        },
-    )
+    Some(match push_through(&segments, asked_N, Criterion::Helical) {
+        Pushed::LocksUp(above_bit_m) => found.at(operation.bit_depth_m - above_bit_m),
+        Pushed::Through(_) => found,
+    })
 }
 
 /// The string from the bit up.
-fn stretches(model: &Model, operation: &Operation, md_m: &[f64]) -> Vec<Stretch> {
+fn segments(model: &Model, operation: &Operation, md_m: &[f64]) -> Vec<Segment> {
     let bit_depth_m = operation.bit_depth_m;
     let density = model.mud.density_kg_per_m3;
-    let mut stretches = Vec::new();
+    let mut segments = Vec::new();
     let mut to_md_m = bit_depth_m;
     for row in (0..md_m.len().saturating_sub(1)).rev() {
         let from_md_m = md_m[row];
@@ -83,7 +81,7 @@ fn stretches(model: &Model, operation: &Operation, md_m: &[f64]) -> Vec<Stretch>
         let middle_m = 0.5 * (from_md_m + to_md_m);
         let point = model.well.path.at(middle_m);
         let (_, component) = model.string.component_at(bit_depth_m - middle_m);
-        stretches.push(Stretch {
+        segments.push(Segment {
             length_m,
             place: Place::on(model, bit_depth_m, middle_m, &point),
             friction: model.well.hole.at(middle_m).friction.kinetic,
@@ -92,7 +90,7 @@ fn stretches(model: &Model, operation: &Operation, md_m: &[f64]) -> Vec<Stretch>
         });
         to_md_m = from_md_m;
     }
-    stretches
+    segments
 }
 
 /// Of a dynamic run, whose wall forces are those of the string as it lies: the hook is slack, and

@@ -1,7 +1,7 @@
-//! What an engineer must be told of an answer.
+//! What an engineer must know about a result.
 //!
 //! Every rule is a pure function from the model, the operation and what a solver gave to
-//! [`Finding`]s: a kind, how grave it is, where, how much, and what that is held against. Words and
+//! [`Finding`]s: a kind, how grave it is, where, how much, and what that is compared with. Words and
 //! users' units are not made here.
 
 mod buckling;
@@ -31,7 +31,7 @@ use crate::{
 
 use window::Window;
 
-/// What is to be told of an operation as the soft string solved it, the gravest first.
+/// What is to be reported of an operation as the soft string solved it, the gravest first.
 pub fn of_soft(model: &Model, operation: &Operation, profile: &SoftProfile) -> Vec<Finding> {
     let scalars = &profile.scalars;
     let line = buckling::Line::of_soft(model, operation, profile);
@@ -46,7 +46,7 @@ pub fn of_soft(model: &Model, operation: &Operation, profile: &SoftProfile) -> V
     gravest_first(found)
 }
 
-/// What is to be told of an operation as the dynamics solved it to its end, the gravest first.
+/// What is to be reported of an operation as the dynamics solved it to its end, the gravest first.
 pub fn of_dynamic(
     model: &Model,
     operation: &Operation,

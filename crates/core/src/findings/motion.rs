@@ -15,10 +15,10 @@ const STALLED: f64 = 0.5;
 /// A torque of this part of the limit is the limit: what is left is the inertia of the drive.
 const AT_LIMIT: f64 = 0.98;
 
-/// A share of the time at the limit that is told.
+/// A share of the time at the limit that is reported.
 const OFTEN: f64 = 0.01;
 
-/// A severity of stick-slip that is told.
+/// A severity of stick-slip that is reported.
 const SEVERE: f64 = 0.5;
 
 /// A severity at which the bit just stops.

@@ -3,10 +3,10 @@
 use super::{Finding, Kind, Level};
 use crate::rig::Rig;
 
-/// A load beyond this part of the hoist's capacity is told.
+/// A load beyond this part of the hoist's capacity is reported.
 const HEAVY: f64 = 0.9;
 
-/// A torque beyond this part of the rated one is told.
+/// A torque beyond this part of the rated one is reported.
 const MUCH: f64 = 0.8;
 
 /// Hook loads, N, of which the mean and the largest count, against the hoist's capacity; with the

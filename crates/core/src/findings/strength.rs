@@ -2,7 +2,7 @@
 
 use super::{Finding, Kind, Level, interval::beyond_one};
 
-/// A use of the yield strength that is told: the inverse of the design factor of 1.25 that is
+/// A use of the yield strength that is reported: the inverse of the design factor of 1.25 that is
 /// common for drill pipe.
 pub const YIELD_USE_WARNING: f64 = 0.8;
 

@@ -9,14 +9,14 @@ use crate::{
     operation::Operation,
 };
 
-/// A mean that is off its target by more than this part of it is told: what a weight indicator
+/// A mean that is off its target by more than this part of it is reported: what a weight indicator
 /// shows.
 const OFF: f64 = 0.05;
 
 /// A mean that is off by more than this is the answer to another question.
 const FAR_OFF: f64 = 0.2;
 
-/// A standard deviation beyond this part of the mean is told: the weight then swings by half of it
+/// A standard deviation beyond this part of the mean is reported: the weight then swings by half of it
 /// either way.
 const UNSTEADY: f64 = 0.25;
 
@@ -59,8 +59,8 @@ pub fn findings(
     found
 }
 
-/// The weight that is asked for, N, and whether something is there to hold it; none where nothing
-/// is asked for, or it changes in the window.
+/// The weight that is requested, N, and whether something is there to hold it; none where nothing
+/// is requested, or it changes in the window.
 fn target_N(
     operation: &Operation,
     settings: &DynamicsSettings,

@@ -102,7 +102,7 @@ impl Rheology {
         }
     }
 
-    /// The index `n` that turbulence correlations ask for: 1 but for a power law.
+    /// The index `n` that turbulence correlations require: 1 but for a power law.
     pub fn flow_index(&self) -> f64 {
         match *self {
             Self::PowerLaw { flow_index, .. } => flow_index,

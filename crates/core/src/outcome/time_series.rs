@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::quantity::{IN_TIME, columns};
 use crate::{
-    damage::{Damaged, sound},
+    damage::{Damaged, ensure},
     dynamics::Probed,
 };
 
@@ -83,7 +83,7 @@ columns! {
     beside {
         /// Line of the schedule that began last, counted from one; zero before the first.
         schedule_line: Vec<usize>;
-        /// What single nodes showed, as the settings ask for it.
+        /// What single nodes showed, as the settings require it.
         probes: Vec<Probed>;
     }
 }
@@ -101,7 +101,7 @@ impl TimeSeries {
                 .probes
                 .iter()
                 .all(|probe| probe.node < nodes && probe.samples.len() == rows);
-        sound(fits, "the series against time")?;
+        ensure(fits, "the series against time")?;
         Ok(rows)
     }
 }

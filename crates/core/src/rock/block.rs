@@ -3,9 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    brick::{Modes, Motion},
     constants::{Constants, Numerics},
     edges::{Edge, Edges},
+    element::{Modes, Motion},
     energy::Energies,
     executor::Executor,
     grid::{GROUP, Grid},
@@ -14,28 +14,28 @@ use super::{
     surface::Surface,
 };
 
-/// What a removed brick has for its intact part.
+/// What a removed element has for its intact part.
 const REMOVED: f64 = -1.0;
 
 /// What a block is to be made of.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BlockSpec {
-    /// Bricks along x, y and z, z pointing down the hole.
+    /// Elements along x, y and z, z pointing down the hole.
     pub cells: [usize; 3],
-    /// Edges of a brick, m.
+    /// Edges of an element, m.
     pub size_m: [f64; 3],
     /// The rock.
     pub rock: Rock,
     /// Faces −x, +x, −y, +y, −z, +z.
     pub edges: [Edge; 6],
-    /// Pressure of what fills the hole, Pa: it presses on every free face, also on those that removed bricks leave,
+    /// Pressure of what fills the hole, Pa: it presses on every free face, also on those that removed elements leave,
     /// and is the initial stress across z.
     pub pressure_Pa: f64,
     /// Initial pressure in the rock across x and y, Pa.
     pub confinement_Pa: f64,
     /// How it is integrated.
     pub numerics: Numerics,
-    /// Layers of bricks that are worked on together; fewer let more threads work, and cost more.
+    /// Layers of elements that are worked on together; fewer let more threads work, and cost more.
     pub layers_per_slab: usize,
 }
 
@@ -56,15 +56,15 @@ impl BlockSpec {
         }
     }
 
-    /// Bricks of the block.
-    pub fn bricks(&self) -> usize {
+    /// Elements of the block.
+    pub fn elements(&self) -> usize {
         self.cells.iter().product()
     }
 
-    /// The longest step that the bricks bear, s, without building them.
+    /// The longest step that the elements bear, s, without building them.
     ///
     /// # Errors
-    /// Numbers that no rock has, or bricks too large for its fracture energy.
+    /// Numbers that no rock has, or elements too large for its fracture energy.
     pub fn step_s(&self) -> Result<f64, RockError> {
         Ok(self.numbers()?.dt_s)
     }
@@ -73,7 +73,7 @@ impl BlockSpec {
         Constants::new(&self.rock, self.size_m, self.pressure_Pa, &self.numerics)
     }
 
-    /// What all bricks have in common, if there can be such a block.
+    /// What all elements have in common, if there can be such a block.
     pub(super) fn constants(&self) -> Result<Constants, RockError> {
         let [nx, ny, nz] = self.cells;
         let nodes = (nx as u128 + 16) * (ny as u128 + 1) * (nz as u128 + 1);
@@ -94,14 +94,14 @@ pub struct SurfaceNode {
     /// How it would move on if nothing pushed it, m/s.
     pub velocity_m_per_s: [f64; 3],
     /// How it came here, m/s: before the rock's own forces acted on it. The difference times mass over step are those.
-    pub came_m_per_s: [f64; 3],
+    pub before_m_per_s: [f64; 3],
     /// Its mass, kg.
     pub mass_kg: f64,
     /// Its part of the surface with the outward direction, m², in the rock at rest.
     pub area_m2: [f64; 3],
 }
 
-/// A block of rock: bricks of one rock in a grid, some of which have failed and are gone.
+/// A block of rock: elements of one rock in a grid, some of which have failed and are gone.
 ///
 /// It is plain data. Positions are those at the last step, velocities those half a step later, as central differences
 /// have them.
@@ -118,16 +118,16 @@ pub struct Block {
     pub(super) displacement: [Vec<f64>; 3],
     pub(super) velocity: [Vec<f64>; 3],
     /// Velocity with which the exposed nodes came through the last step, m/s.
-    pub(super) came: [Vec<f64>; 3],
+    pub(super) velocity_before: [Vec<f64>; 3],
     pub(super) inverse_mass: Vec<f64>,
-    /// Bricks left around each node.
+    /// Elements left around each node.
     pub(super) around: Vec<u8>,
     pub(super) stress: [Vec<f64>; 6],
     pub(super) intact: Vec<f64>,
-    /// Bricks left in each group.
+    /// Elements left in each group.
     pub(super) left: Vec<u8>,
     pub(super) books: Vec<RowBook>,
-    /// Bricks that have gone.
+    /// Elements that have gone.
     pub(super) removed: usize,
     pub(super) surface: Surface,
     /// What has gone and what was given; what rows have lost stands in their books.
@@ -170,12 +170,12 @@ impl Block {
             top_m: 0.0,
             displacement: [zeros(), zeros(), zeros()],
             velocity: [zeros(), zeros(), zeros()],
-            came: [zeros(), zeros(), zeros()],
+            velocity_before: [zeros(), zeros(), zeros()],
             inverse_mass: zeros(),
             around: vec![0; grid.node_places()],
-            stress: initial_stress.map(|_| vec![0.0; grid.brick_places()]),
-            intact: vec![REMOVED; grid.brick_places()],
-            left: vec![0; grid.brick_places() / GROUP],
+            stress: initial_stress.map(|_| vec![0.0; grid.element_places()]),
+            intact: vec![REMOVED; grid.element_places()],
+            left: vec![0; grid.element_places() / GROUP],
             books: vec![RowBook::default(); ny * nz],
             removed: 0,
             surface: Surface::new(&grid, &spec.edges, |_| true),
@@ -190,14 +190,18 @@ impl Block {
 
     /// Puts fresh rock in all layers from one on.
     pub(super) fn fill(&mut self, from: usize) {
-        for brick in self.grid.each_brick().filter(|brick| brick[2] >= from) {
-            let place = self.grid.brick(brick);
+        for element in self
+            .grid
+            .each_element()
+            .filter(|element| element[2] >= from)
+        {
+            let place = self.grid.element(element);
             for (field, stress) in self.stress.iter_mut().zip(self.initial_stress) {
                 field[place] = stress;
             }
             self.intact[place] = 1.0;
             self.left[place / GROUP] += 1;
-            for corner in self.grid.corners(brick) {
+            for corner in self.grid.corners(element) {
                 self.around[corner] += 1;
             }
         }
@@ -206,7 +210,7 @@ impl Block {
         }
     }
 
-    /// Mass of a node from the bricks around it.
+    /// Mass of a node from the elements around it.
     pub(super) fn weigh(&mut self, node: usize) {
         let around = f64::from(self.around[node]);
         self.inverse_mass[node] = if around > 0.0 {
@@ -216,8 +220,8 @@ impl Block {
         };
     }
 
-    /// One step: nodes drift, bricks answer, nodes are kicked, bricks that have failed go. What touches the block pushes
-    /// between two steps. How many bricks went.
+    /// One step: nodes drift, elements answer, nodes are kicked, elements that have failed go. What touches the block pushes
+    /// between two steps. How many elements went.
     pub fn step(&mut self, stepper: &Stepper, executor: &impl Executor) -> usize {
         let (grid, constants) = (self.grid, self.constants);
         let dt = constants.dt_s;
@@ -231,8 +235,8 @@ impl Block {
         let mut outside = self.outside.take().unwrap_or_else(|| self.make_edges());
         outside.remember(&self.velocity);
         for &node in self.surface.exposed() {
-            for (came, v) in self.came.iter_mut().zip(&self.velocity) {
-                came[node as usize] = v[node as usize];
+            for (velocity_before, v) in self.velocity_before.iter_mut().zip(&self.velocity) {
+                velocity_before[node as usize] = v[node as usize];
             }
         }
         let fields = self.fields();
@@ -284,7 +288,7 @@ impl Block {
                 index,
                 position_m: self.position_m(index),
                 velocity_m_per_s: at(&self.velocity, index),
-                came_m_per_s: at(&self.came, index),
+                before_m_per_s: at(&self.velocity_before, index),
                 mass_kg: self.mass_kg(index),
                 area_m2: self.surface.area_m2(&self.grid, index),
             }
@@ -295,7 +299,7 @@ impl Block {
     /// a node goes into one force.
     ///
     /// The work is the force times the mean of the velocities with which the node came and goes, as that of the rock's own
-    /// forces is. What holds a node of an outer face bears the push, and its motion stays as it is told.
+    /// forces is. What holds a node of an outer face bears the push, and its motion stays as prescribed.
     pub fn push(&mut self, index: usize, force_N: [f64; 3]) -> f64 {
         let inverse = self.inverse_mass[index];
         let mut work_J = 0.0;
@@ -310,7 +314,7 @@ impl Block {
                 if !held[axis] {
                     *v += dt * force * inverse;
                 }
-                let work = force * dt * 0.5 * (self.came[axis][index] + *v);
+                let work = force * dt * 0.5 * (self.velocity_before[axis][index] + *v);
                 if held[axis] {
                     self.energies.edges_J -= work;
                 }
@@ -328,20 +332,20 @@ impl Block {
         }
     }
 
-    /// Leaves a brick only a part of its cohesion and tensile strength.
-    pub fn weaken(&mut self, brick: [usize; 3], intact: f64) {
-        let intact_now = &mut self.intact[self.grid.brick(brick)];
+    /// Leaves an element only a part of its cohesion and tensile strength.
+    pub fn weaken(&mut self, element: [usize; 3], intact: f64) {
+        let intact_now = &mut self.intact[self.grid.element(element)];
         if *intact_now > 0.0 {
             *intact_now = intact.clamp(f64::MIN_POSITIVE, 1.0);
         }
     }
 
-    /// Layers of bricks that are worked on together.
+    /// Layers of elements that are worked on together.
     pub(super) fn layers_per_slab(&self) -> usize {
         self.layers_per_slab
     }
 
-    /// The grid that the bricks stand in.
+    /// The grid that the elements stand in.
     pub fn grid(&self) -> &Grid {
         &self.grid
     }
@@ -392,19 +396,19 @@ impl Block {
         f64::from(self.around[index]) * self.constants.mass_kg / 8.0
     }
 
-    /// Kirchhoff stress of a brick, Pa: xx, yy, zz, xy, yz, zx.
-    pub fn stress_Pa(&self, brick: [usize; 3]) -> [f64; 6] {
-        let place = self.grid.brick(brick);
+    /// Kirchhoff stress of an element, Pa: xx, yy, zz, xy, yz, zx.
+    pub fn stress_Pa(&self, element: [usize; 3]) -> [f64; 6] {
+        let place = self.grid.element(element);
         [0, 1, 2, 3, 4, 5].map(|i| self.stress[i][place])
     }
 
-    /// What is left of a brick's cohesion, 1 to 0; none once the brick has gone.
-    pub fn intact(&self, brick: [usize; 3]) -> Option<f64> {
-        let intact = self.intact[self.grid.brick(brick)];
+    /// What is left of an element's cohesion, 1 to 0; none once the element has gone.
+    pub fn intact(&self, element: [usize; 3]) -> Option<f64> {
+        let intact = self.intact[self.grid.element(element)];
         (intact >= 0.0).then_some(intact)
     }
 
-    /// Bricks that have gone, and their volume at rest, m³.
+    /// Elements that have gone, and their volume at rest, m³.
     pub fn removed(&self) -> (usize, f64) {
         (self.removed, self.removed as f64 * self.constants.volume_m3)
     }
@@ -421,9 +425,9 @@ impl Block {
             let square: f64 = v.iter().map(|v| v * v).sum();
             energies.kinetic_J += 0.5 * self.mass_kg(place) * square;
         }
-        for brick in self.grid.each_brick() {
-            if self.intact[self.grid.brick(brick)] >= 0.0 {
-                let of = self.brick_energies(brick);
+        for element in self.grid.each_element() {
+            if self.intact[self.grid.element(element)] >= 0.0 {
+                let of = self.element_energies(element);
                 energies.elastic_J += of.elastic_J;
                 energies.hourglass_J += of.hourglass_J;
                 energies.pressure_J += of.pressure_J;
@@ -432,11 +436,11 @@ impl Block {
         energies
     }
 
-    /// What a brick holds, and what the pressure did to it.
-    pub(super) fn brick_energies(&self, brick: [usize; 3]) -> Energies {
+    /// What an element holds, and what the pressure did to it.
+    pub(super) fn element_energies(&self, element: [usize; 3]) -> Energies {
         let c = &self.constants;
         let half = 0.5 * c.dt_s;
-        let corners = self.grid.corners(brick);
+        let corners = self.grid.corners(element);
         let velocity = self.velocity.each_ref().map(|v| corners.map(|i| v[i]));
         let middle = [0, 1, 2].map(|axis| {
             let u = &self.displacement[axis];
@@ -447,7 +451,7 @@ impl Block {
             middle.gradient,
             velocity.gradient.map(|row| row.map(|x| x * half)),
         );
-        let stress = c.law.predict(self.stress_Pa(brick), motion.strain);
+        let stress = c.law.predict(self.stress_Pa(element), motion.strain);
         let hourglass: f64 = middle.hourglass.as_flattened().iter().map(|x| x * x).sum();
         Energies {
             elastic_J: c.volume_m3 * c.law.elastic_J_per_m3(stress),

@@ -1,4 +1,4 @@
-//! What is the same for all bricks of a block.
+//! What is the same for all elements of a block.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,18 +7,18 @@ use super::{
     plasticity::Law,
 };
 
-/// A brick whose shortest stretch falls below this is removed: `|F⁻¹|²` of one that is squeezed to a half.
-pub const MOST_SQUEEZED: f64 = 6.0;
+/// An element whose shortest stretch falls below this is removed: `|F⁻¹|²` of one that is squeezed to a half.
+pub const MAX_SQUEEZED: f64 = 6.0;
 
-/// How the bricks are integrated.
+/// How the elements are integrated.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Numerics {
-    /// Step as a part of the one that the stiffest brick at rest bears. The rest is for bricks that are squeezed.
+    /// Step as a part of the one that the stiffest element at rest bears. The rest is for elements that are squeezed.
     pub step_fraction: f64,
-    /// Linear bulk viscosity: pressure per `ρ c_p h` and rate of swelling. Raising it calms the waves of one
+    /// Linear bulk viscosity: pressure per `ρ c_p h` and rate of swelling. Raising it damps the waves of one
     /// element's length, and shortens the step.
     pub bulk_viscosity: f64,
-    /// Stiffness against hourglassing, as a part of the brick's own. Too little lets it hourglass, too
+    /// Stiffness against hourglassing, as a part of the element's own. Too little lets it hourglass, too
     /// much stiffens it in bending.
     pub hourglass_stiffness: f64,
     /// Damping of hourglassing, as a part of the critical.
@@ -39,7 +39,7 @@ impl Default for Numerics {
     }
 }
 
-/// What is the same for all bricks of a block.
+/// What is the same for all elements of a block.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct Constants {
     /// Strength and stiffness.
@@ -47,7 +47,7 @@ pub struct Constants {
     /// Step, and the longest that it may be, s.
     pub dt_s: f64,
     pub longest_dt_s: f64,
-    /// Volume, m³, and mass, kg, of a brick.
+    /// Volume, m³, and mass, kg, of an element.
     pub volume_m3: f64,
     pub mass_kg: f64,
     /// From sums over the corners to gradients, 1/m.
@@ -66,7 +66,7 @@ pub struct Constants {
 }
 
 impl Constants {
-    /// For bricks of given edges.
+    /// For elements of given edges.
     pub fn new(
         rock: &Rock,
         size_m: [f64; 3],
@@ -85,7 +85,7 @@ impl Constants {
         let squares = size_m.map(|h| 1.0 / (h * h));
         let hourglass = numerics.hourglass_stiffness * (lame + 2.0 * shear) * volume_m3 / 16.0
             * squares.iter().sum::<f64>();
-        // A brick's highest frequencies: it swells, it shears, it hourglasses. No mesh of it has a higher one.
+        // An element's highest frequencies: it swells, it shears, it hourglasses. No mesh of it has a higher one.
         let swelling = squares
             .iter()
             .map(|square| square * (lame * 3.0 + 2.0 * shear))
@@ -96,7 +96,7 @@ impl Constants {
         let highest = 2.0 * (swelling.max(shearing).max(hourglassing) / density).sqrt();
         let wave = rock.pressure_wave_m_per_s();
         let shortest = size_m.into_iter().fold(f64::INFINITY, f64::min);
-        // The damping ratio of a brick that swells and shrinks.
+        // The damping ratio of an element that swells and shrinks.
         let ratio =
             numerics.bulk_viscosity * (3.0 * (lame + 2.0 * shear) / rock.bulk_modulus_Pa()).sqrt();
         let bearable_s = 2.0 / highest * ((1.0 + ratio * ratio).sqrt() - ratio);

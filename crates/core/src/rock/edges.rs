@@ -9,9 +9,9 @@ use super::{constants::Constants, grid::Grid};
 pub enum Edge {
     /// What fills the hole: its pressure, and whatever pushes. Only such a face can be touched.
     Free,
-    /// Nodes move as they are told: not at all, unless they were given a velocity.
+    /// Nodes move as prescribed: not at all, unless they were given a velocity.
     Held,
-    /// Nodes move across the face as they are told, and freely along it: a plane of symmetry.
+    /// Nodes move across the face as prescribed, and freely along it: a plane of symmetry.
     Guided,
     /// More rock of the same kind, under the stress that the block had at first. Waves that arrive squarely pass: each
     /// area `A` is a dashpot `ρ c_p A` across and `ρ c_s A` along the face (Lysmer and Kuhlemeyer 1969).
@@ -58,7 +58,7 @@ impl Edges {
                 if node[axis] != if far { grid.cells[axis] } else { 0 } {
                     continue;
                 }
-                // A quarter of the face of each brick around the node.
+                // A quarter of the face of each element around the node.
                 let quarters: f64 = [(axis + 1) % 3, (axis + 2) % 3]
                     .map(|a| {
                         if node[a] == 0 || node[a] == grid.cells[a] {
@@ -92,7 +92,7 @@ impl Edges {
         Self(found)
     }
 
-    /// The directions in which a node moves as it is told.
+    /// The directions in which a node moves as prescribed.
     pub fn held(&self, place: usize) -> [bool; 3] {
         let found = self.0.binary_search_by_key(&place, |node| node.place);
         found.map_or([false; 3], |index| self.0[index].held)

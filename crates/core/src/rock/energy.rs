@@ -20,7 +20,7 @@ pub struct Energies {
     pub viscous_J: f64,
     /// Gone out of open faces.
     pub absorbed_J: f64,
-    /// Gone with removed bricks.
+    /// Gone with removed elements.
     pub removed_J: f64,
     /// Given by what pushed.
     pub pushed_J: f64,
@@ -28,7 +28,7 @@ pub struct Energies {
     pub edges_J: f64,
     /// Given by the pressure of the filling.
     pub pressure_J: f64,
-    /// Given with the bricks that the block began with or got since.
+    /// Given with the elements that the block began with or got since.
     pub entered_J: f64,
 }
 
@@ -39,7 +39,7 @@ impl Energies {
     }
 
     /// What has left it.
-    pub fn gone_J(&self) -> f64 {
+    pub fn lost_J(&self) -> f64 {
         self.plastic_J + self.viscous_J + self.absorbed_J + self.removed_J
     }
 
@@ -50,7 +50,7 @@ impl Energies {
 
     /// What the books are off by.
     pub fn residual_J(&self) -> f64 {
-        self.held_J() + self.gone_J() - self.given_J()
+        self.held_J() + self.lost_J() - self.given_J()
     }
 
     /// Kinetic energy over the energy that deformation took: small where inertia does not matter, and the density

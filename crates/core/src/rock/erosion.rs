@@ -1,4 +1,4 @@
-//! Bricks that have failed go.
+//! Elements that have failed go.
 
 use super::{
     block::{Block, at},
@@ -7,29 +7,29 @@ use super::{
 };
 
 impl Block {
-    /// Removes the bricks that the last step left without cohesion, or squeezed flat; how many.
+    /// Removes the elements that the last step left without cohesion, or squeezed flat; how many.
     pub(super) fn erode(&mut self) -> usize {
-        let rows = self.grid.brick_rows();
-        let mut gone = 0;
+        let rows = self.grid.element_rows();
+        let mut eroded = 0;
         for row in 0..self.books.len() {
-            if self.books[row].least_intact > 0.0 {
+            if self.books[row].min_intact > 0.0 {
                 continue;
             }
             for i in 0..self.grid.cells[0] {
-                let brick = [i, row % rows, row / rows];
-                if self.intact[self.grid.brick(brick)] == 0.0 {
-                    self.remove(brick);
-                    gone += 1;
+                let element = [i, row % rows, row / rows];
+                if self.intact[self.grid.element(element)] == 0.0 {
+                    self.remove(element);
+                    eroded += 1;
                 }
             }
-            self.books[row].least_intact = 1.0;
+            self.books[row].min_intact = 1.0;
         }
-        gone
+        eroded
     }
 
-    /// Takes a brick out. Its mass goes with it, and what it holds; its neighbours' faces are free.
-    pub fn remove(&mut self, brick: [usize; 3]) {
-        let place = self.grid.brick(brick);
+    /// Takes an element out. Its mass goes with it, and what it holds; its neighbours' faces are free.
+    pub fn remove(&mut self, element: [usize; 3]) {
+        let place = self.grid.element(element);
         if self.intact[place] < 0.0 {
             return;
         }
@@ -38,7 +38,7 @@ impl Block {
             hourglass_J,
             pressure_J,
             ..
-        } = self.brick_energies(brick);
+        } = self.element_energies(element);
         self.energies.removed_J += elastic_J + hourglass_J;
         self.energies.pressure_J += pressure_J;
         self.intact[place] = -1.0;
@@ -47,14 +47,14 @@ impl Block {
         }
         self.left[place / GROUP] -= 1;
         self.removed += 1;
-        for corner in self.grid.corners(brick) {
+        for corner in self.grid.corners(element) {
             let v = at(&self.velocity, corner);
             let square: f64 = v.iter().map(|v| v * v).sum();
             self.energies.removed_J += self.constants.mass_kg / 16.0 * square;
             if !self.surface.is_exposed(corner) {
                 // What it came with is not known any more.
-                for (came, v) in self.came.iter_mut().zip(v) {
-                    came[corner] = v;
+                for (velocity_before, v) in self.velocity_before.iter_mut().zip(v) {
+                    velocity_before[corner] = v;
                 }
             }
             self.around[corner] -= 1;
@@ -66,7 +66,8 @@ impl Block {
             }
         }
         let (grid, intact) = (self.grid, &self.intact);
-        self.surface
-            .remove(&grid, &self.edges, brick, |b| intact[grid.brick(b)] >= 0.0);
+        self.surface.remove(&grid, &self.edges, element, |b| {
+            intact[grid.element(b)] >= 0.0
+        });
     }
 }

@@ -14,7 +14,7 @@ fn shift<T: Copy>(field: &mut [T], places: usize, last: T) {
     field[kept..].fill(last);
 }
 
-/// The same with a field of nodes, the last layer of which goes on below.
+/// The same with a field of nodes, the last layer of which continues below.
 fn shift_on(field: &mut [f64], grid: &Grid, layers: usize) {
     let layer = grid.node_layer();
     field.copy_within(layers * layer.., 0);
@@ -27,7 +27,7 @@ fn shift_on(field: &mut [f64], grid: &Grid, layers: usize) {
 impl Block {
     /// Layers at the top of which nothing is left.
     pub fn spent_layers(&self) -> usize {
-        let layer = self.grid.brick_layer() / GROUP;
+        let layer = self.grid.element_layer() / GROUP;
         self.left
             .chunks_exact(layer)
             .take_while(|layer| layer.iter().all(|&left| left == 0))
@@ -52,21 +52,21 @@ impl Block {
             .displacement
             .iter_mut()
             .chain(&mut self.velocity)
-            .chain(&mut self.came)
+            .chain(&mut self.velocity_before)
         {
             shift_on(field, &grid, layers);
         }
-        let (nodes, bricks) = (layers * grid.node_layer(), layers * grid.brick_layer());
+        let (nodes, elements) = (layers * grid.node_layer(), layers * grid.element_layer());
         shift(&mut self.around, nodes, 0);
         for field in &mut self.stress {
-            shift(field, bricks, 0.0);
+            shift(field, elements, 0.0);
         }
-        shift(&mut self.intact, bricks, -1.0);
-        shift(&mut self.left, bricks / GROUP, 0);
+        shift(&mut self.intact, elements, -1.0);
+        shift(&mut self.left, elements / GROUP, 0);
         self.fill(grid.cells[2] - layers);
         self.top_m += layers as f64 * grid.size_m[2];
         let intact = &self.intact;
-        self.surface = Surface::new(&grid, &self.edges, |b| intact[grid.brick(b)] >= 0.0);
+        self.surface = Surface::new(&grid, &self.edges, |b| intact[grid.element(b)] >= 0.0);
         self.energies.entered_J += self.energies().residual_J() - without;
         layers
     }

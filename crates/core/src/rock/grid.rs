@@ -1,38 +1,38 @@
-//! Where the bricks and their nodes stand in memory.
+//! Where the elements and their nodes stand in memory.
 
 use serde::{Deserialize, Serialize};
 
-/// Bricks that are looked after together: the widest register.
+/// Elements that are looked after together: the widest register.
 pub const GROUP: usize = 8;
 
-/// A grid of bricks in rows along x, rows in layers along y, layers along z, which points down the hole.
+/// A grid of elements in rows along x, rows in layers along y, layers along z, which points down the hole.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Grid {
-    /// Bricks along x, y and z.
+    /// Elements along x, y and z.
     pub cells: [usize; 3],
-    /// Edges of a brick, m.
+    /// Edges of an element, m.
     pub size_m: [f64; 3],
 }
 
 impl Grid {
-    /// Places of a row of bricks: whole groups.
-    pub fn brick_row(&self) -> usize {
+    /// Places of a row of elements: whole groups.
+    pub fn element_row(&self) -> usize {
         self.cells[0].next_multiple_of(GROUP)
     }
 
-    /// Places of a row of nodes: one node more than there are bricks, and nothing that is read beyond the end.
+    /// Places of a row of nodes: one node more than there are elements, and nothing that is read beyond the end.
     pub fn node_row(&self) -> usize {
-        self.brick_row() + GROUP
+        self.element_row() + GROUP
     }
 
-    /// Rows of bricks of a layer.
-    pub fn brick_rows(&self) -> usize {
+    /// Rows of elements of a layer.
+    pub fn element_rows(&self) -> usize {
         self.cells[1]
     }
 
-    /// Places of a layer of bricks.
-    pub fn brick_layer(&self) -> usize {
-        self.brick_row() * self.cells[1]
+    /// Places of a layer of elements.
+    pub fn element_layer(&self) -> usize {
+        self.element_row() * self.cells[1]
     }
 
     /// Places of a layer of nodes.
@@ -40,9 +40,9 @@ impl Grid {
         self.node_row() * (self.cells[1] + 1)
     }
 
-    /// Places of all bricks.
-    pub fn brick_places(&self) -> usize {
-        self.brick_layer() * self.cells[2]
+    /// Places of all elements.
+    pub fn element_places(&self) -> usize {
+        self.element_layer() * self.cells[2]
     }
 
     /// Places of all nodes.
@@ -50,14 +50,14 @@ impl Grid {
         self.node_layer() * (self.cells[2] + 1)
     }
 
-    /// Bricks.
-    pub fn bricks(&self) -> usize {
+    /// Elements.
+    pub fn elements(&self) -> usize {
         self.cells.iter().product()
     }
 
-    /// Place of a brick.
-    pub fn brick(&self, [i, j, k]: [usize; 3]) -> usize {
-        i + self.brick_row() * j + self.brick_layer() * k
+    /// Place of an element.
+    pub fn element(&self, [i, j, k]: [usize; 3]) -> usize {
+        i + self.element_row() * j + self.element_layer() * k
     }
 
     /// Place of a node.
@@ -65,9 +65,9 @@ impl Grid {
         i + self.node_row() * j + self.node_layer() * k
     }
 
-    /// Which brick is at a place.
-    pub fn brick_at(&self, place: usize) -> [usize; 3] {
-        let (row, layer) = (self.brick_row(), self.brick_layer());
+    /// Which element is at a place.
+    pub fn element_at(&self, place: usize) -> [usize; 3] {
+        let (row, layer) = (self.element_row(), self.element_layer());
         [place % row, place % layer / row, place / layer]
     }
 
@@ -83,7 +83,7 @@ impl Grid {
         [place % row, over % rows, over / rows].map(|at| at as usize)
     }
 
-    /// Places of a brick's corners; bits 0, 1, 2 of a corner's number tell whether it is the far one in x, y, z.
+    /// Places of an element's corners; bits 0, 1, 2 of a corner's number tell whether it is the far one in x, y, z.
     pub fn corners(&self, [i, j, k]: [usize; 3]) -> [usize; 8] {
         let first = self.node([i, j, k]);
         [0, 1, 2, 3, 4, 5, 6, 7].map(|corner| {
@@ -94,8 +94,8 @@ impl Grid {
         })
     }
 
-    /// All bricks, in the order of their places.
-    pub fn each_brick(&self) -> impl Iterator<Item = [usize; 3]> + use<> {
+    /// All elements, in the order of their places.
+    pub fn each_element(&self) -> impl Iterator<Item = [usize; 3]> + use<> {
         let [nx, ny, nz] = self.cells;
         (0..nz).flat_map(move |k| (0..ny).flat_map(move |j| (0..nx).map(move |i| [i, j, k])))
     }
@@ -106,18 +106,18 @@ impl Grid {
         (0..=nz).flat_map(move |k| (0..=ny).flat_map(move |j| (0..=nx).map(move |i| [i, j, k])))
     }
 
-    /// The brick beyond a face, and none beyond the block. Faces are −x, +x, −y, +y, −z, +z.
-    pub fn beyond(&self, mut brick: [usize; 3], face: usize) -> Option<[usize; 3]> {
+    /// The element beyond a face, and none beyond the block. Faces are −x, +x, −y, +y, −z, +z.
+    pub fn beyond(&self, mut element: [usize; 3], face: usize) -> Option<[usize; 3]> {
         let axis = face / 2;
-        brick[axis] = if face.is_multiple_of(2) {
-            brick[axis].checked_sub(1)?
+        element[axis] = if face.is_multiple_of(2) {
+            element[axis].checked_sub(1)?
         } else {
-            brick[axis] + 1
+            element[axis] + 1
         };
-        (brick[axis] < self.cells[axis]).then_some(brick)
+        (element[axis] < self.cells[axis]).then_some(element)
     }
 
-    /// Volume of a brick, m³.
+    /// Volume of an element, m³.
     pub fn volume_m3(&self) -> f64 {
         self.size_m.iter().product()
     }
@@ -129,7 +129,7 @@ impl Grid {
     }
 }
 
-/// The corners of a brick on a face.
+/// The corners of an element on a face.
 pub fn of_face(corners: [usize; 8], face: usize) -> [usize; 4] {
     let (axis, side) = (face / 2, face % 2);
     let mut found = [0; 4];
@@ -153,8 +153,8 @@ mod tests {
         for node in grid.each_node() {
             assert_eq!(grid.node_at(grid.node(node)), node);
         }
-        for brick in grid.each_brick() {
-            assert_eq!(grid.brick_at(grid.brick(brick)), brick);
+        for element in grid.each_element() {
+            assert_eq!(grid.element_at(grid.element(element)), element);
         }
     }
 }

@@ -24,7 +24,7 @@ pub struct Rock {
     pub tensile_fracture_energy_J_per_m2: f64,
     /// Energy that a crushed band takes per area in uniaxial compression, J/m².
     pub compressive_fracture_energy_J_per_m2: f64,
-    /// Energy that failure takes per volume at least, in tension and in compression, J/m³: where cracks stand closer than a brick is
+    /// Energy that failure takes per volume at least, in tension and in compression, J/m³: where cracks stand closer than an element is
     /// wide it is crushed as a whole. Zero: there are single cracks alone, which take the energies per area.
     pub crushing_energy_J_per_m3: f64,
 }
@@ -108,7 +108,7 @@ impl Rock {
 
     /// A rock to be drilled, known by its unconfined compressive strength, Pa, alone.
     ///
-    /// Under a cutter it is crushed all through: failure takes 0.085 of the strength per volume, whatever the size of its bricks, down
+    /// Under a cutter it is crushed all through: failure takes 0.085 of the strength per volume, whatever the size of its elements, down
     /// to 2 mm, below which crushed bands take an energy per area. With that number, which is calibrated, a bit's work per
     /// drilled volume is about the strength, as for sharp cutters (Detournay and Defourny, 1992; Richard, Dagrain, Poyol and
     /// Detournay, 2012). The rest is that of [`of_strength`](Self::of_strength).
@@ -121,7 +121,7 @@ impl Rock {
         }
     }
 
-    /// What failure takes in tension and in compression in bricks of a size, J/m².
+    /// What failure takes in tension and in compression in elements of a size, J/m².
     pub(super) fn failure_J_per_m2(&self, size_m: f64) -> [f64; 2] {
         [
             self.tensile_fracture_energy_J_per_m2,
@@ -255,7 +255,7 @@ impl Rock {
                 "0 J/m3 or more",
             ),
         ];
-        match checks.into_iter().find(|(_, _, sound, _)| !sound) {
+        match checks.into_iter().find(|(_, _, valid, _)| !valid) {
             None => Ok(()),
             Some((quantity, value, _, expected)) => Err(RockError::OutOfRange {
                 quantity,
@@ -274,7 +274,7 @@ mod tests {
     fn a_rock_of_a_strength_has_that_strength() {
         let rock = Rock::of_strength(80e6);
         assert!((rock.ucs_Pa() / 80e6 - 1.0).abs() < 1e-12);
-        rock.check().expect("a sound rock");
+        rock.check().expect("a intact rock");
     }
 
     #[test]

@@ -1,9 +1,9 @@
-//! Solid rock: a block of bricks that yield, soften, fail and go.
+//! Solid rock: a block of elements that yield, soften, fail and go.
 //!
 //! A [`Rock`] is elastic up to Drucker and Prager's cone and brittle beyond it. A [`Block`] of it stands in a grid of
-//! eight-node bricks with one point of integration each and is integrated explicitly; what touches it
+//! eight-node hexahedral elements with one point of integration each and is integrated explicitly; what touches it
 //! finds the nodes of its surface by [`Block::exposed`] and pushes them by [`Block::push`] between two steps; a bit's face does so
-//! by [`Block::press`]. Bricks that have
+//! by [`Block::press`]. Elements that have
 //! failed are removed, and energy is accounted for throughout ([`Energies`]). A block [follows](Block::follow) the bit that
 //! drills it.
 //!
@@ -15,10 +15,10 @@
 pub mod bit_face;
 
 mod block;
-mod brick;
 mod constants;
 mod drilling;
 mod edges;
+mod element;
 mod energy;
 mod erosion;
 mod executor;

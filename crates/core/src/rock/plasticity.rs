@@ -1,4 +1,4 @@
-//! From a strain increment to the stress: elasticity, the cone, its truncated tip, softening.
+//! Return mapping, from a strain increment to the stress: elasticity, the cone, its truncated tip, softening.
 //!
 //! The stress is Kirchhoff's, Cauchy's times the change of volume. Six components stand in the order xx, yy, zz, xy,
 //! yz, zx; shear strains are those of the tensor, half of the engineer's.
@@ -12,7 +12,7 @@
 //! ```
 //!
 //! and both returns, the return to the edge between them included, are closed forms. At the tip the whole stress shrinks: the
-//! rock opens the way it was strained, so that a crack between sound rock does not lock. `s` falls linearly with the
+//! rock opens the way it was strained, so that a crack between intact rock does not lock. `s` falls linearly with the
 //! plastic strain, so that a band one element wide takes the fracture energy whatever the element's size.
 
 use serde::{Deserialize, Serialize};
@@ -31,12 +31,12 @@ pub struct Law {
     k: f64,
     tension: f64,
     /// Fall of the intact part per plastic multiplier of the cone.
-    fall: f64,
+    softening_rate: f64,
     /// Fall of the intact part per first invariant that the tip takes, 1/Pa: at most, its part from swelling, and that from
     /// shear by the square of √J₂/I₁.
-    tear: f64,
-    tear_swollen: f64,
-    tear_sheared: f64,
+    tensile_softening: f64,
+    tensile_softening_bulk: f64,
+    tensile_softening_shear: f64,
     /// First invariant's fall per multiplier of the cone, Pa.
     swelling: f64,
     /// Multiplier per overstress while the rock softens, and after it.
@@ -52,7 +52,7 @@ pub struct Law {
 }
 
 /// What came of a strain increment.
-pub struct Answer<N> {
+pub struct StressUpdate<N> {
     /// Stress, Pa.
     pub stress: [N; 6],
     /// Intact part of cohesion and tensile strength.
@@ -77,9 +77,9 @@ impl Law {
         let share = (third - dilation) / (third - alpha);
         let [tensile, compressive] = rock.failure_J_per_m2(size_m);
         let per_size = 0.5 * k * share / compressive;
-        let fall = per_size * size_m;
+        let softening_rate = per_size * size_m;
         // The work of a stress that shrinks is twice its elastic energy; above that of uniaxial tension it is shear's.
-        let tear = 0.5 * tension * size_m / tensile;
+        let tensile_softening = 0.5 * tension * size_m / tensile;
         let hard = shear + 9.0 * bulk * alpha * dilation;
         let edge = k - alpha * tension;
         let largest_m = [
@@ -101,15 +101,15 @@ impl Law {
             alpha,
             k,
             tension,
-            fall,
-            tear: tear / rock.youngs_modulus_Pa,
-            tear_swollen: tear / (9.0 * bulk),
-            tear_sheared: tear / shear,
+            softening_rate,
+            tensile_softening: tensile_softening / rock.youngs_modulus_Pa,
+            tensile_softening_bulk: tensile_softening / (9.0 * bulk),
+            tensile_softening_shear: tensile_softening / shear,
             swelling: 9.0 * bulk * dilation,
-            softening: 1.0 / (hard - k * fall),
+            softening: 1.0 / (hard - k * softening_rate),
             softened: 1.0 / hard,
             edge,
-            edge_softening: 1.0 / (shear - edge * fall),
+            edge_softening: 1.0 / (shear - edge * softening_rate),
             edge_softened: 1.0 / shear,
             shear_compliance: 0.25 / shear,
             bulk_compliance: 1.0 / (18.0 * bulk),
@@ -143,7 +143,12 @@ impl Law {
 
     /// What a strain increment makes of a stress and of the intact part.
     #[inline(always)]
-    pub fn answer<N: Number>(&self, stress: [N; 6], strain: [N; 6], intact: N) -> Answer<N> {
+    pub fn return_map<N: Number>(
+        &self,
+        stress: [N; 6],
+        strain: [N; 6],
+        intact: N,
+    ) -> StressUpdate<N> {
         let (zero, one) = (N::zero(), N::splat(1.0));
         let trial = self.predict(stress, strain);
         let first = trial[0] + trial[1] + trial[2];
@@ -169,14 +174,16 @@ impl Law {
             .max(zero);
         let cone_root = flow.neg_mul_add(N::splat(self.shear), root);
         let cone_first = flow.neg_mul_add(N::splat(self.swelling), first);
-        let cone_intact = flow.neg_mul_add(N::splat(self.fall), intact).max(zero);
+        let cone_intact = flow
+            .neg_mul_add(N::splat(self.softening_rate), intact)
+            .max(zero);
 
-        // Where nothing yields, what follows would give the same to the last bit. Bricks that are gone, whose intact part is −1,
+        // Where nothing yields, what follows would give the same to the last bit. Elements that are gone, whose intact part is −1,
         // are not asked.
         let beyond = cone_intact.neg_mul_add(N::splat(self.tension), cone_first);
         let yields = (intact + one).if_positive(flow.max(beyond), zero);
         if !yields.any_positive() {
-            return Answer {
+            return StressUpdate {
                 stress: [s[0] + mean, s[1] + mean, s[2] + mean, s[3], s[4], s[5]],
                 intact: cone_intact,
                 plastic: zero,
@@ -186,11 +193,14 @@ impl Law {
         // The tip, and its edge with the cone. What is not beyond it is not a number here, and not taken.
         let inverse = one / first;
         let slope = second * inverse * inverse;
-        let tear = slope
-            .mul_add(N::splat(self.tear_sheared), N::splat(self.tear_swollen))
-            .min(N::splat(self.tear));
-        let left = (tear.neg_mul_add(first, intact)
-            / tear.neg_mul_add(N::splat(self.tension), one))
+        let tensile_softening = slope
+            .mul_add(
+                N::splat(self.tensile_softening_shear),
+                N::splat(self.tensile_softening_bulk),
+            )
+            .min(N::splat(self.tensile_softening));
+        let left = (tensile_softening.neg_mul_add(first, intact)
+            / tensile_softening.neg_mul_add(N::splat(self.tension), one))
         .min(intact)
         .max(zero);
         let shrunk = root * (left * N::splat(self.tension) * inverse).min(one);
@@ -199,7 +209,9 @@ impl Law {
             .min(shrunk * N::splat(self.edge_softened))
             .max(zero);
         let tip_root = flow.neg_mul_add(N::splat(self.shear), shrunk);
-        let tip_intact = flow.neg_mul_add(N::splat(self.fall), left).max(zero);
+        let tip_intact = flow
+            .neg_mul_add(N::splat(self.softening_rate), left)
+            .max(zero);
         let tip_first = tip_intact * N::splat(self.tension);
 
         let new_root = beyond.if_positive(tip_root, cone_root).max(zero);
@@ -215,7 +227,7 @@ impl Law {
         let sum = stress[0] + stress[1] + stress[2] + new_first;
         let swollen = sum * (first - new_first) * N::splat(self.bulk_compliance);
         let plastic = ((one - ratio) * along).mul_add(N::splat(self.shear_compliance), swollen);
-        Answer {
+        StressUpdate {
             stress: [
                 s[0].mul_add(ratio, mean),
                 s[1].mul_add(ratio, mean),
@@ -247,10 +259,10 @@ mod tests {
         parts
     }
 
-    /// An elastic brick gets the same bits alone, where its return is left out, and beside one that yields.
+    /// An elastic element gets the same bits alone, where its return is left out, and beside one that yields.
     #[test]
     fn a_return_that_is_left_out_would_have_changed_nothing() {
-        let law = Law::new(&Rock::of_strength(30e6), 1e-3).expect("a sound rock");
+        let law = Law::new(&Rock::of_strength(30e6), 1e-3).expect("a intact rock");
         let mut state = 7_u64;
         let mut random = || {
             state = state
@@ -268,14 +280,14 @@ mod tests {
             } else {
                 [0.0, 0.0, 0.01, 0.0, 0.0, 0.0]
             };
-            let alone = law.answer(stress, strain, intact);
-            let both = law.answer(
+            let alone = law.return_map(stress, strain, intact);
+            let both = law.return_map(
                 stress.map(|x| pair([x, 0.0])),
                 [0, 1, 2, 3, 4, 5].map(|i| pair([strain[i], beside[i]])),
                 pair([intact, 1.0]),
             );
-            let [kept, fallen] = parts(both.intact);
-            assert!(fallen < 1.0, "the other one yields: {fallen}");
+            let [kept, softened] = parts(both.intact);
+            assert!(softened < 1.0, "the other one yields: {softened}");
             assert_eq!(alone.intact.to_bits(), intact.to_bits());
             assert_eq!(kept.to_bits(), intact.to_bits());
             assert_eq!(

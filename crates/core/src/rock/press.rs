@@ -23,9 +23,9 @@ impl Block {
     /// Of a thousand nodes in reach a dozen touch: what is asked of each is no more than that takes.
     pub fn press(&mut self, face: &BitFace, pose: &Pose, law: &ContactLaw) -> Pressed {
         let dt_s = self.dt_s();
-        // A wall one brick thick has two sides that look apart: it must be met all the same.
-        let least_m2 = [0, 2, 4].map(|face| 0.25 * self.grid.area_m2(face));
-        let least_m2 = least_m2.into_iter().fold(f64::INFINITY, f64::min);
+        // A wall one element thick has two sides that look apart: it must be met all the same.
+        let min_m2 = [0, 2, 4].map(|face| 0.25 * self.grid.area_m2(face));
+        let min_m2 = min_m2.into_iter().fold(f64::INFINITY, f64::min);
         let mut contact = Contact::new(face, pose, law, dt_s);
         let mut pushes = Vec::new();
         for &index in self.surface.exposed() {
@@ -35,18 +35,19 @@ impl Block {
                 continue;
             }
             let mass_kg = self.mass_kg(index);
-            let came = Vector3::from(at(&self.came, index));
+            let velocity_before = Vector3::from(at(&self.velocity_before, index));
             // What the rock does to it.
-            let force_N = (Vector3::from(at(&self.velocity, index)) - came) * mass_kg / dt_s;
+            let force_N =
+                (Vector3::from(at(&self.velocity, index)) - velocity_before) * mass_kg / dt_s;
             let node = RockNode {
                 position_m,
-                velocity_m_per_s: came,
+                velocity_m_per_s: velocity_before,
                 force_N,
                 mass_kg,
             };
             let area_m2 = || {
                 let area_m2 = self.surface.area_m2(&self.grid, index);
-                Vector3::from(area_m2).norm().max(least_m2)
+                Vector3::from(area_m2).norm().max(min_m2)
             };
             if let Some(force) = contact.touch(&node, area_m2) {
                 // What the sum with the rock's own force rounds away is not pushed: the node would not feel it either.

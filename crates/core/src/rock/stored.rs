@@ -1,11 +1,11 @@
-//! A block that was stored, held against what it is to be made of: the loops of the kernel trust its lengths.
+//! A block that was stored, compared with what it is to be made of: the loops of the kernel trust its lengths.
 
 use super::{
     block::{Block, BlockSpec},
     grid::{GROUP, Grid},
     surface::Surface,
 };
-use crate::damage::{Damaged, sound};
+use crate::damage::{Damaged, ensure};
 
 impl Block {
     /// Whether a stored block is one of this kind.
@@ -22,54 +22,54 @@ impl Block {
             && self.rock == spec.rock
             && self.edges == spec.edges
             && self.layers_per_slab() == spec.layers_per_slab.max(1);
-        sound(same, "the block")?;
+        ensure(same, "the block")?;
         let dt_s = self.constants.dt_s;
         let steps = self.constants.longest_dt_s == constants.longest_dt_s
             && self.constants.mass_kg == constants.mass_kg
             && dt_s > 0.0
             && dt_s <= constants.longest_dt_s * (1.0 + 1e-9);
-        sound(steps, "the step of the rock")?;
-        let (nodes, bricks) = (grid.node_places(), grid.brick_places());
-        let of_nodes = [&self.displacement, &self.velocity, &self.came];
+        ensure(steps, "the step of the rock")?;
+        let (nodes, elements) = (grid.node_places(), grid.element_places());
+        let of_nodes = [&self.displacement, &self.velocity, &self.velocity_before];
         let lengths = of_nodes
             .iter()
             .all(|field| field.iter().all(|of| of.len() == nodes))
             && self.inverse_mass.len() == nodes
             && self.around.len() == nodes
-            && self.stress.iter().all(|of| of.len() == bricks)
-            && self.intact.len() == bricks
-            && self.left.len() == bricks / GROUP
-            && self.books.len() == grid.brick_rows() * grid.cells[2];
-        sound(lengths, "the fields of the rock")?;
+            && self.stress.iter().all(|of| of.len() == elements)
+            && self.intact.len() == elements
+            && self.left.len() == elements / GROUP
+            && self.books.len() == grid.element_rows() * grid.cells[2];
+        ensure(lengths, "the fields of the rock")?;
         self.check_counts()
     }
 
-    /// Whether counts and surface are those of the bricks that are left.
+    /// Whether counts and surface are those of the elements that are left.
     fn check_counts(&self) -> Result<(), Damaged> {
         let grid = self.grid;
-        let is_rock = |brick: [usize; 3]| self.intact[grid.brick(brick)] >= 0.0;
+        let is_rock = |element: [usize; 3]| self.intact[grid.element(element)] >= 0.0;
         let mut around = vec![0_u8; grid.node_places()];
-        let mut left = vec![0_u8; grid.brick_places() / GROUP];
-        let mut rock = vec![false; grid.brick_places()];
-        for brick in grid.each_brick().filter(|brick| is_rock(*brick)) {
-            let place = grid.brick(brick);
+        let mut left = vec![0_u8; grid.element_places() / GROUP];
+        let mut rock = vec![false; grid.element_places()];
+        for element in grid.each_element().filter(|element| is_rock(*element)) {
+            let place = grid.element(element);
             rock[place] = true;
             left[place / GROUP] += 1;
-            for corner in grid.corners(brick) {
+            for corner in grid.corners(element) {
                 around[corner] += 1;
             }
         }
-        // Places beside the bricks of a row hold none.
+        // Places beside the elements of a row hold none.
         let beside = rock
             .iter()
             .zip(&self.intact)
             .all(|(rock, intact)| *rock || *intact < 0.0);
-        sound(
+        ensure(
             beside && around == self.around && left == self.left,
-            "the bricks that are left",
+            "the elements that are left",
         )?;
         let fresh = Surface::new(&grid, &self.edges, is_rock);
-        sound(self.surface.is_like(&fresh), "the surface of the rock")
+        ensure(self.surface.is_like(&fresh), "the surface of the rock")
     }
 }
 
@@ -83,8 +83,8 @@ mod tests {
         let mut spec = BlockSpec::new(rock, [5, 4, 6], 0.01);
         spec.layers_per_slab = 2;
         let mut block = Block::new(&spec).unwrap();
-        for brick in [[0, 0, 0], [2, 1, 0], [2, 1, 1]] {
-            block.remove(brick);
+        for element in [[0, 0, 0], [2, 1, 0], [2, 1, 1]] {
+            block.remove(element);
         }
         block.step(&Stepper::default(), &Alone);
         (spec, block)
@@ -109,12 +109,14 @@ mod tests {
             ("the step of the rock", |b| b.constants.dt_s = f64::NAN),
             ("the fields of the rock", |b| b.displacement[1].clear()),
             ("the fields of the rock", |b| b.velocity[2].clear()),
-            ("the fields of the rock", |b| b.came[0].truncate(1)),
+            ("the fields of the rock", |b| {
+                b.velocity_before[0].truncate(1)
+            }),
             ("the fields of the rock", |b| b.stress[5].clear()),
             ("the fields of the rock", |b| b.intact.clear()),
             ("the fields of the rock", |b| b.books.clear()),
-            ("the bricks that are left", |b| b.left[0] += 1),
-            ("the bricks that are left", |b| b.around[3] = 0),
+            ("the elements that are left", |b| b.left[0] += 1),
+            ("the elements that are left", |b| b.around[3] = 0),
             ("the surface of the rock", |b| b.surface.forge()),
         ];
         for (about, damage) in damages {

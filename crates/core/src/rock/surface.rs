@@ -21,21 +21,21 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// Of a block with bricks where `is_rock`.
+    /// Of a block with elements where `is_rock`.
     pub fn new(grid: &Grid, edges: &[Edge; 6], is_rock: impl Fn([usize; 3]) -> bool) -> Self {
         let mut surface = Self {
             faces: vec![[0; 6]; grid.node_places()],
             exposed: Vec::new(),
             place: vec![NOWHERE; grid.node_places()],
         };
-        for brick in grid.each_brick().filter(|&brick| is_rock(brick)) {
+        for element in grid.each_element().filter(|&element| is_rock(element)) {
             for (face, edge) in edges.iter().enumerate() {
-                let open = match grid.beyond(brick, face) {
+                let open = match grid.beyond(element, face) {
                     None => *edge == Edge::Free,
                     Some(beyond) => !is_rock(beyond),
                 };
                 if open {
-                    surface.expose(of_face(grid.corners(brick), face), face);
+                    surface.expose(of_face(grid.corners(element), face), face);
                 }
             }
         }
@@ -87,21 +87,21 @@ impl Surface {
         area_m2
     }
 
-    /// A brick goes.
+    /// An element goes.
     pub fn remove(
         &mut self,
         grid: &Grid,
         edges: &[Edge; 6],
-        brick: [usize; 3],
+        element: [usize; 3],
         is_rock: impl Fn([usize; 3]) -> bool,
     ) {
         for (face, edge) in edges.iter().enumerate() {
-            match grid.beyond(brick, face) {
+            match grid.beyond(element, face) {
                 Some(beyond) if is_rock(beyond) => {
                     self.expose(of_face(grid.corners(beyond), face ^ 1), face ^ 1);
                 }
                 None if *edge != Edge::Free => {}
-                _ => self.cover(of_face(grid.corners(brick), face), face),
+                _ => self.cover(of_face(grid.corners(element), face), face),
             }
         }
     }
@@ -135,9 +135,9 @@ impl Surface {
 mod tests {
     use super::*;
 
-    /// What is exposed of a block in which bricks were removed one by one is what is exposed of the block that is left.
+    /// What is exposed of a block in which elements were removed one by one is what is exposed of the block that is left.
     #[test]
-    fn a_surface_follows_the_bricks_that_go() {
+    fn a_surface_follows_the_elements_that_go() {
         let grid = Grid {
             cells: [5, 4, 3],
             size_m: [1.0, 2.0, 3.0],
@@ -150,19 +150,19 @@ mod tests {
             Edge::Free,
             Edge::Open,
         ];
-        let mut rock = vec![true; grid.brick_places()];
+        let mut rock = vec![true; grid.element_places()];
         let mut surface = Surface::new(&grid, &edges, |_| true);
         let mut seed = 7_usize;
         for _ in 0..40 {
             seed = (seed * 1_103_515_245 + 12_345) % (1 << 31);
-            let n = (seed >> 8) % grid.bricks();
-            let brick = [n % 5, n / 5 % 4, n / 20];
-            if !rock[grid.brick(brick)] {
+            let n = (seed >> 8) % grid.elements();
+            let element = [n % 5, n / 5 % 4, n / 20];
+            if !rock[grid.element(element)] {
                 continue;
             }
-            rock[grid.brick(brick)] = false;
-            surface.remove(&grid, &edges, brick, |b| rock[grid.brick(b)]);
-            let fresh = Surface::new(&grid, &edges, |b| rock[grid.brick(b)]);
+            rock[grid.element(element)] = false;
+            surface.remove(&grid, &edges, element, |b| rock[grid.element(b)]);
+            let fresh = Surface::new(&grid, &edges, |b| rock[grid.element(b)]);
             assert_eq!(surface.faces, fresh.faces);
             let sorted = |s: &Surface| {
                 let mut nodes = s.exposed.clone();

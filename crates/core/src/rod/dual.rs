@@ -3,7 +3,7 @@
 //!
 //! A dual number `a + b ε` with `ε² = 0` carries a derivative through every operation: `f(a + b ε)
 //! = f(a) + f'(a) b ε`. J. A. Fike and J. J. Alonso, *The Development of Hyper-Dual Numbers for
-//! Exact Second-Derivative Calculations*, AIAA 2011-886, tells why this beats differences: it has
+//! Exact Second-Derivative Calculations*, AIAA 2011-886, shows why this beats differences: it has
 //! no step, and loses no digits.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -1,4 +1,4 @@
-//! The longest stable step, and the inertia that elements shorter than it are lent.
+//! The longest stable step, and mass scaling of the elements shorter than it.
 
 use super::{element::Stiffness, mesh::Mesh};
 
@@ -6,8 +6,8 @@ use super::{element::Stiffness, mesh::Mesh};
 /// not know (tension, large rotation).
 pub(crate) const SAFETY: f64 = 0.99;
 
-/// Largest part of the string's axial mass that short elements may be lent in sum.
-const MOST_ADDED_MASS: f64 = 0.003;
+/// Largest part of the string's axial mass that short elements may be given (mass scaling) in sum.
+const MAX_ADDED_MASS: f64 = 0.003;
 
 /// Lateral rotary inertia of each end of an element as a part of `m L²`: the diagonal of the
 /// consistent mass matrix scaled to the element's mass (Hinton, Rock and Zienkiewicz 1976). It
@@ -33,13 +33,13 @@ pub struct ElementInertia {
 pub struct StepPlan {
     /// Step, s.
     pub dt_s: f64,
-    /// Inertia of each element, what it was lent included.
+    /// Inertia of each element, the added mass included.
     pub inertia: Vec<ElementInertia>,
-    /// Axial mass lent to short elements over that of the string.
+    /// Axial mass added by scaling to short elements over that of the string.
     pub added_axial_mass_fraction: f64,
 }
 
-/// Chooses the longest step at which the string is stable with no more than 0.3 % of its mass lent, and that
+/// Chooses the longest step at which the string is stable with no more than 0.3 % of its mass added by scaling, and that
 /// to less than half of it: ordinary pipe keeps its mass and its wave speed.
 ///
 /// The highest frequency of a chain with lumped masses lies below the highest of its elements taken
@@ -68,13 +68,15 @@ pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> 
     let total: f64 = bare.iter().map(|(_, i)| i.axial_kg).sum();
     let lend_all = |dt: f64| -> Option<Vec<ElementInertia>> {
         let limit = frequency_limit(dt, stiffness_damping_s);
-        bare.iter().map(|(k, i)| lend(k, i, limit)).collect()
+        bare.iter()
+            .map(|(k, i)| scaled_inertia(k, i, limit))
+            .collect()
     };
     let added =
         |inertia: &[ElementInertia]| inertia.iter().map(|i| i.axial_kg).sum::<f64>() / total - 1.0;
-    let fits = |dt: f64| lend_all(dt).is_some_and(|i| added(&i) <= MOST_ADDED_MASS);
+    let fits = |dt: f64| lend_all(dt).is_some_and(|i| added(&i) <= MAX_ADDED_MASS);
 
-    // Only the few are lent to: no longer a step than half of the string's mass carries by itself.
+    // Only the few are given to: no longer a step than half of the string's mass carries by itself.
     let mut own: Vec<(f64, f64)> = bare
         .iter()
         .map(|(k, i)| (own_step(k, i, stiffness_damping_s), i.axial_kg))
@@ -103,7 +105,7 @@ pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> 
     }
 }
 
-/// Longest step of an element that is lent nothing, by its axial frequency, s.
+/// Longest step of an element that gets no added mass, by its axial frequency, s.
 fn own_step(k: &Stiffness<f64>, bare: &ElementInertia, beta: f64) -> f64 {
     let omega = (4.0 * k.axial / bare.axial_kg).sqrt();
     let xi = 0.5 * beta * omega;
@@ -118,7 +120,7 @@ fn frequency_limit(dt: f64, beta: f64) -> f64 {
 }
 
 /// The inertia with which an element stays below `limit`, rad/s; none where only a shorter step helps.
-fn lend(k: &Stiffness<f64>, bare: &ElementInertia, limit: f64) -> Option<ElementInertia> {
+fn scaled_inertia(k: &Stiffness<f64>, bare: &ElementInertia, limit: f64) -> Option<ElementInertia> {
     let square = limit * limit;
     let over_length = 1.0 / k.length;
     if 4.0 * k.twist > square * bare.polar_kg_m2 {

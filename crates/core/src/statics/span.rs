@@ -10,7 +10,7 @@
 //! A = q l² J/(4 EI),      J = (z coth z − 1)/z²,   z = (l/2) √(T/EI)
 //! B = q l²/(4 EI z coth z)              while only the joints touch,  sag = q l⁴ J/(8 EI z coth z)
 //! B = 2 c/(l² J)                        where the middle touches too, the sag held at c
-//! A + B = √(2 q c/EI),  A − B = 0       where a stretch about the middle lies on the wall,
+//! A + B = √(2 q c/EI),  A − B = 0       where a segment about the middle lies on the wall,
 //! ```
 //!
 //! `c = (D_j − D)/2` what joints stand out by. Without weight `q = T κ`, and the first is Lubinski's magnification:
@@ -43,7 +43,7 @@ pub enum BodyContact {
     /// The middle.
     Middle,
     /// A stretch about the middle.
-    Stretch,
+    Line,
 }
 
 /// How a span is bent against the hole.
@@ -61,7 +61,7 @@ impl SpanBending {
     const STRAIGHT: Self = Self {
         at_joint_per_m: 0.0,
         at_middle_per_m: 0.0,
-        contact: BodyContact::Stretch,
+        contact: BodyContact::Line,
     };
 }
 
@@ -85,7 +85,7 @@ impl JointSpan {
         let length_square = self.half_spacing_m * self.half_spacing_m;
         // `z²`: negative in compression.
         let square = 0.25 * tension_N * length_square / self.bending_stiffness_N_m2;
-        // `q l²/EI`, the curvature that the load asks for.
+        // `q l²/EI`, the curvature that the load requires.
         let asked_per_m = load_N_per_m * length_square / self.bending_stiffness_N_m2;
         // Beyond it no shape holds the whole span off the wall, whatever the load.
         let bows = square <= -std::f64::consts::PI.powi(2);
@@ -97,7 +97,7 @@ impl JointSpan {
             return SpanBending {
                 at_joint_per_m: wrapped.sqrt(),
                 at_middle_per_m: 0.0,
-                contact: BodyContact::Stretch,
+                contact: BodyContact::Line,
             };
         }
         let hanging = 1.0 + square * shape;
@@ -176,7 +176,7 @@ mod tests {
                 }
                 last = Some(now);
             }
-            assert_eq!(met.last(), Some(&BodyContact::Stretch), "{tension_N}");
+            assert_eq!(met.last(), Some(&BodyContact::Line), "{tension_N}");
         }
     }
 }

@@ -43,7 +43,7 @@ pub struct Eccentricity {
 
 /// Largest offset, as a part of the outside diameter. More is no pipe: a bore that touches the outside of a collar
 /// moves the centre of mass by a tenth of the diameter or so.
-pub const MOST_ECCENTRIC: f64 = 0.1;
+pub const MAX_ECCENTRIC: f64 = 0.1;
 
 impl Eccentricity {
     /// The offset that the steel alone would need for the same imbalance, m.

@@ -8,7 +8,7 @@ mod material;
 mod spec;
 mod strength;
 
-pub use body::{BodyBend, Cavity, Eccentricity, MOST_ECCENTRIC, NEAREST_BEND_M};
+pub use body::{BodyBend, Cavity, Eccentricity, MAX_ECCENTRIC, NEAREST_BEND_M};
 pub use component::{Blades, Component, ToolJoints};
 pub use drill_string::{DrillString, Span};
 pub use material::Material;

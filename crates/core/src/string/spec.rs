@@ -170,7 +170,7 @@ impl ComponentSpec {
             fields.push((
                 "bend",
                 bend.angle_rad,
-                bend.angle_rad.abs() <= MOST_BEND_RAD,
+                bend.angle_rad.abs() <= MAX_BEND_RAD,
                 "10 deg at most",
             ));
             fields.push((
@@ -187,7 +187,7 @@ impl ComponentSpec {
             ));
         }
         if let Some(eccentricity) = self.eccentricity {
-            let most = body::MOST_ECCENTRIC * self.od_m;
+            let most = body::MAX_ECCENTRIC * self.od_m;
             fields.push((
                 "eccentricity",
                 eccentricity.offset_m,
@@ -203,7 +203,7 @@ impl ComponentSpec {
         }
         fields
             .into_iter()
-            .find(|&(_, _, sound, _)| !sound)
+            .find(|&(_, _, valid, _)| !valid)
             .map(|(field, value, _, expected)| (field, value, expected))
     }
 }
@@ -289,7 +289,7 @@ pub enum AssemblyError {
 const LENGTH_TOLERANCE_M: f64 = 1e-3;
 
 /// Largest bend of a body, rad: adjustable housings have 3° at most, bent subs as much.
-const MOST_BEND_RAD: f64 = 0.175;
+const MAX_BEND_RAD: f64 = 0.175;
 
 /// Refuses a bend that is no bend between two parts of the string: at the bit or at the surface.
 fn bends_inside(string: DrillString) -> Result<DrillString, AssemblyError> {

@@ -89,7 +89,7 @@ impl Bore {
     }
 
     /// Radius of the smooth hole at a measured depth, m. Above its first section and below its last the
-    /// hole goes on as it begins and ends.
+    /// hole continues as it begins and ends.
     pub fn smooth_radius_m(&self, md_m: f64) -> f64 {
         self.smooth(md_m)[0]
     }

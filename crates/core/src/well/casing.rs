@@ -80,7 +80,7 @@ pub struct Casing {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("there is no casing `{designation}`; the nearest are {}", .nearest.join(", "))]
 pub struct UnknownCasing {
-    /// What was asked for.
+    /// What was requested.
     pub designation: String,
     /// Designations of the nearest entries, the nearest first.
     pub nearest: Vec<String>,

@@ -32,7 +32,7 @@
 //! It is zero where either neighbour is straight and where they turn opposite ways, equals them
 //! where they agree (so a circle through many stations comes out as that circle), and needs no
 //! reference direction, so the vertical is a direction like any other. The first and the last
-//! station have `k = 0`, because the hole goes on straight beyond them.
+//! station have `k = 0`, because the hole continues straight beyond them.
 //!
 //! **No overshoot.** With the angle `ψ` between `a` and `b`, `|k| = 2|a||b|/(|a|+|b|) cos(ψ/2)`, at
 //! most the larger of the two, and `k·a = |a||k| cos(ψ/2) ≥ |k|²/2`; the same holds with `b`. So
@@ -175,7 +175,7 @@ pub(super) fn pieces(
     for (index, (arc, station)) in arcs.iter().zip(stations).enumerate() {
         let (h, rate) = (arc.length_m, arc.rate_per_m());
         // (length, rates of longitude and latitude at the beginning and at the end)
-        let stretches = match interpolation {
+        let segments = match interpolation {
             Interpolation::MinimumCurvature => vec![(h, [rate, 0.0], [rate, 0.0])],
             Interpolation::Spline => {
                 let above = index.checked_sub(1).map(|above| &arcs[above]);
@@ -197,7 +197,7 @@ pub(super) fn pieces(
         };
         let mut md_m = station.md_m;
         let (mut phi, mut beta) = (0.0, 0.0);
-        for (length_m, from, to) in stretches {
+        for (length_m, from, to) in segments {
             let turn = length_m * from[0].hypot(from[1]).max(to[0].hypot(to[1]));
             let count = (turn / PIECE_TURN_RAD).ceil().max(1.0);
             let step_m = length_m / count;

@@ -163,7 +163,7 @@ impl Hole {
     /// any height.
     pub fn with_roughness(self, roughness: Option<Roughness>) -> Result<Self, HoleError> {
         if let Some(r) = roughness {
-            for (quantity, value, sound, expected) in [
+            for (quantity, value, valid, expected) in [
                 (
                     "rms of the radius",
                     r.radius_rms_m,
@@ -189,7 +189,7 @@ impl Hole {
                     "at least 1.2 times the shortest",
                 ),
             ] {
-                if !sound {
+                if !valid {
                     return Err(HoleError::Roughness {
                         quantity,
                         value,
@@ -255,7 +255,7 @@ impl HoleSection {
             around,
         } = self.friction;
         let positive = |value: f64| value > 0.0 && value.is_finite();
-        for (quantity, value, sound, expected) in [
+        for (quantity, value, valid, expected) in [
             (
                 "beginning",
                 self.from_md_m,
@@ -311,7 +311,7 @@ impl HoleSection {
                 "zero or more",
             ),
         ] {
-            if !sound {
+            if !valid {
                 return Err(HoleError::OutOfRange {
                     index,
                     quantity,

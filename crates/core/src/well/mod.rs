@@ -4,7 +4,7 @@ pub mod casing;
 mod curve;
 mod hole;
 mod interpolation;
-mod landmarks;
+mod kick_off;
 mod path;
 mod roughness;
 mod station;

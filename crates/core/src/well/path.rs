@@ -6,12 +6,12 @@ use serde::{Serialize, Serializer, ser::SerializeStruct};
 use super::{
     Interpolation, Station,
     curve::{self, Piece},
-    landmarks,
+    kick_off,
     vertical::NearVertical,
 };
 
 /// Stations nearer than this are one station, m.
-const LEAST_SPACING_M: f64 = 1e-3;
+const MIN_SPACING_M: f64 = 1e-3;
 
 /// Directions whose sum is shorter than this point against each other; nothing then says which way
 /// the hole turned.
@@ -142,7 +142,7 @@ pub enum PathError {
 /// The hole's axis: position, direction and curvature at any measured depth.
 ///
 /// Measured depth is the arc length, and at every station the direction is the survey's. Beyond the
-/// last station, and above the first, the hole goes on straight: surveys usually end some metres
+/// last station, and above the first, the hole continues straight: surveys usually end some metres
 /// above the bit, and may start below the surface.
 ///
 /// ```
@@ -343,7 +343,7 @@ impl Path {
     /// left out counts again if the hole reaches it straight from there. `None` for a hole that
     /// stays within 3° of its first direction.
     pub fn kick_off_md_m(&self) -> Option<f64> {
-        landmarks::kick_off_md_m(&self.stations)
+        kick_off::kick_off_md_m(&self.stations)
     }
 
     /// Measured depth where the build that begins at the kick-off ends, m.
@@ -353,7 +353,7 @@ impl Path {
     /// mean rate up to there, or a station left out above it, if the hole did not build between the
     /// two. `None` without a kick-off, or where the hole does not build at it.
     pub fn build_end_md_m(&self) -> Option<f64> {
-        landmarks::build_end_md_m(&self.stations)
+        kick_off::build_end_md_m(&self.stations)
     }
 
     /// Index of the piece that holds `md_m`, the first one for depths above it.
@@ -401,7 +401,7 @@ fn check(stations: &[Station]) -> Result<(), PathError> {
         let Some(previous) = index.checked_sub(1).map(|above| &stations[above]) else {
             continue;
         };
-        if md_m - previous.md_m < LEAST_SPACING_M {
+        if md_m - previous.md_m < MIN_SPACING_M {
             return Err(PathError::DepthNotIncreasing {
                 index,
                 md_m,

@@ -13,11 +13,11 @@ const TOUCHING_M: f64 = 1e-6;
 /// The near-vertical stretches of a path, from the top down, each with the bearing of its high side.
 #[derive(Debug, Clone)]
 pub(super) struct NearVertical {
-    stretches: Vec<Stretch>,
+    intervals: Vec<Interval>,
 }
 
 #[derive(Debug, Clone)]
-struct Stretch {
+struct Interval {
     from_md_m: f64,
     to_md_m: f64,
     /// Bearing at the top, and by how much it turns to the bottom.
@@ -47,14 +47,14 @@ impl NearVertical {
             // The high side's horizontal part; it points against the azimuth in a hole going up.
             (t.z * t.y).atan2(t.z * t.x)
         };
-        let stretches = spans
+        let intervals = spans
             .into_iter()
             .map(|(from, to)| {
                 let above = (from - first_md_m > TOUCHING_M).then(|| bearing(from));
                 let below = (last_md_m - to > TOUCHING_M).then(|| bearing(to));
                 let top = above.or(below).unwrap_or(0.0);
                 let turn = wrapped(below.unwrap_or(top) - top);
-                Stretch {
+                Interval {
                     from_md_m: above.map_or(f64::NEG_INFINITY, |_| from),
                     to_md_m: below.map_or(f64::INFINITY, |_| to),
                     bearing_rad: top,
@@ -62,23 +62,23 @@ impl NearVertical {
                 }
             })
             .collect();
-        Self { stretches }
+        Self { intervals }
     }
 
     /// Bearing of the high side at a measured depth in one of the stretches.
     pub(super) fn bearing_rad(&self, md_m: f64) -> Option<f64> {
         let index = self
-            .stretches
-            .partition_point(|stretch| stretch.to_md_m < md_m);
-        let stretch = self.stretches.get(index)?;
-        if md_m < stretch.from_md_m {
+            .intervals
+            .partition_point(|interval| interval.to_md_m < md_m);
+        let interval = self.intervals.get(index)?;
+        if md_m < interval.from_md_m {
             return None;
         }
-        if stretch.turn_rad == 0.0 {
-            return Some(stretch.bearing_rad);
+        if interval.turn_rad == 0.0 {
+            return Some(interval.bearing_rad);
         }
-        let share = (md_m - stretch.from_md_m) / (stretch.to_md_m - stretch.from_md_m);
-        Some(stretch.bearing_rad + share * stretch.turn_rad)
+        let share = (md_m - interval.from_md_m) / (interval.to_md_m - interval.from_md_m);
+        Some(interval.bearing_rad + share * interval.turn_rad)
     }
 }
 

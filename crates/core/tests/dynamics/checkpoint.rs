@@ -1,4 +1,4 @@
-//! A run that is laid aside and taken up again ends with the same bits.
+//! A run that is written to a checkpoint and resumed ends with the same bits.
 
 use wholestring::{
     dynamics::{
@@ -69,7 +69,7 @@ fn measured_bit() -> BitSettings {
 /// When the runs stop: before the window, at its border, within it, and at its end.
 const STOPS_S: [f64; 5] = [0.7, 1.5, 2.1, 2.2, 3.0];
 
-/// The run of a case; `stopped` gets it at each stop and gives back what goes on.
+/// The run of a case; `stopped` gets it at each stop and gives back what continues.
 fn run(case: &Case, stopped: impl Fn(Simulation) -> Simulation) -> DynamicOutcome {
     let mut simulation = case.start();
     for stop_s in STOPS_S {
@@ -98,7 +98,7 @@ fn a_run_taken_up_again_ends_with_the_same_bits() {
     }
 }
 
-/// A run that settles until it is steady, in pieces of so long; `stopped` gets it after each and gives back what goes on.
+/// A run that settles until it is steady, in pieces of so long; `stopped` gets it after each and gives back what continues.
 fn settled(
     case: &Case,
     piece_s: f64,
@@ -115,14 +115,14 @@ fn settled(
     }
 }
 
-/// Laid aside while it settles, again and again, a run begins its window with the same sample, in either precision.
+/// Written to a checkpoint while it settles, again and again, a run begins its window with the same sample, in either precision.
 #[test]
 fn a_run_taken_up_again_settles_at_the_same_sample() {
     let cases = [Precision::Double, Precision::Single].map(|precision| {
         let mut case = moderate(OperationKind::Drill, 0.3);
         case.settings.precision = precision;
         case.settings.settle_s = 0.0;
-        case.settings.steady = Some(UntilSteady { most_s: 40.0 });
+        case.settings.steady = Some(UntilSteady { max_s: 40.0 });
         // No piece is longer than the window, which may begin within one.
         case.settings.duration_s = 4.0;
         case
@@ -137,7 +137,7 @@ fn a_run_taken_up_again_settles_at_the_same_sample() {
         });
         [straight, resumed]
     }) {
-        // It was laid aside before the window: that begins after the damping of the start and a stretch, 10 s, at the earliest.
+        // It was written to a checkpoint before the window: that begins after the damping of the start and a stretch, 10 s, at the earliest.
         let settle_s = straight.numerics.settle_s;
         assert!(settle_s > 10.0, "{settle_s}");
         assert_eq!(straight.numerics.settled, Some(true), "{settle_s}");

@@ -36,7 +36,7 @@ fn middle(outcome: &DynamicOutcome) -> [f64; 3] {
 /// the low side; there it is pressed with `w sin i cos ψ` and rubs `r w sin i sin ψ` per metre.
 ///
 /// Expected values: the rows of the file, the balance of a rigid cylinder in a trough, exact wherever the
-/// pipe lies straight. The file asks for 1 %; 2e-4 is held. Found: less than 8e-5 for both element lengths,
+/// pipe lies straight. The file requires 1 %; 2e-4 is held. Found: less than 8e-5 for both element lengths,
 /// which is what the pipe's slow rolling has left after ten seconds; the steady state itself knows of neither
 /// element length nor step.
 #[test]

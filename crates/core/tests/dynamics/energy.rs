@@ -77,7 +77,7 @@ fn an_undamped_string_keeps_its_energy() {
             0.0
         }
     };
-    simulation.strike(|node| {
+    simulation.apply_impulse(|node| {
         let sideways = bump(node.from_bit_m, 500.0, 60.0);
         let spin = bump(node.from_bit_m, 1000.0, 200.0);
         (Vector3::new(2.0 * sideways, -sideways, 0.0), 5.0 * spin)
@@ -153,7 +153,7 @@ fn what_comes_in_goes_out() {
         expected: 0.0,
         computed: outcome.numerics.energy_residual,
         tolerance: Tolerance::Absolute(5e-5),
-        reason: "hoist and bit act after the drag of their step: first order in it; 1 % is asked for",
+        reason: "hoist and bit act after the drag of their step: first order in it; 1 % is requested",
     });
     let residual = e.work_J() - e.loss_J() - e.change_J();
     assert_eq!(e.residual_J, residual);

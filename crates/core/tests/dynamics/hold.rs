@@ -8,7 +8,7 @@ use crate::wells::{between, go, np13};
 /// carries then, it carries for ever. From 10 to 60 s after the stop the hook load moves by less than
 /// 0.1 kN.
 ///
-/// Expected: no drift at all, for Coulomb's friction at rest holds whatever it is asked for. 0.1 kN is a
+/// Expected: no drift at all, for Coulomb's friction at rest holds whatever it is requested. 0.1 kN is a
 /// tenth of what weight indicators show; a law that creeps loses all of the drag, 270 kN here. Found: 0.02 kN,
 /// the last of the axial ringing.
 #[test]

@@ -299,7 +299,7 @@ fn the_metal_feels_the_pressures_of_a_mud_that_flows() {
     let series = &outcome.series;
     for (i, &time) in series.time_s.iter().enumerate() {
         let plan = flow * ((time - 2.0) / 8.0).clamp(0.0, 1.0);
-        // A sample tells of the step before it.
+        // A sample reports the step before it.
         let step = outcome.numerics.time_step_s / 8.0 * flow;
         let set = series.flow_rate_m3_per_s[i];
         assert!((set - plan).abs() <= 1.01 * step, "{set} for {plan}");

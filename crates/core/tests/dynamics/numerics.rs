@@ -156,7 +156,7 @@ fn cases() -> Vec<Case> {
     cases
 }
 
-/// A run answers in finite numbers; it lends less than 0.5 % of the axial mass to short elements; its
+/// A run answers in finite numbers; it gives less than 0.5 % of the axial mass to short elements; its
 /// energy balance closes; it penetrates the wall by less than 0.2 mm, its bit apart.
 ///
 /// The balance closes to the energy that comes and goes within a step: found are 5e-9 to 3e-7 of what was
@@ -227,7 +227,7 @@ fn what_diverges_is_named_and_leaves_numbers() {
         let mut simulation = case.start();
         if quantity.starts_with("spin") {
             go(&mut simulation, 0.1);
-            simulation.strike(|node| {
+            simulation.apply_impulse(|node| {
                 let there = (node.from_bit_m - 700.0).abs() < 5.0;
                 (Vector3::zeros(), if there { 1e7 } else { 0.0 })
             });

@@ -23,7 +23,7 @@ use crate::{
 
 const DEPTH_M: f64 = 100.0;
 
-/// Bricks, m.
+/// Elements, m.
 const SIZE_M: f64 = 6e-3;
 
 /// A bit of 60 mm on a rock of 10 MPa.
@@ -234,7 +234,7 @@ fn a_run_on_rock_ends_with_the_same_bits_whoever_works_on_it() {
             let (model, operation) = (&case.model, &case.operation);
             let mut resumed =
                 Simulation::resume(model, operation, &case.settings, checkpoint).unwrap();
-            resumed.lend(Arc::new(Pair));
+            resumed.set_executor(Arc::new(Pair));
             resumed
         });
         [run(case, &|simulation| simulation), resumed]
@@ -253,7 +253,7 @@ fn a_run_on_rock_ends_with_the_same_bits_whoever_works_on_it() {
         expected: 1.0,
         computed: single / double,
         tolerance: Tolerance::Relative(0.02),
-        reason: "which brick goes first is soon decided in the last digits",
+        reason: "which element goes first is soon decided in the last digits",
     });
 }
 
@@ -284,7 +284,7 @@ impl Executor for Impatient {
     }
 }
 
-/// A run-in takes minutes on small bricks: it is asked for between any two of its steps whether to go on.
+/// A run-in takes minutes on small elements: it is requested between any two of its steps whether to continue.
 #[test]
 fn a_run_in_stops_within_a_step() {
     let case = case();
@@ -293,8 +293,9 @@ fn a_run_in_stops_within_a_step() {
         works: AtomicUsize::new(0),
     });
     let settings = &case.settings;
-    let laid = Simulation::lent(&case.model, &case.operation, settings, impatient.clone());
-    assert!(matches!(laid, Err(SetupError::Stopped)));
+    let initial =
+        Simulation::with_executor(&case.model, &case.operation, settings, impatient.clone());
+    assert!(matches!(initial, Err(SetupError::Stopped)));
     assert_eq!(impatient.answers.load(Ordering::Relaxed), 6);
     // Five steps of 0.2 ms, each of some dozens of the rock's own; the whole run-in has hundreds.
     let works = impatient.works.load(Ordering::Relaxed);

@@ -59,7 +59,7 @@ fn swing(outcome: &DynamicOutcome) -> f64 {
 /// leave asperities of 1 mm in 2 m and more at 0.1 m/s carry half as much or half as much again (found: 0.33 to 0.56);
 /// 94 of them together hardly vary, 1e-3 of the torque. The mean torque stays within 1 %. The balance of
 /// energy closes to 2.4e-5 where the axis winds and to 2e-8 where the radius undulates; 1e-4 is held, a hundredth of
-/// what is asked for.
+/// what is requested.
 #[test]
 fn a_rough_wall_makes_a_quiet_run_noisy() {
     let cases = [

@@ -1,4 +1,4 @@
-//! Set points that change while the run goes on.
+//! Set points that change while the run continues.
 
 use wholestring::{
     dynamics::{
@@ -66,7 +66,7 @@ fn a_string_starts_to_turn_by_the_plan() {
     let outcome = case.run();
     let series = &outcome.series;
     for (i, &time) in series.time_s.iter().enumerate() {
-        // A sample tells of the step before it.
+        // A sample reports the step before it.
         let plan = rpm(60.0) * ((time - 2.0) / 3.0).clamp(0.0, 1.0);
         assert!((series.rotary_speed_set_rad_per_s[i] - plan).abs() < 1e-9);
         if time < 2.0 {
@@ -88,7 +88,7 @@ fn a_string_starts_to_turn_by_the_plan() {
     assert!(outcome.numerics.energy_residual.abs() < 1e-3);
 }
 
-/// Laid aside in the middle of a ramp, a run goes on to the same bits.
+/// Written to a checkpoint in the middle of a ramp, a run continues to the same bits.
 #[test]
 fn a_plan_is_taken_up_where_it_was_left() {
     let case = start_up();
@@ -181,10 +181,10 @@ fn plans_that_cannot_be_followed_are_refused() {
         Some((0, ScheduleFault::Range))
     );
     // Ramps of different set points may overlap, and one may follow the other at once.
-    let sound = vec![
+    let valid = vec![
         turning(5.0, 3.0, 10.0),
         moving(6.0, 1.0, stop),
         turning(8.0, 0.0, 20.0),
     ];
-    assert_eq!(fault(sound), None);
+    assert_eq!(fault(valid), None);
 }

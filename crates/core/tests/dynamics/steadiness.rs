@@ -48,7 +48,7 @@ fn a_prepared_start_is_settled_in_ten_seconds() {
 /// Over 600 s of quiet rotation the torque drifts by less than 0.2 %: the means over windows of 30 s all
 /// lie within that of the first.
 ///
-/// What drift there is belongs to the depth: 1.6 m are drilled. A string laid anew at the depth of the last
+/// What drift there is belongs to the depth: 1.6 m are drilled. A string initialised anew at the depth of the last
 /// window has the same torque within 1e-5, half of what a string settles by between 40 and 100 s after its
 /// start. (The soft string gains 10 N·m per metre on average; here the gain swings about that as
 /// tool joints enter and leave the ends of the build, and repeats itself with their spacing.)
@@ -82,7 +82,7 @@ fn drilling(bit_depth_m: f64, settle_s: f64, duration_s: f64) -> Case {
     case
 }
 
-/// Goes on to the end of the window, which is known when that has begun.
+/// Continues to the end of the window, which is known when that has begun.
 fn to_its_end(simulation: &mut Simulation) {
     loop {
         let left_s = simulation.end_time_s() - simulation.time_s();
@@ -151,7 +151,7 @@ fn settling_goes_on_until_the_weight_stands() {
         (3.0, None)
     );
     assert_eq!((*longest_s, *planned_longest_s), (125.0, 145.0));
-    for (outcome, least_s, longest_s) in [
+    for (outcome, min_s, longest_s) in [
         (steady, 10.0, longest_s),
         (planned, 25.0, planned_longest_s),
     ] {
@@ -166,7 +166,7 @@ fn settling_goes_on_until_the_weight_stands() {
         // The torque of a string that sticks to its wall around may creep for long: then the bound ends it, and it says so.
         let bounded = numerics.settle_s > longest_s - 5.0;
         assert_eq!(numerics.settled, Some(!bounded), "{}", numerics.settle_s);
-        assert!(numerics.settle_s > least_s, "{}", numerics.settle_s);
+        assert!(numerics.settle_s > min_s, "{}", numerics.settle_s);
     }
     // What was told of the window is of the window: no sample before it.
     let (series, from_s) = (&steady.series, steady.numerics.settle_s - 1e-6);

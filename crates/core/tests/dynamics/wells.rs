@@ -59,7 +59,7 @@ impl Case {
     }
 }
 
-/// Goes on for `seconds`.
+/// Continues for `seconds`.
 #[track_caller]
 pub fn go(simulation: &mut Simulation, seconds: f64) {
     if let Err(error) = simulation.advance(seconds) {

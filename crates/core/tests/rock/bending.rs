@@ -1,4 +1,4 @@
-//! A beam of bricks: deflection, and what its hourglasses hold.
+//! A beam of elements: deflection, and what its hourglasses hold.
 
 use wholestring::rock::{Block, BlockSpec, Edge, Rock, Stepper};
 
@@ -7,7 +7,7 @@ use crate::{
     setup::{elastic, step},
 };
 
-/// A cantilever of eight times its depth under a load at its end, so many bricks deep: deflection over the theory's, and the
+/// A cantilever of eight times its depth under a load at its end, so many elements deep: deflection over the theory's, and the
 /// part of the energy that is in hourglasses.
 fn cantilever(deep: usize) -> [f64; 2] {
     use Edge::{Free, Guided, Held};
@@ -64,16 +64,16 @@ fn a_beam_bends_as_timoshenkos() {
         report(&Row {
             case: "rock",
             quantity: &format!(
-                "deflection of a cantilever {deep} bricks deep, part of Timoshenko's"
+                "deflection of a cantilever {deep} elements deep, part of Timoshenko's"
             ),
             expected: 1.0,
             computed: deflection,
             tolerance: Tolerance::Relative(1.2 / (deep * deep) as f64),
-            reason: "one point of integration misses the bending within a brick, the square of its part of the depth",
+            reason: "one point of integration misses the bending within an element, the square of its part of the depth",
         });
         report(&Row {
             case: "rock",
-            quantity: &format!("energy in hourglasses of a cantilever {deep} bricks deep, part"),
+            quantity: &format!("energy in hourglasses of a cantilever {deep} elements deep, part"),
             expected: 0.0,
             computed: hourglass,
             tolerance: Tolerance::Absolute(0.05),

@@ -18,7 +18,7 @@ const BETWEEN: f64 = 0.7;
 
 const WEIGHT_N: f64 = 1000.0;
 
-/// Angle by which a bit that was stopped has broken away, rad: farther than from one brick to the next.
+/// Angle by which a bit that was stopped has broken away, rad: farther than from one element to the next.
 const AWAY_RAD: f64 = 0.5;
 
 /// A bit that turns more slowly than this stands, rad/s: a twenty-fifth of the speed that it drills at.
@@ -38,11 +38,12 @@ struct Standing {
 }
 
 impl Standing {
-    fn new(brick_m: f64, weight_N: f64) -> Self {
+    fn new(element_m: f64, weight_N: f64) -> Self {
         let bit = BitShape::Pdc(PdcBit::for_diameter(0.06));
-        let spec = DrillingSpec::new(Rock::for_drilling(10e6), bit, brick_m).expect("a sound face");
+        let spec =
+            DrillingSpec::new(Rock::for_drilling(10e6), bit, element_m).expect("a sound face");
         Self {
-            drilling: Drilling::new(&spec).expect("a sound rock"),
+            drilling: Drilling::new(&spec).expect("a intact rock"),
             weight_N,
             stepper: Stepper::default(),
         }
@@ -84,7 +85,7 @@ impl Standing {
                 inertia: Inertia {
                     mass_kg: self.mass_kg(),
                     about_axis_kg_m2: INERTIA_KG_M2,
-                    ..Inertia::TOLD
+                    ..Inertia::PRESCRIBED
                 },
             };
             let advance = self
@@ -104,12 +105,12 @@ struct Over {
     mean: f64,
     /// Standard error of the mean.
     error: f64,
-    /// Bricks in the depth of cut of a revolution.
-    bricks: f64,
+    /// Elements in the depth of cut of a revolution.
+    elements: f64,
 }
 
-fn over_the_mean(brick_m: f64, weight_N: f64, turns: f64, stops: usize) -> Over {
-    let mut bit = Standing::new(brick_m, weight_N);
+fn over_the_mean(element_m: f64, weight_N: f64, turns: f64, stops: usize) -> Over {
+    let mut bit = Standing::new(element_m, weight_N);
     bit.turn(1.0);
     let drilled = bit.turn(turns);
     let torque_N_m = drilled.torque_N_m();
@@ -126,54 +127,58 @@ fn over_the_mean(brick_m: f64, weight_N: f64, turns: f64, stops: usize) -> Over 
     let over = Over {
         mean,
         error: (squares / (count - 1.0) / count).sqrt(),
-        bricks: drilled.depth_of_cut_m() / brick_m,
+        elements: drilled.depth_of_cut_m() / element_m,
     };
     println!(
-        "bricks of {} mm, {weight_N} N: {:.2} bricks a revolution, {torque_N_m:.1} N·m, broke away at {mean:.2} ± {:.2} of it",
-        1e3 * brick_m,
-        over.bricks,
+        "elements of {} mm, {weight_N} N: {:.2} elements a revolution, {torque_N_m:.1} N·m, broke away at {mean:.2} ± {:.2} of it",
+        1e3 * element_m,
+        over.elements,
         over.error
     );
     over
 }
 
-/// How much less finer bricks hold it.
+/// How much less finer elements hold it.
 fn held_less(coarse_m: f64, coarse: &Over, fine_m: f64, fine: &Over) {
     report(&Row {
         case: "rock",
         quantity: &format!(
-            "torque that turns a standing bit on bricks of {} mm over that on bricks of {} mm",
+            "torque that turns a standing bit on elements of {} mm over that on elements of {} mm",
             1e3 * coarse_m,
             1e3 * fine_m
         ),
         expected: 1.5,
         computed: coarse.mean / fine.mean,
         tolerance: Tolerance::AtLeast,
-        reason: "coarse bricks hold it all at once: 2.9 and 1.9 times with six stops, each known to a fifth; one if bricks made no difference",
+        reason: "coarse elements hold it all at once: 2.9 and 1.9 times with six stops, each known to a fifth; one if elements made no difference",
     });
 }
 
 #[test]
-fn coarse_bricks_hold_a_bit_that_stands() {
-    let [coarse, fine] = [6e-3, 4e-3].map(|brick_m| over_the_mean(brick_m, WEIGHT_N, 2.0, 2));
+fn coarse_elements_hold_a_bit_that_stands() {
+    let [coarse, fine] = [6e-3, 4e-3].map(|element_m| over_the_mean(element_m, WEIGHT_N, 2.0, 2));
     held_less(6e-3, &coarse, 4e-3, &fine);
 }
 
-/// A bit that stands needs no more than one that turns, against rock whose grain is finer than its cut. Bricks that are
+/// A bit that stands needs no more than one that turns, against rock whose grain is finer than its cut. Elements that are
 /// coarser than the cut of a blade hold it by more: all that stand in front of cutters at once, where a bit that turns meets them one by
 /// one.
 #[test]
 #[ignore = "minutes: run by cargo xtask verify"]
-fn what_holds_a_bit_that_stands_falls_with_the_bricks() {
+fn what_holds_a_bit_that_stands_falls_with_the_elements() {
     let [coarse, middle, fine] =
-        [6e-3, 4e-3, 3e-3].map(|brick_m| over_the_mean(brick_m, WEIGHT_N, 4.0, 6));
+        [6e-3, 4e-3, 3e-3].map(|element_m| over_the_mean(element_m, WEIGHT_N, 4.0, 6));
     held_less(6e-3, &coarse, 4e-3, &middle);
     held_less(4e-3, &middle, 3e-3, &fine);
-    assert!(fine.bricks > 1.5, "{} bricks in a revolution", fine.bricks);
-    let shown = (Tolerance::Any, "what so coarse bricks add, shown");
+    assert!(
+        fine.elements > 1.5,
+        "{} elements in a revolution",
+        fine.elements
+    );
+    let shown = (Tolerance::Any, "what so coarse elements add, shown");
     let held = (
         Tolerance::Absolute(0.4),
-        "bricks of half the depth of cut of a revolution: twice the standard error of six stops, 0.18",
+        "elements of half the depth of cut of a revolution: twice the standard error of six stops, 0.18",
     );
     for (name, over, (tolerance, reason)) in [
         ("6", coarse, shown),
@@ -183,7 +188,7 @@ fn what_holds_a_bit_that_stands_falls_with_the_bricks() {
         report(&Row {
             case: "rock",
             quantity: &format!(
-                "torque that turns a standing bit on bricks of {name} mm over that which turns a turning one"
+                "torque that turns a standing bit on elements of {name} mm over that which turns a turning one"
             ),
             expected: 1.0,
             computed: over.mean,

@@ -34,7 +34,7 @@ impl Ball {
         }
     }
 
-    /// A step of the block, and the ball's pushes after it; how many bricks went.
+    /// A step of the block, and the ball's pushes after it; how many elements went.
     pub fn drag(
         &mut self,
         block: &mut Block,

@@ -15,7 +15,7 @@ use crate::{
 /// The step of a string, s.
 const STEP_S: f64 = 0.64e-3;
 
-/// Bricks of the small bit's rock, m.
+/// Elements of the small bit's rock, m.
 const SIZE_M: f64 = 6e-3;
 
 /// 240 rev/min.
@@ -28,7 +28,7 @@ fn rock() -> Rock {
     Rock::for_drilling(10e6)
 }
 
-/// A bit of 60 mm on bricks of a tenth of that.
+/// A bit of 60 mm on elements of a tenth of that.
 fn small(rock: Rock) -> DrillingSpec {
     let bit = BitShape::Pdc(PdcBit::for_diameter(0.06));
     let mut spec = DrillingSpec::new(rock, bit, SIZE_M).expect("a sound face");
@@ -376,7 +376,7 @@ fn a_bit_begins_in_its_own_bottom() {
     };
     assert!(!held(&drilling, 0.0));
     assert!(held(&drilling, SIZE_M / 50.0));
-    // No brick reaches into the hole that the profile sweeps.
+    // No element reaches into the hole that the profile sweeps.
     let pose = *drilling.pose();
     let profile = drilling.bit().face().profile();
     let mut under = 0;
@@ -385,7 +385,7 @@ fn a_bit_begins_in_its_own_bottom() {
         let radius_m = at.xy().norm();
         if radius_m < profile.radius_m() - 1e-9 {
             under += 1;
-            // Lowered until it touched, by less than a brick.
+            // Lowered until it touched, by less than an element.
             assert!(at.z > profile.z_m(radius_m) - SIZE_M, "{at:?}");
         }
     }
@@ -407,9 +407,9 @@ fn a_bit_begins_in_its_own_bottom() {
 /// What cannot be drilled is refused with the same reason before anything is built and when it is.
 #[test]
 fn what_cannot_be_drilled_is_refused_before_it_is_built() {
-    let sound = small(rock());
+    let valid = small(rock());
     let altered = |alter: &dyn Fn(&mut DrillingSpec)| {
-        let mut spec = sound.clone();
+        let mut spec = valid.clone();
         alter(&mut spec);
         let reason = spec.check().unwrap_err();
         assert_eq!(Drilling::new(&spec).unwrap_err(), reason);
@@ -427,7 +427,7 @@ fn what_cannot_be_drilled_is_refused_before_it_is_built() {
     let faceless = altered(&|spec| spec.bit = BitShape::Pdc(PdcBit::for_diameter(-1.0)));
     assert!(matches!(faceless, DrillingError::Face(_)), "{faceless}");
     // More than any memory holds.
-    let mut vast = sound.clone();
+    let mut vast = valid.clone();
     vast.block.cells = [1500; 3];
     assert_eq!(vast.check(), Ok(()));
 }

@@ -21,8 +21,8 @@ fn energy_balances_through_failure_and_removal() {
     let block = dragged(6000);
     let energies = block.energies();
     let (gone, _) = block.removed();
-    println!("{gone} bricks gone, {energies:?}");
-    assert!(gone > 50, "only {gone} bricks have gone");
+    println!("{gone} elements gone, {energies:?}");
+    assert!(gone > 50, "only {gone} elements have gone");
     report(&Row {
         case: "rock",
         quantity: "energy that is unaccounted for after a ball has cut a groove, part of its work",
@@ -57,11 +57,11 @@ fn a_block_follows_what_drills_it() {
     }
     let layer: Vec<_> = block
         .grid()
-        .each_brick()
-        .filter(|brick| brick[2] < 2)
+        .each_element()
+        .filter(|element| element[2] < 2)
         .collect();
-    for brick in layer {
-        block.remove(brick);
+    for element in layer {
+        block.remove(element);
     }
     assert_eq!(block.spent_layers(), 2);
     for _ in 0..100 {

@@ -1,4 +1,4 @@
-//! What breaking takes, for bricks of three sizes.
+//! What breaking takes, for elements of three sizes.
 
 use wholestring::rock::{Block, BlockSpec, Edge, Energies, Rock, Stepper};
 
@@ -45,7 +45,7 @@ fn tear(rock: Rock, wide: usize) -> f64 {
     energies.plastic_J / (WIDE_M * WIDE_M)
 }
 
-/// Bricks that a layer has lost.
+/// Elements that a layer has lost.
 trait Spent {
     fn spent(&self, layer: usize) -> usize;
 }
@@ -55,12 +55,12 @@ impl Spent for Block {
         let [nx, ny, _] = self.grid().cells;
         (0..nx)
             .flat_map(|i| (0..ny).map(move |j| [i, j, layer]))
-            .filter(|&brick| self.intact(brick).is_none())
+            .filter(|&element| self.intact(element).is_none())
             .count()
     }
 }
 
-/// Presses or pulls one brick, free at its sides, until it fails; what it took.
+/// Presses or pulls one element, free at its sides, until it fails; what it took.
 fn fail(rock: Rock, size_m: f64, speed_m_per_s: f64) -> Energies {
     use Edge::{Free, Guided};
     let spec = BlockSpec {
@@ -73,7 +73,7 @@ fn fail(rock: Rock, size_m: f64, speed_m_per_s: f64) -> Energies {
     let mut time_s = 0.0;
     while block.spent(0) == 0 {
         time_s += block.dt_s();
-        assert!(time_s < 1.0, "the brick does not fail");
+        assert!(time_s < 1.0, "the element does not fail");
         tell_layer_down(&mut block, 1, speed_m_per_s * (time_s / begin_s).min(1.0));
         step(&mut block, &stepper);
     }
@@ -83,7 +83,7 @@ fn fail(rock: Rock, size_m: f64, speed_m_per_s: f64) -> Energies {
 const SIZES_MM: [f64; 3] = [1.0, 2.0, 4.0];
 
 #[test]
-fn a_brick_takes_the_fracture_energies_whatever_its_size() {
+fn a_element_takes_the_fracture_energies_whatever_its_size() {
     let rock = Rock::of_strength(50e6);
     for (name, speed, expected) in [
         ("tear", 0.02, rock.tensile_fracture_energy_J_per_m2),
@@ -94,7 +94,7 @@ fn a_brick_takes_the_fracture_energies_whatever_its_size() {
             let energies = fail(rock, size_m, speed);
             report(&Row {
                 case: "rock",
-                quantity: &format!("energy to {name} a brick of {size_mm} mm, J/m2"),
+                quantity: &format!("energy to {name} an element of {size_mm} mm, J/m2"),
                 expected,
                 computed: energies.plastic_J / (size_m * size_m),
                 tolerance: Tolerance::Relative(0.02),
@@ -105,12 +105,12 @@ fn a_brick_takes_the_fracture_energies_whatever_its_size() {
 }
 
 #[test]
-fn a_bar_takes_the_same_energy_to_tear_whatever_its_bricks() {
+fn a_bar_takes_the_same_energy_to_tear_whatever_its_elements() {
     let rock = Rock::of_strength(50e6);
     for wide in [1, 2, 4] {
         report(&Row {
             case: "rock",
-            quantity: &format!("energy to tear a bar {wide} bricks wide, J/m2"),
+            quantity: &format!("energy to tear a bar {wide} elements wide, J/m2"),
             expected: WEAK * WEAK * rock.tensile_fracture_energy_J_per_m2,
             computed: tear(rock, wide),
             tolerance: Tolerance::Relative(0.05),
@@ -120,7 +120,7 @@ fn a_bar_takes_the_same_energy_to_tear_whatever_its_bricks() {
 }
 
 #[test]
-fn a_coarse_brick_takes_the_crushing_energy_of_its_volume() {
+fn a_coarse_element_takes_the_crushing_energy_of_its_volume() {
     let rock = Rock::for_drilling(50e6);
     for (name, speed) in [("tear", 0.06), ("crush", -0.2)] {
         for size_mm in [3.0, 6.0] {
@@ -128,7 +128,7 @@ fn a_coarse_brick_takes_the_crushing_energy_of_its_volume() {
             let energies = fail(rock, size_m, speed);
             report(&Row {
                 case: "rock",
-                quantity: &format!("energy to {name} a coarse brick of {size_mm} mm, J/m3"),
+                quantity: &format!("energy to {name} a coarse element of {size_mm} mm, J/m3"),
                 expected: rock.crushing_energy_J_per_m3,
                 computed: energies.plastic_J / size_m.powi(3),
                 tolerance: Tolerance::Relative(0.02),

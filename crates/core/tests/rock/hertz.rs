@@ -17,8 +17,8 @@ fn far_m(rock: &Rock, load_N: f64, [x, y, z]: [f64; 3]) -> [f64; 3] {
     [unit * x * across, unit * y * across, unit * down]
 }
 
-/// A quarter of a sphere is pressed into a quarter of a block, its contact `bricks` in radius; force over Hertz'.
-fn press(bricks: f64, cells: usize) -> f64 {
+/// A quarter of a sphere is pressed into a quarter of a block, its contact `elements` in radius; force over Hertz'.
+fn press(elements: f64, cells: usize) -> f64 {
     use Edge::{Free, Guided, Held};
     let (rock, size_m) = (elastic(), 1e-3);
     let spec = BlockSpec {
@@ -27,10 +27,10 @@ fn press(bricks: f64, cells: usize) -> f64 {
     };
     let mut block = Block::new(&spec).expect("a sound block");
     let (grid, stepper, dt) = (*block.grid(), Stepper::default(), block.dt_s());
-    let contact_m = bricks * size_m;
+    let contact_m = elements * size_m;
     let radius_m = 20.0 * contact_m;
     let depth_m = contact_m * contact_m / radius_m;
-    // The surface is pushed by a bed of springs four times as stiff as a layer of bricks.
+    // The surface is pushed by a bed of springs four times as stiff as a layer of elements.
     let waves = rock.pressure_wave_m_per_s();
     let bed = 4.0 * rock.density_kg_per_m3 * waves * waves / size_m;
     let outer: Vec<_> = grid
@@ -77,21 +77,21 @@ fn press(bricks: f64, cells: usize) -> f64 {
 
 #[test]
 fn a_sphere_is_borne_as_hertz_has_it() {
-    for (bricks, cells) in [(3.0, 12), (5.0, 20)] {
-        let computed = press(bricks, cells);
+    for (elements, cells) in [(3.0, 12), (5.0, 20)] {
+        let computed = press(elements, cells);
         report(&Row {
             case: "rock",
             quantity: &format!(
-                "force of a sphere with a contact {bricks} bricks in radius, part of Hertz'"
+                "force of a sphere with a contact {elements} elements in radius, part of Hertz'"
             ),
             expected: 1.0,
             computed,
-            tolerance: if bricks < 4.0 {
+            tolerance: if elements < 4.0 {
                 Tolerance::Any
             } else {
                 Tolerance::Relative(0.05)
             },
-            reason: "what is asked; the bed of springs that the sphere rests on yields by a fourteenth of a brick's part of the contact",
+            reason: "what is asked; the bed of springs that the sphere rests on yields by a fourteenth of an element's part of the contact",
         });
     }
 }

@@ -5,9 +5,9 @@ mod common;
 
 mod bending;
 mod break_away;
-mod brick;
 mod drill;
 mod drilling;
+mod element;
 mod energy;
 mod fracture;
 mod hertz;

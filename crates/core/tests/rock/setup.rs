@@ -23,8 +23,8 @@ pub fn ductile(rock: Rock) -> Rock {
     }
 }
 
-/// One brick of 1 mm with its faces −x, +x, −y, +y, −z, +z.
-pub fn one_brick(rock: Rock, edges: [Edge; 6], pressure_Pa: f64) -> Block {
+/// One element of 1 mm with its faces −x, +x, −y, +y, −z, +z.
+pub fn one_element(rock: Rock, edges: [Edge; 6], pressure_Pa: f64) -> Block {
     let spec = BlockSpec {
         edges,
         pressure_Pa,
@@ -34,10 +34,10 @@ pub fn one_brick(rock: Rock, edges: [Edge; 6], pressure_Pa: f64) -> Block {
     Block::new(&spec).expect("a sound block")
 }
 
-/// One brick, guided at three faces and at the lower one, free at the others.
+/// One element, guided at three faces and at the lower one, free at the others.
 pub fn press(rock: Rock, pressure_Pa: f64) -> Block {
     use Edge::{Free, Guided};
-    one_brick(
+    one_element(
         rock,
         [Guided, Free, Guided, Free, Guided, Guided],
         pressure_Pa,
@@ -57,7 +57,7 @@ pub fn tell_layer(block: &mut Block, layer: usize, velocity_m_per_s: [f64; 3]) {
     }
 }
 
-/// What a layer (along z) is told while its other components are free.
+/// What a layer (along z) is reported while its other components are free.
 pub fn tell_layer_down(block: &mut Block, layer: usize, velocity_m_per_s: f64) {
     let grid = *block.grid();
     for node in grid.each_node().filter(|node| node[2] == layer) {
@@ -67,7 +67,7 @@ pub fn tell_layer_down(block: &mut Block, layer: usize, velocity_m_per_s: f64) {
     }
 }
 
-/// Stretches of a brick along the axes.
+/// Stretches of an element along the axes.
 pub fn stretches(block: &Block) -> [f64; 3] {
     let grid = block.grid();
     let far = block.displacement_m(grid.node([1, 1, 1]));
@@ -75,7 +75,7 @@ pub fn stretches(block: &Block) -> [f64; 3] {
     [0, 1, 2].map(|axis| 1.0 + (far[axis] - near[axis]) / grid.size_m[axis])
 }
 
-/// Cauchy's stress of the only brick, Pa.
+/// Cauchy's stress of the only element, Pa.
 pub fn cauchy_Pa(block: &Block) -> [f64; 6] {
     let volume: f64 = stretches(block).iter().product();
     block.stress_Pa([0, 0, 0]).map(|stress| stress / volume)

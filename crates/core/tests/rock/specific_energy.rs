@@ -8,11 +8,11 @@ use wholestring::rock::{
 
 use crate::common::{Row, Tolerance, report};
 
-/// A bit on bricks and how it is driven.
+/// A bit on elements and how it is driven.
 #[derive(Clone, Copy)]
 struct Case {
     diameter_m: f64,
-    brick_m: f64,
+    element_m: f64,
     ucs_Pa: f64,
     density_factor: f64,
     pressure_Pa: f64,
@@ -34,7 +34,7 @@ enum Drive {
 /// A bit of 60 mm at 240 rev/min.
 const SMALL: Case = Case {
     diameter_m: 0.06,
-    brick_m: 6e-3,
+    element_m: 6e-3,
     ucs_Pa: 30e6,
     density_factor: 400.0,
     pressure_Pa: 0.0,
@@ -47,7 +47,7 @@ const SMALL: Case = Case {
 /// A bit of 216 mm at 120 rev/min.
 const LARGE: Case = Case {
     diameter_m: 0.216,
-    brick_m: 12e-3,
+    element_m: 12e-3,
     rotary_rad_per_s: 2.0 * TAU,
     drive: Drive::Weight(60e3, 2000.0),
     ..SMALL
@@ -84,11 +84,11 @@ impl Case {
     fn drill(&self) -> Drilled {
         let bit = BitShape::Pdc(PdcBit::for_diameter(self.diameter_m));
         let rock = Rock::for_drilling(self.ucs_Pa);
-        let mut spec = DrillingSpec::new(rock, bit, self.brick_m).expect("a sound face");
+        let mut spec = DrillingSpec::new(rock, bit, self.element_m).expect("a sound face");
         spec.block.numerics.density_factor = self.density_factor;
         spec.block.pressure_Pa = self.pressure_Pa;
         spec.block.confinement_Pa = self.pressure_Pa;
-        let mut drilling = Drilling::new(&spec).expect("a sound rock");
+        let mut drilling = Drilling::new(&spec).expect("a intact rock");
         let rotary_rad_per_s = self.rotary_rad_per_s;
         let driver = match self.drive {
             Drive::Cut(depth_m) => Driver::Rate {
@@ -139,9 +139,9 @@ impl std::fmt::Display for Case {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(
             f,
-            "{:.0} mm bit, bricks {:.1} mm, {:.0} MPa, pressure {:.0} MPa, density x {}, {:.0} rev/min, step {:.2} ms",
+            "{:.0} mm bit, elements {:.1} mm, {:.0} MPa, pressure {:.0} MPa, density x {}, {:.0} rev/min, step {:.2} ms",
             1e3 * self.diameter_m,
-            1e3 * self.brick_m,
+            1e3 * self.element_m,
             1e-6 * self.ucs_Pa,
             1e-6 * self.pressure_Pa,
             self.density_factor,
@@ -178,11 +178,11 @@ impl std::fmt::Display for Drilled {
 
 /// Both against what is published: work per volume about the unconfined strength, where cutters do not chip (Richard and others,
 /// 2012; Detournay and Defourny, 1992); torque over half of weight and radius 1/ζ, ζ from 0.5 to 0.8 for sharp cutters (E07 has 0.6).
-/// Cuts of less than a brick per revolution bear too little weight: of them the slope is shown.
+/// Cuts of less than an element per revolution bear too little weight: of them the slope is shown.
 fn as_published(name: &str, case: &Case, drilled: &Drilled) {
     // What follows a comma would pass for a unit.
     let name = name.replace(", ", "; ");
-    let slope = if drilled.depth_of_cut_m.0 > 0.99 * case.brick_m {
+    let slope = if drilled.depth_of_cut_m.0 > 0.99 * case.element_m {
         (
             Tolerance::Absolute(0.375),
             "1/ζ of sharp cutters, ζ from 0.5 to 0.8 (Detournay and Defourny 1992)",
@@ -190,7 +190,7 @@ fn as_published(name: &str, case: &Case, drilled: &Drilled) {
     } else {
         (
             Tolerance::Any,
-            "1/ζ of sharp cutters, ζ from 0.5 to 0.8; less than a brick per revolution",
+            "1/ζ of sharp cutters, ζ from 0.5 to 0.8; less than an element per revolution",
         )
     };
     for (quantity, expected, computed, tolerance, reason) in [
@@ -268,23 +268,23 @@ fn a_bit_takes_about_the_strength_per_volume() {
 }
 
 #[test]
-fn what_a_bit_takes_depends_little_on_the_bricks() {
+fn what_a_bit_takes_depends_little_on_the_elements() {
     let coarse = Case {
         ucs_Pa: 10e6,
         ..SMALL
     };
     let from = coarse.drill();
     let fine = Case {
-        brick_m: 4e-3,
+        element_m: 4e-3,
         revolutions: [1, 2],
         ..coarse
     };
     moved(
-        "on bricks of 4 over that on 6 mm",
+        "on elements of 4 over that on 6 mm",
         &from,
         &fine.drill(),
         [Tolerance::Absolute(0.15); 2],
-        "a tenth at most in the study of three bricks, and its spread",
+        "a tenth at most in the study of three elements, and its spread",
     );
 }
 
@@ -328,7 +328,7 @@ fn bits_of_two_sizes_take_about_the_strength_whatever_the_rock_and_the_cut() {
                 &case.drill(),
             );
         }
-        for (drive, brick_m, name) in [
+        for (drive, element_m, name) in [
             (Drive::Cut(8e-3), 12e-3, "216 mm bit, 8 mm/rev"),
             (Drive::Cut(8e-3), 9e-3, "216 mm bit on 9 mm, 8 mm/rev"),
             (Drive::Cut(20e-3), 12e-3, "216 mm bit, 20 mm/rev"),
@@ -340,7 +340,7 @@ fn bits_of_two_sizes_take_about_the_strength_whatever_the_rock_and_the_cut() {
         ] {
             let case = Case {
                 ucs_Pa,
-                brick_m,
+                element_m,
                 drive,
                 revolutions: [1, 3],
                 ..LARGE
@@ -356,11 +356,11 @@ fn bits_of_two_sizes_take_about_the_strength_whatever_the_rock_and_the_cut() {
 
 #[test]
 #[ignore = "minutes: run by cargo xtask verify"]
-fn bricks_of_three_sizes_take_about_the_same() {
-    let on = |brick_m: f64, drive: Drive, counted: usize| {
+fn elements_of_three_sizes_take_about_the_same() {
+    let on = |element_m: f64, drive: Drive, counted: usize| {
         let case = Case {
             ucs_Pa: 10e6,
-            brick_m,
+            element_m,
             drive,
             revolutions: [1, counted],
             ..SMALL
@@ -369,16 +369,16 @@ fn bricks_of_three_sizes_take_about_the_same() {
     };
     let (cut, weight) = (Drive::Cut(12e-3), Drive::Weight(2500.0, 200.0));
     let fine = [on(3e-3, cut, 3), on(3e-3, weight, 3)];
-    for (brick_mm, counted) in [(6.0, 8), (4.0, 6)] {
-        let brick_m = 1e-3 * brick_mm;
+    for (element_mm, counted) in [(6.0, 8), (4.0, 6)] {
+        let element_m = 1e-3 * element_mm;
         moved(
-            &format!("on bricks of {brick_mm} over that on 3 mm (12 mm/rev)"),
+            &format!("on elements of {element_mm} over that on 3 mm (12 mm/rev)"),
             &fine[0],
-            &on(brick_m, cut, 3),
+            &on(element_m, cut, 3),
             [Tolerance::Any, Tolerance::Absolute(0.2)],
-            "torque is 7 % off on 6 mm; bricks of 3 mm fit under the cutter on the axis, which bears on them",
+            "torque is 7 % off on 6 mm; elements of 3 mm fit under the cutter on the axis, which bears on them",
         );
-        let coarse = on(brick_m, weight, counted);
+        let coarse = on(element_m, weight, counted);
         for (quantity, fine, coarse) in [
             ("rate", fine[1].depth_of_cut_m.0, coarse.depth_of_cut_m.0),
             ("torque", fine[1].torque_N_m.0, coarse.torque_N_m.0),
@@ -386,7 +386,7 @@ fn bricks_of_three_sizes_take_about_the_same() {
             report(&Row {
                 case: "rock",
                 quantity: &format!(
-                    "{quantity} on bricks of {brick_mm} over that on 3 mm under a weight"
+                    "{quantity} on elements of {element_mm} over that on 3 mm under a weight"
                 ),
                 expected: 1.0,
                 computed: coarse / fine,

@@ -1,10 +1,10 @@
-//! Strength of one brick against E07's identities, and the tip of the cone.
+//! Strength of one element against E07's identities, and the tip of the cone.
 
 use wholestring::rock::{Edge, Rock, Stepper};
 
 use crate::{
     common::{Row, Tolerance, report, report_worst, verification},
-    setup::{cauchy_Pa, ductile, one_brick, press, step, tell_layer_down},
+    setup::{cauchy_Pa, ductile, one_element, press, step, tell_layer_down},
 };
 
 /// The rocks of E07, with its numbers.
@@ -26,7 +26,7 @@ fn rocks() -> Vec<(Rock, serde_json::Value)> {
         .collect()
 }
 
-/// Presses a brick under a lateral pressure along z to a strain; the largest axial stress beyond what it bore at first, Pa.
+/// Presses an element under a lateral pressure along z to a strain; the largest axial stress beyond what it bore at first, Pa.
 fn strength_Pa(rock: Rock, pressure_Pa: f64, strain: f64) -> f64 {
     let stepper = Stepper::default();
     let mut block = press(rock, pressure_Pa);
@@ -72,10 +72,10 @@ fn the_cone_is_matched_in_compression() {
 }
 
 #[test]
-fn a_pressed_brick_bears_the_unconfined_strength() {
+fn a_pressed_element_bears_the_unconfined_strength() {
     report_worst(rocks().into_iter().map(|(rock, row)| Row {
         case: "E07",
-        quantity: "strength of a brick in uniaxial compression, MPa",
+        quantity: "strength of an element in uniaxial compression, MPa",
         expected: row["UCS_MPa"].as_f64().expect("a number"),
         computed: -1e-6 * strength_Pa(rock, 0.0, -3e-3),
         tolerance: Tolerance::Relative(1e-3),
@@ -84,7 +84,7 @@ fn a_pressed_brick_bears_the_unconfined_strength() {
 }
 
 #[test]
-fn a_confined_brick_bears_the_triaxial_strength() {
+fn a_confined_element_bears_the_triaxial_strength() {
     let confinement_Pa = 20e6;
     report_worst(rocks().into_iter().map(|(rock, row)| {
         let sin = rock.friction_angle_rad.sin();
@@ -92,7 +92,7 @@ fn a_confined_brick_bears_the_triaxial_strength() {
             + 1e-6 * confinement_Pa * (1.0 + sin) / (1.0 - sin);
         Row {
             case: "E07",
-            quantity: "strength of a brick in triaxial compression under 20 MPa, MPa",
+            quantity: "strength of an element in triaxial compression under 20 MPa, MPa",
             expected,
             computed: -1e-6 * strength_Pa(rock, confinement_Pa, -5e-3),
             tolerance: Tolerance::Relative(1e-3),
@@ -102,14 +102,14 @@ fn a_confined_brick_bears_the_triaxial_strength() {
 }
 
 #[test]
-fn a_pulled_brick_bears_the_tensile_strength() {
+fn a_pulled_element_bears_the_tensile_strength() {
     let rock = Rock {
         youngs_modulus_Pa: 100e9,
         ..ductile(Rock::of_strength(50e6))
     };
     report(&Row {
         case: "rock",
-        quantity: "strength of a brick in uniaxial tension, MPa",
+        quantity: "strength of an element in uniaxial tension, MPa",
         expected: 1e-6 * rock.tensile_strength_Pa,
         computed: 1e-6 * strength_Pa(rock, 0.0, 1.5e-4),
         tolerance: Tolerance::Relative(1e-3),
@@ -118,12 +118,12 @@ fn a_pulled_brick_bears_the_tensile_strength() {
 }
 
 #[test]
-fn a_torn_brick_returns_to_the_apex() {
+fn a_torn_element_returns_to_the_apex() {
     let rock = Rock {
         tensile_strength_Pa: 1e12,
         ..ductile(Rock::of_strength(50e6))
     };
-    let mut block = one_brick(rock, [Edge::Held; 6], 0.0);
+    let mut block = one_element(rock, [Edge::Held; 6], 0.0);
     let grid = *block.grid();
     // Swelling with some shear, far beyond the tip.
     for node in grid.each_node() {

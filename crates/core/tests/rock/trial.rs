@@ -13,10 +13,10 @@ use crate::{
     setup::elastic,
 };
 
-/// Bricks of the rock, m: coarse, for the books and not for the forces.
+/// Elements of the rock, m: coarse, for the books and not for the forces.
 const SIZE_M: f64 = 8e-3;
 
-/// A rock of 10 MPa, of which a crushed brick takes as much per volume.
+/// A rock of 10 MPa, of which a crushed element takes as much per volume.
 fn weak() -> Rock {
     Rock {
         compressive_fracture_energy_J_per_m2: 10e6 * SIZE_M,
@@ -199,7 +199,7 @@ fn a_bit_that_does_not_drill_ends_too() {
     spec.settle_revolutions = 1.5;
     spec.revolutions = 2.0;
     let mut rock = small(elastic());
-    // Its strength is none of a rock: a contact as stiff as its bricks.
+    // Its strength is none of a rock: a contact as stiff as its elements.
     rock.contact = ContactLaw {
         stiffness_Pa_per_m: rock.block.rock.youngs_modulus_Pa / SIZE_M,
         damping_ratio: 1.0,
@@ -214,61 +214,61 @@ fn a_bit_that_does_not_drill_ends_too() {
         expected: 0.0,
         computed: outcome.depth_of_cut_m,
         tolerance: Tolerance::Absolute(0.1 * SIZE_M),
-        reason: "a tenth of a brick: it hops over their corners and comes back",
+        reason: "a tenth of an element: it hops over their corners and comes back",
     });
 }
 
 #[test]
 fn numbers_that_make_no_trial() {
     let rock = small(weak());
-    let sound = trial(1000.0);
+    let valid = trial(1000.0);
     for (spec, named) in [
         (
             TrialSpec {
                 weight_N: 0.0,
-                ..sound
+                ..valid
             },
             "weight",
         ),
         (
             TrialSpec {
                 rotary_rad_per_s: f64::NAN,
-                ..sound
+                ..valid
             },
             "speed",
         ),
         (
             TrialSpec {
                 mass_kg: -1.0,
-                ..sound
+                ..valid
             },
             "mass",
         ),
         (
             TrialSpec {
                 step_s: f64::INFINITY,
-                ..sound
+                ..valid
             },
             "step",
         ),
         (
             TrialSpec {
                 step_s: 1e-14,
-                ..sound
+                ..valid
             },
             "steps",
         ),
         (
             TrialSpec {
                 revolutions: 0.0,
-                ..sound
+                ..valid
             },
             "revolutions",
         ),
         (
             TrialSpec {
                 settle_revolutions: -0.5,
-                ..sound
+                ..valid
             },
             "settling",
         ),

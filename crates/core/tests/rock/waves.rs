@@ -14,7 +14,7 @@ struct Pulse {
     returned: f64,
 }
 
-/// Sends a pulse of `length` bricks down a block, 60 deep, in which waves of a speed go; seen in the middle of its width.
+/// Sends a pulse of `length` elements down a block, 60 deep, in which waves of a speed go; seen in the middle of its width.
 fn send(edges: [Edge; 6], wide: usize, direction: usize, wave_m_per_s: f64) -> Pulse {
     let (deep, size_m, length) = (60, 1e-3, 24.0);
     let spec = BlockSpec {
@@ -64,7 +64,7 @@ fn check(name: &str, pulse: &Pulse, expected: f64) {
         expected,
         computed: pulse.speed_m_per_s,
         tolerance: Tolerance::Relative(0.01),
-        reason: "what is asked, of waves 24 bricks long",
+        reason: "what is asked, of waves 24 elements long",
     });
     report(&Row {
         case: "rock",

@@ -163,7 +163,7 @@ fn momentum_and_energy_pass_exactly() {
     }
 }
 
-/// What a face holds is in its reach; what is not in its reach need not be asked for.
+/// What a face holds is in its reach; what is not in its reach need not be requested.
 #[test]
 fn what_is_held_is_in_reach() {
     let (pose, law) = (turning(), law());

@@ -144,7 +144,7 @@ impl Plane {
     }
 
     /// Smallest eigenvalue of the stiffness matrix of the motions that are free.
-    pub fn least_stiffness(&self) -> f64 {
+    pub fn min_stiffness(&self) -> f64 {
         let tangent = self.tangent();
         let free: Vec<usize> = (0..self.fixed.len()).filter(|i| !self.fixed[*i]).collect();
         let part = DMatrix::from_fn(free.len(), free.len(), |i, j| {

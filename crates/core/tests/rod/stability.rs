@@ -4,7 +4,7 @@ use wholestring::rod::{mesh::Mesh, stability};
 
 use crate::mesh::np13;
 
-/// The short elements of the bottom-hole assembly are lent mass, drill pipe and heavy-weight none: their
+/// The short elements of the bottom-hole assembly are given mass, drill pipe and heavy-weight none: their
 /// waves keep their speed. Lateral mass of steel alone.
 #[test]
 fn ordinary_pipe_is_lent_nothing() {

@@ -237,7 +237,7 @@ fn buckling_load(shear: f64, parts: usize) -> f64 {
         for node in 0..=parts {
             rod.moved[3 * node + 1] = -load / AXIAL * node as f64 / parts as f64;
         }
-        if rod.least_stiffness() > 0.0 {
+        if rod.min_stiffness() > 0.0 {
             low = load;
         } else {
             high = load;

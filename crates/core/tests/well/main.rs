@@ -1,4 +1,4 @@
-//! Verification of the well: the path's two curves, its landmarks and the hole.
+//! Verification of the well: the path's two curves, its kick-off and build and the hole.
 
 #[path = "../common/mod.rs"]
 mod common;
@@ -6,7 +6,7 @@ mod common;
 mod high_side;
 mod hole;
 mod input;
-mod landmarks;
+mod kick_off;
 mod minimum_curvature;
 mod roughness;
 mod spline;

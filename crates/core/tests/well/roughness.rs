@@ -129,7 +129,7 @@ fn a_seed_gives_the_same_wall_everywhere() {
     }
 }
 
-/// Over 50 km the root mean squares are those asked for, and all of the power lies in the band, as much of
+/// Over 50 km the root mean squares are those requested, and all of the power lies in the band, as much of
 /// it in the lower as in the upper half of its octaves.
 ///
 /// A sum of sinusoids has its mean square to the order of (longest wavelength)/length, 1e-3 here; the rms

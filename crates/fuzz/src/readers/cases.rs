@@ -199,7 +199,7 @@ pub(super) fn bit_table() -> Reader {
         "[bit]\ntorque = \"2.5 kN.m\"",
         "[bit]\nlaw = \"table\"\n[bit.table]\nfile = \"bit-table.csv\"",
     );
-    // Sliding asks for a motor.
+    // Sliding requires a motor.
     let case = case.replace(", \"slide\"]", "]");
     let seeds: [&[u8]; 2] = [
         b"weight_on_bit_N,rotary_speed_rpm,rate_of_penetration_m_per_h,torque_N_m\n20000,60,4,1000\n20000,120,8,1000\n60000,60,12,3000\n60000,120,24,3000\n",

@@ -73,7 +73,7 @@ fn short_case() -> Case {
         .unwrap_or_else(|report| panic!("{}", report.render(false)))
 }
 
-/// A run of a string that is taken up again, and goes on.
+/// A run of a string that is resumed, and continues.
 pub(super) fn simulation() -> Reader {
     let case = short_case();
     let operation = case.operations[0];
@@ -82,7 +82,7 @@ pub(super) fn simulation() -> Reader {
         postcard::to_allocvec(&simulation.checkpoint()).expect("plain data")
     };
     let mut under_way = run();
-    under_way.advance(0.4).expect("it goes on");
+    under_way.advance(0.4).expect("it continues");
     let seeds = vec![stored(&run()), stored(&under_way)];
     let case = case.clone();
     Reader::binary("simulation", seeds, move |input| {
@@ -104,7 +104,7 @@ pub(super) fn simulation() -> Reader {
     })
 }
 
-/// A trial of a bit on solid rock that is taken up again, and goes on.
+/// A trial of a bit on solid rock that is resumed, and continues.
 pub(super) fn trial() -> Reader {
     let rock = Rock::for_drilling(60e6);
     let bit = BitShape::Pdc(wholestring::rock::bit_face::PdcBit::for_diameter(0.1));
@@ -121,7 +121,7 @@ pub(super) fn trial() -> Reader {
     let mut trial = Trial::new(&spec, &drilling).expect("a trial begins");
     trial
         .advance(3, &Stepper::default(), &Alone)
-        .expect("it goes on");
+        .expect("it continues");
     let seeds = vec![postcard::to_allocvec(&trial).expect("plain data")];
     Reader::binary("trial", seeds, move |input| {
         let Ok(mut trial) = postcard::from_bytes::<Trial>(input) else {

@@ -24,7 +24,7 @@ const WORDS: &[&str] = &[
 ];
 
 /// What holds of any survey that is read, and of any error.
-fn sound(read: Result<ImportedSurvey, SurveyError>) -> bool {
+fn valid(read: Result<ImportedSurvey, SurveyError>) -> bool {
     match read {
         Ok(survey) => {
             assert!(survey.stations.len() >= 2);
@@ -58,8 +58,8 @@ fn reads(name: &'static str) -> impl FnMut(&[u8]) -> bool {
         length_unit: Dimension::Length.find_unit("ft"),
     };
     move |input| {
-        let plain = sound(read_as(input, name, &Said::default()));
-        plain | sound(read_as(input, name, &said))
+        let plain = valid(read_as(input, name, &Said::default()));
+        plain | valid(read_as(input, name, &said))
     }
 }
 

@@ -1,4 +1,4 @@
-//! What a page tells of a bit that was tested alone on the rock, and its pictures.
+//! What a page reports a bit that was tested alone on the rock, and its pictures.
 
 mod figures;
 

@@ -5,7 +5,7 @@ use super::palette::{LINES, on_paper};
 /// What something is drawn with. A file has the colours of paper; a page may give each its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ink {
-    /// A curve by its place; seven can be told apart, and after the last comes the first.
+    /// A curve by its place; seven can be distinguished, and after the last comes the first.
     Line(usize),
     /// Text.
     Text,
@@ -64,7 +64,7 @@ impl Ink {
     }
 }
 
-/// What a scale of colours tells.
+/// What a scale of colours shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Hue {
     /// From little to much.

@@ -117,7 +117,7 @@ mod vision;
 #[cfg(test)]
 mod tests {
     use super::{
-        vision::{contrast, least_difference},
+        vision::{contrast, min_difference},
         *,
     };
 
@@ -127,10 +127,10 @@ mod tests {
         PALETTE.iter().find(|colour| colour.name == name).unwrap()
     }
 
-    type Look = fn(&Colour) -> u32;
+    type Palette = fn(&Colour) -> u32;
 
     /// Light and dark, each as a way to a colour.
-    const LOOKS: [(&str, Look); 2] = [
+    const STYLES: [(&str, Palette); 2] = [
         ("light", |colour| colour.light),
         ("dark", |colour| colour.dark),
     ];
@@ -146,15 +146,15 @@ mod tests {
     /// that this program sets itself for thin lines and small areas apart from one another.
     #[test]
     fn every_eye_tells_the_colours_of_a_chart_apart() {
-        for (look, of) in LOOKS {
+        for (style, of) in STYLES {
             let mut all = lines();
             all.extend(SIDES.map(find));
             for (i, a) in all.iter().enumerate() {
                 for b in &all[..i] {
-                    let apart = least_difference(rgb(of(a)), rgb(of(b)));
+                    let apart = min_difference(rgb(of(a)), rgb(of(b)));
                     assert!(
                         apart >= 20.0,
-                        "{look}: {} and {}: {apart:.1}",
+                        "{style}: {} and {}: {apart:.1}",
                         a.name,
                         b.name
                     );
@@ -163,14 +163,14 @@ mod tests {
         }
     }
 
-    /// The ends of a map's colours and its middle are told apart too.
+    /// The ends of a map's colours and its middle are distinguished too.
     #[test]
     fn every_eye_tells_the_sides_of_a_map_apart() {
-        for (look, of) in LOOKS {
+        for (style, of) in STYLES {
             let names = ["low-side-strong", "middle", "high-side-strong"].map(find);
             for (a, b) in [(0, 1), (1, 2), (0, 2)] {
-                let apart = least_difference(rgb(of(names[a])), rgb(of(names[b])));
-                assert!(apart >= 20.0, "{look}: {}: {apart:.1}", names[a].name);
+                let apart = min_difference(rgb(of(names[a])), rgb(of(names[b])));
+                assert!(apart >= 20.0, "{style}: {}: {apart:.1}", names[a].name);
             }
         }
     }
@@ -178,22 +178,22 @@ mod tests {
     /// WCAG 2.2, success criteria 1.4.3 and 1.4.11: text has a contrast of 4.5, what must be seen of a picture 3.
     #[test]
     fn text_and_lines_stand_out_from_their_ground() {
-        for (look, of) in LOOKS {
+        for (style, of) in STYLES {
             let ratio = |a: &str, b: &str| contrast(rgb(of(find(a))), rgb(of(find(b))));
             for text in ["text", "muted", "accent", "good", "near", "over"] {
                 for ground in ["paper", "page", "settling"] {
                     let ratio = ratio(text, ground);
-                    assert!(ratio >= 4.5, "{look}: {text} on {ground}: {ratio:.2}");
+                    assert!(ratio >= 4.5, "{style}: {text} on {ground}: {ratio:.2}");
                 }
             }
             // What is chosen has the colours turned round.
-            assert!(ratio("paper", "accent") >= 4.5, "{look}: a pressed button");
+            assert!(ratio("paper", "accent") >= 4.5, "{style}: a pressed button");
             let lines = lines();
             let lines = lines.iter().map(|colour| colour.name);
             for line in lines.chain(["frame", "casing", "rock"]) {
                 for ground in ["paper", "settling"] {
                     let ratio = ratio(line, ground);
-                    assert!(ratio >= 3.0, "{look}: {line} on {ground}: {ratio:.2}");
+                    assert!(ratio >= 3.0, "{style}: {line} on {ground}: {ratio:.2}");
                 }
             }
         }

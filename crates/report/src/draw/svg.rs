@@ -42,7 +42,7 @@ impl Drawing {
         )
     }
 
-    /// Of a page, what belongs together is told, so that its program can hide it and say what a point is.
+    /// Of a page, what belongs together is reported, so that its program can hide it and say what a point is.
     fn content(&self, name: &str, of_page: bool) -> String {
         let mut clips: Vec<Box> = Vec::new();
         let mut body = String::new();
@@ -71,7 +71,7 @@ impl Drawing {
                     writeln!(
                         body,
                         "<path{}{clip} d=\"{}\"/>",
-                        look(*fill, *pen),
+                        style(*fill, *pen),
                         data(lines, *closed)
                     )
                 }
@@ -103,7 +103,7 @@ impl Drawing {
                             Anchor::Middle => " text-anchor=\"middle\"",
                             Anchor::End => " text-anchor=\"end\"",
                         },
-                        look(Some((*ink, 1.0)), None),
+                        style(Some((*ink, 1.0)), None),
                         escaped(text)
                     )
                 }
@@ -165,7 +165,7 @@ fn hex(ink: Ink) -> String {
 }
 
 /// Attributes for fill and line, and classes by which a page gives them its own colours.
-fn look(fill: Option<(Ink, f64)>, pen: Option<Pen>) -> String {
+fn style(fill: Option<(Ink, f64)>, pen: Option<Pen>) -> String {
     let mut classes = Vec::new();
     let mut attributes = String::new();
     match fill {

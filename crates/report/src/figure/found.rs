@@ -12,7 +12,7 @@ use crate::{
 const GROUND: f64 = 0.1;
 /// Width of a bar, points, and its least length.
 const BAR: f64 = 2.6;
-const LEAST: f64 = 1.4;
+const MIN: f64 = 1.4;
 /// Pieces of a broken bar, and the gaps between them, points.
 const PIECE: f64 = 4.0;
 const GAP: f64 = 2.0;
@@ -52,10 +52,7 @@ pub(super) fn stretch(on: &mut Drawing, level: Level, (from, to): (f64, f64), pl
 /// A bar from one end to the other, broken where the finding is no error.
 fn bar(on: &mut Drawing, level: Level, [from, to]: [(f64, f64); 2], down: bool) {
     let (first, last) = if down { (from.1, to.1) } else { (from.0, to.0) };
-    let (first, last) = (
-        first.min(last),
-        first.max(last).max(first.min(last) + LEAST),
-    );
+    let (first, last) = (first.min(last), first.max(last).max(first.min(last) + MIN));
     if !(last - first).is_finite() {
         return;
     }

@@ -11,7 +11,7 @@ const CURVE: f64 = 0.9;
 /// How much of what lies below it a band hides.
 pub(super) const BAND: f64 = 0.22;
 
-/// Points closer than this along a curve cannot be told apart.
+/// Points closer than this along a curve cannot be distinguished.
 const CLOSE: f64 = 0.12;
 
 pub(super) fn pen(ink: Ink, stroke: Stroke) -> Pen {

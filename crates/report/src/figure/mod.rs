@@ -78,7 +78,7 @@ pub struct Axis {
     /// beyond its ends is marked there, with the largest value in numbers. Of a panel's own axis alone.
     pub clips: bool,
     /// The least that it spans, so that what hardly moves is not blown up; zero where there is no such bound.
-    pub least_span: f64,
+    pub min_span: f64,
 }
 
 impl Axis {
@@ -91,7 +91,7 @@ impl Axis {
             sides: None,
             down: false,
             clips: false,
-            least_span: 0.0,
+            min_span: 0.0,
         }
     }
 }
@@ -304,7 +304,7 @@ pub enum Stroke {
 }
 
 impl Stroke {
-    /// The stroke of a curve by its place, where its colour goes by that too: seven can be told apart.
+    /// The stroke of a curve by its place, where its colour goes by that too: seven can be distinguished.
     pub fn of(place: usize) -> Self {
         const ALL: [Stroke; 7] = [
             Stroke::Solid,

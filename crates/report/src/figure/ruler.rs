@@ -162,16 +162,14 @@ fn range(axis: &Axis, values: Option<(f64, f64)>) -> (f64, f64) {
         0.2 * high.abs()
     };
     let air = 0.05 * span;
-    let short = axis.least_span - span;
+    let short = axis.min_span - span;
     if short > 0.0 {
         // What is at zero, or would pass it, stays at it; to the other side of it lies rounding.
-        let rounding = 1e-3 * axis.least_span;
+        let rounding = 1e-3 * axis.min_span;
         return match (low, high) {
-            (low, high) if low >= -rounding && low < 0.5 * short => {
-                (0.0, high.max(axis.least_span))
-            }
+            (low, high) if low >= -rounding && low < 0.5 * short => (0.0, high.max(axis.min_span)),
             (low, high) if high <= rounding && -high < 0.5 * short => {
-                (low.min(-axis.least_span), 0.0)
+                (low.min(-axis.min_span), 0.0)
             }
             (low, high) => (low - 0.5 * short, high + 0.5 * short),
         };

@@ -229,7 +229,7 @@ fn a_plan_has_one_scale() {
     }
 }
 
-/// One node far off does not flatten the others, and is told with its number.
+/// One node far off does not flatten the others, and is reported with its number.
 #[test]
 fn an_outlier_is_marked_at_the_edge() {
     for direction in [Direction::Down, Direction::Across] {
@@ -266,7 +266,7 @@ fn an_outlier_is_marked_at_the_edge() {
 fn a_steady_signal_is_not_blown_up() {
     let span = |low: f64, high: f64| {
         let axis = Axis {
-            least_span: 20.0,
+            min_span: 20.0,
             ..Axis::new("Hook load, kN", Range::Near)
         };
         let ruler = Ruler::new(&axis, [low, high], 5.0);

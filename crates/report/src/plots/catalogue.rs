@@ -13,7 +13,7 @@ pub(crate) struct Rules {
     /// Half of the distance between joints, and a little, m.
     pub(crate) joint_reach_m: f64,
     /// A curve is seen beside another where it is this part of the largest value from it somewhere.
-    pub(crate) least_difference: f64,
+    pub(crate) min_difference: f64,
     /// Values that no axis reaches.
     pub(crate) outliers: Outliers,
 }
@@ -21,7 +21,7 @@ pub(crate) struct Rules {
 pub(crate) const RULES: Rules = Rules {
     far_m: 400.0,
     joint_reach_m: JOINT_REACH_M,
-    least_difference: 0.01,
+    min_difference: 0.01,
     outliers: OUTLIERS,
 };
 
@@ -40,7 +40,7 @@ pub(crate) struct Track {
     pub(crate) band: Option<[&'static str; 2]>,
     pub(crate) from: Source,
     /// What the axis spans at least, SI: less than that is no difference to an engineer.
-    pub(crate) least_span: f64,
+    pub(crate) min_span: f64,
     /// Whether the axis goes to zero.
     pub(crate) zero: bool,
     /// Whether its sign is a side of the hole.
@@ -69,7 +69,7 @@ const TRACK: Track = Track {
     column: "",
     band: None,
     from: Source::Profile,
-    least_span: 0.0,
+    min_span: 0.0,
     zero: false,
     sides: false,
     touches: false,
@@ -82,7 +82,7 @@ pub(crate) const TRACKS: &[Track] = &[
         name: "tension",
         title: "Effective tension",
         dimension: "force",
-        least_span: 2e4,
+        min_span: 2e4,
         column: "tension_N",
         band: Some(["tension_p05_N", "tension_p95_N"]),
         zero: true,
@@ -92,7 +92,7 @@ pub(crate) const TRACKS: &[Track] = &[
         name: "torque",
         title: "Torque",
         dimension: "torque",
-        least_span: 500.0,
+        min_span: 500.0,
         column: "torque_N_m",
         band: Some(["torque_p05_N_m", "torque_p95_N_m"]),
         ..TRACK
@@ -101,7 +101,7 @@ pub(crate) const TRACKS: &[Track] = &[
         name: "side-force",
         title: "Side force",
         dimension: "force per length",
-        least_span: 100.0,
+        min_span: 100.0,
         column: "side_force_N_per_m",
         band: Some(["side_force_p05_N_per_m", "side_force_p95_N_per_m"]),
         zero: true,
@@ -121,7 +121,7 @@ pub(crate) const TRACKS: &[Track] = &[
         name: "bending-moment",
         title: "Bending moment",
         dimension: "torque",
-        least_span: 500.0,
+        min_span: 500.0,
         column: "bending_moment_N_m",
         band: Some(["bending_moment_p05_N_m", "bending_moment_p95_N_m"]),
         swings: true,
@@ -131,7 +131,7 @@ pub(crate) const TRACKS: &[Track] = &[
         name: "wear",
         title: "Wear work, hole",
         dimension: "work per length",
-        least_span: 1e3,
+        min_span: 1e3,
         column: "wear_work_J_per_m",
         from: Source::Wear,
         ..TRACK
@@ -140,7 +140,7 @@ pub(crate) const TRACKS: &[Track] = &[
         name: "inclination",
         title: "Inclination",
         dimension: "angle",
-        least_span: 0.035,
+        min_span: 0.035,
         column: "inclination_rad",
         from: Source::Well,
         zero: true,
@@ -150,7 +150,7 @@ pub(crate) const TRACKS: &[Track] = &[
         name: "dogleg-severity",
         title: "Dogleg severity",
         dimension: "dogleg severity",
-        least_span: 6e-4,
+        min_span: 6e-4,
         column: "dogleg_rad_per_m",
         from: Source::Well,
         zero: true,
@@ -167,7 +167,7 @@ pub(crate) struct TimePlot {
     pub(crate) title: &'static str,
     pub(crate) dimension: &'static str,
     /// What the axis spans at least, SI: less than that is no difference to an engineer.
-    pub(crate) least_span: f64,
+    pub(crate) min_span: f64,
     /// Columns of the history, and what each is called.
     pub(crate) columns: &'static [[&'static str; 2]],
     /// Column of the soft string's profile whose value at the surface stands beside them.
@@ -181,7 +181,7 @@ const TIME_PLOT: TimePlot = TimePlot {
     name: "",
     title: "",
     dimension: "",
-    least_span: 0.0,
+    min_span: 0.0,
     columns: &[],
     soft: None,
     points: false,
@@ -192,7 +192,7 @@ pub(crate) const TIME_PLOTS: &[TimePlot] = &[
         name: "time-hook-load",
         title: "Hook load without block",
         dimension: "force",
-        least_span: 2e4,
+        min_span: 2e4,
         columns: &[["hook_load_N", "hook load"]],
         soft: Some("tension_N"),
         ..TIME_PLOT
@@ -201,7 +201,7 @@ pub(crate) const TIME_PLOTS: &[TimePlot] = &[
         name: "time-torque",
         title: "Torque",
         dimension: "torque",
-        least_span: 1e3,
+        min_span: 1e3,
         columns: &[
             ["surface_torque_N_m", "surface"],
             ["friction_torque_N_m", "friction"],
@@ -214,7 +214,7 @@ pub(crate) const TIME_PLOTS: &[TimePlot] = &[
         name: "time-rotary-speed",
         title: "Rotary speed",
         dimension: "rotary speed",
-        least_span: 1.0,
+        min_span: 1.0,
         columns: &[
             ["rotary_speed_rad_per_s", "top"],
             ["bit_rotary_speed_rad_per_s", "bit"],
@@ -226,7 +226,7 @@ pub(crate) const TIME_PLOTS: &[TimePlot] = &[
         name: "time-block-velocity",
         title: "Block velocity, down",
         dimension: "speed",
-        least_span: 0.02,
+        min_span: 0.02,
         columns: &[
             ["block_velocity_m_per_s", "block"],
             ["block_velocity_set_m_per_s", "set"],
@@ -237,7 +237,7 @@ pub(crate) const TIME_PLOTS: &[TimePlot] = &[
         name: "time-axial-friction",
         title: "Axial friction",
         dimension: "force",
-        least_span: 1e4,
+        min_span: 1e4,
         columns: &[["axial_friction_N", "along the string"]],
         ..TIME_PLOT
     },
@@ -245,7 +245,7 @@ pub(crate) const TIME_PLOTS: &[TimePlot] = &[
         name: "time-depths",
         title: "Neutral point and cut-off depth",
         dimension: "length",
-        least_span: 20.0,
+        min_span: 20.0,
         columns: &[
             ["neutral_point_m", "neutral point"],
             ["cutoff_depth_m", "cut-off depth"],
@@ -261,7 +261,7 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
         name: "bit-rate-of-penetration",
         title: "Rate of penetration",
         dimension: "rate of penetration",
-        least_span: 5e-4,
+        min_span: 5e-4,
         columns: &[["rate_of_penetration_m_per_s", "rate of penetration"]],
         ..TIME_PLOT
     },
@@ -269,7 +269,7 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
         name: "bit-depth-of-cut",
         title: "Depth of cut",
         dimension: "diameter",
-        least_span: 2e-4,
+        min_span: 2e-4,
         columns: &[["depth_of_cut_m", "per revolution"]],
         ..TIME_PLOT
     },
@@ -277,7 +277,7 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
         name: "bit-weight",
         title: "Weight on bit",
         dimension: "force",
-        least_span: 1e4,
+        min_span: 1e4,
         columns: &[
             ["weight_on_bit_N", "on bit"],
             ["weight_on_bit_set_N", "set"],
@@ -288,7 +288,7 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
         name: "bit-torque",
         title: "Torque on bit",
         dimension: "torque",
-        least_span: 500.0,
+        min_span: 500.0,
         columns: &[["bit_torque_N_m", "torque on bit"]],
         ..TIME_PLOT
     },
@@ -296,7 +296,7 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
         name: "bit-speed",
         title: "Speed at the bit",
         dimension: "rotary speed",
-        least_span: 1.0,
+        min_span: 1.0,
         columns: &[
             ["bit_rotary_speed_rad_per_s", "string"],
             ["motor_speed_rad_per_s", "motor"],
@@ -307,7 +307,7 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
         name: "bit-motor-pressure",
         title: "Motor pressure",
         dimension: "pressure",
-        least_span: 2e5,
+        min_span: 2e5,
         columns: &[["motor_pressure_Pa", "pressure drop"]],
         ..TIME_PLOT
     },
@@ -315,7 +315,7 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
         name: "bit-force-across",
         title: "Force across",
         dimension: "force",
-        least_span: 1e3,
+        min_span: 1e3,
         columns: &[
             ["bit_force_high_N", "to the high side"],
             ["bit_force_right_N", "to the right"],
@@ -326,7 +326,7 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
         name: "bit-bending-moment",
         title: "Bending moment",
         dimension: "torque",
-        least_span: 200.0,
+        min_span: 200.0,
         columns: &[["bit_moment_N_m", "bending moment"]],
         ..TIME_PLOT
     },

@@ -11,7 +11,7 @@ use crate::{
 };
 
 /// Points of each run: more would hide each other.
-const MOST: usize = 400;
+const MAX: usize = 400;
 
 /// The samples of the window, of two runs in two colours.
 pub(super) fn plots(
@@ -33,7 +33,7 @@ pub(super) fn plots(
             let points = weights
                 .into_iter()
                 .zip(shown.values(&values(drilled), dimension));
-            let step = points.len().div_ceil(MOST).max(1);
+            let step = points.len().div_ceil(MAX).max(1);
             Mark::Points {
                 ink: Ink::Line(*place),
                 shape: Shape::Circle,

@@ -1,6 +1,6 @@
 //! Errors and warnings that have a place along the string.
 
-use super::{look::Looks, shown::Shown};
+use super::{shown::Shown, styles::CurveStyles};
 use crate::{
     Level,
     figure::{Key, Mark, Sample},
@@ -18,10 +18,10 @@ struct Places {
 }
 
 impl Found {
-    pub(super) fn of(looks: &Looks<'_>) -> Self {
+    pub(super) fn of(styles: &CurveStyles<'_>) -> Self {
         let places = |level: Level| {
             let (mut stretches, mut whose) = (Vec::new(), Vec::new());
-            for (run, solved) in looks.solved() {
+            for (run, solved) in styles.solved() {
                 let of_level = solved.findings.iter().filter(|of| of.level == level);
                 let placed = of_level.filter_map(|of| {
                     let from = of.md_m?;
@@ -29,7 +29,7 @@ impl Found {
                 });
                 let before = stretches.len();
                 stretches.extend(placed);
-                if let (true, Some(name)) = (stretches.len() > before, looks.whose(run, solved))
+                if let (true, Some(name)) = (stretches.len() > before, styles.whose(run, solved))
                     && !whose.contains(&name)
                 {
                     whose.push(name);

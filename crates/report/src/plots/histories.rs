@@ -95,7 +95,7 @@ pub(super) fn run_keys(runs: &[Run<'_>]) -> Vec<Key> {
 }
 
 /// How a column looks: of one run columns differ by colour, of two by stroke; what was set is dotted.
-fn look(runs: usize, run: usize, place: usize, name: &str) -> (Ink, Stroke) {
+fn style(runs: usize, run: usize, place: usize, name: &str) -> (Ink, Stroke) {
     let is_set = name == "set";
     match (runs, is_set) {
         (1, true) => (Ink::Line(6), Stroke::Dotted),
@@ -127,7 +127,7 @@ fn panel(
             };
             let values = shown.values(&values.values(), plot.dimension);
             let points: Vec<(f64, f64)> = times.iter().copied().zip(values).collect();
-            let (ink, stroke) = look(runs.len(), *run, place, name);
+            let (ink, stroke) = style(runs.len(), *run, place, name);
             let shape = shapes[place.min(1)];
             let sample_ink = if runs.len() == 1 { ink } else { Ink::Note };
             let lasting = plot.points.then(|| lasting(&points));
@@ -210,7 +210,7 @@ fn panel(
     Some(Panel {
         axis: Axis {
             down: plot.points,
-            least_span: shown.value(plot.least_span, plot.dimension),
+            min_span: shown.value(plot.min_span, plot.dimension),
             ..Axis::new(shown.label(title, plot.dimension), Range::Near)
         },
         marks,
@@ -222,7 +222,7 @@ fn panel(
 fn lasting(points: &[(f64, f64)]) -> [Vec<(f64, f64)>; 2] {
     /// Samples in a row that make a line.
     const LASTS: usize = 4;
-    const MOST: usize = 200;
+    const MAX: usize = 200;
     let (mut curve, mut single) = (Vec::new(), Vec::new());
     for piece in points.split(|point| !point.1.is_finite()) {
         if piece.len() >= LASTS {
@@ -232,6 +232,6 @@ fn lasting(points: &[(f64, f64)]) -> [Vec<(f64, f64)>; 2] {
             single.extend_from_slice(piece);
         }
     }
-    let step = single.len().div_ceil(MOST).max(1);
+    let step = single.len().div_ceil(MAX).max(1);
     [curve, single.into_iter().step_by(step).collect()]
 }

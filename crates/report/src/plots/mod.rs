@@ -6,18 +6,18 @@ mod contact;
 mod drill_off;
 mod found;
 mod histories;
-mod look;
 mod near;
 mod run;
 mod shown;
 mod spectra;
+mod styles;
 mod tracks;
 
-use self::look::Looks;
+use self::styles::CurveStyles;
 pub(crate) use self::{
     bottom::bottoms_figure,
-    look::{models, spoken},
     shown::{SETS, Shown},
+    styles::{models, spoken},
 };
 pub use self::{
     contact::{ContactMap, contact_figure},
@@ -45,15 +45,15 @@ pub fn plots(runs: &[Run<'_>], units: &str) -> Vec<Plot> {
     if runs.len() > 1 {
         for operation in &operations {
             let one = [*operation];
-            let looks = Looks::new(runs, &one);
+            let styles = CurveStyles::new(runs, &one);
             let subtitle = asked_of(runs, shown, Some(operation));
             let suffix = suffix(operation);
-            plots.extend(tracks::plots(runs, &looks, shown, &subtitle, &suffix));
+            plots.extend(tracks::plots(runs, &styles, shown, &subtitle, &suffix));
         }
     } else {
-        let looks = Looks::new(runs, &operations);
+        let styles = CurveStyles::new(runs, &operations);
         let subtitle = asked_of(runs, shown, None);
-        plots.extend(tracks::plots(runs, &looks, shown, &subtitle, ""));
+        plots.extend(tracks::plots(runs, &styles, shown, &subtitle, ""));
     }
     for operation in &operations {
         let suffix = suffix(operation);
@@ -81,9 +81,9 @@ pub fn profile(report: &Report, units: &str) -> Option<Figure> {
     }];
     let shown = Shown::new(&report.dimensions, units);
     let operations = common_operations(&runs);
-    let looks = Looks::new(&runs, &operations);
+    let styles = CurveStyles::new(&runs, &operations);
     let subtitle = asked_of(&runs, shown, None);
-    let plots = tracks::plots(&runs, &looks, shown, &subtitle, "");
+    let plots = tracks::plots(&runs, &styles, shown, &subtitle, "");
     plots.into_iter().next().map(|plot| plot.figure)
 }
 
@@ -108,7 +108,7 @@ fn asked_of(runs: &[Run<'_>], shown: Shown<'_>, operation: Option<&str>) -> Stri
 
 /// The facts that a picture needs beside it.
 pub(crate) fn subtitle(asked: &[Fact], shown: Shown<'_>) -> String {
-    const TOLD: [&str; 8] = [
+    const SHOWN_FACTS: [&str; 8] = [
         "Operation",
         "Operations",
         "Bit depth",
@@ -120,7 +120,7 @@ pub(crate) fn subtitle(asked: &[Fact], shown: Shown<'_>) -> String {
     ];
     let told = asked
         .iter()
-        .filter(|fact| TOLD.contains(&fact.label.as_str()))
+        .filter(|fact| SHOWN_FACTS.contains(&fact.label.as_str()))
         .filter_map(|fact| {
             let text = shown.fact(fact)?;
             // What is done needs no name.

@@ -2,9 +2,9 @@
 
 use super::{
     histories::run_keys,
-    look::spoken,
     run::{Plot, Run, title},
     shown::Shown,
+    styles::spoken,
 };
 use crate::{
     Spectrum,
@@ -72,7 +72,7 @@ fn figure(
     depths.dedup();
     let overlaid = runs.len() > 1;
     let strokes = [Stroke::Solid, Stroke::Dashed, Stroke::Dotted];
-    let look = |run: usize, md_m: Option<f64>| {
+    let style = |run: usize, md_m: Option<f64>| {
         let place = md_m.and_then(|md| depths.iter().position(|other| *other == md));
         let place = place.unwrap_or(0);
         if overlaid {
@@ -82,7 +82,7 @@ fn figure(
         }
     };
     let marks = spectra.iter().map(|(run, of)| {
-        let (ink, stroke) = look(*run, of.md_m);
+        let (ink, stroke) = style(*run, of.md_m);
         let density = of.density.iter().map(|density| density * factor);
         // The density at rest is the mean's, which a logarithm has no place for.
         let points = of.frequency_Hz.iter().copied().zip(density);
@@ -95,7 +95,7 @@ fn figure(
     let mut keys = run_keys(runs);
     if depths.len() > 1 || (overlaid && !depths.is_empty()) {
         keys.extend(depths.iter().map(|md| {
-            let (ink, stroke) = look(0, Some(*md));
+            let (ink, stroke) = style(0, Some(*md));
             Key {
                 name: format!("at {}", shown.quantity(*md, "length")),
                 sample: Sample::Line(if overlaid { Ink::Note } else { ink }, stroke),

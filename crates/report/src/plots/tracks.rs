@@ -3,10 +3,10 @@
 use super::{
     catalogue::{RULES, Source, TRACKS, Track},
     found::Found,
-    look::Looks,
     near,
     run::{Plot, Run, title},
     shown::Shown,
+    styles::CurveStyles,
 };
 use crate::{
     Well,
@@ -21,23 +21,23 @@ const IN_A_LINE: usize = 4;
 /// All tracks in one figure, then each in one of its own; those with nothing to show are left out.
 pub(super) fn plots(
     runs: &[Run<'_>],
-    looks: &Looks<'_>,
+    styles: &CurveStyles<'_>,
     shown: Shown<'_>,
     subtitle: &str,
     suffix: &str,
 ) -> Vec<Plot> {
     let mut tracks: Vec<(&Track, Panel)> = TRACKS
         .iter()
-        .filter_map(|track| Some((track, panel(track, runs, looks, shown)?)))
+        .filter_map(|track| Some((track, panel(track, runs, styles, shown)?)))
         .collect();
-    let found = Found::of(looks);
+    let found = Found::of(styles);
     for (_, panel) in &mut tracks {
         panel.marks.splice(0..0, found.marks(shown));
     }
     let figure = |tracks: &[(&Track, Panel)], columns, width_mm, panel_mm| Figure {
         title: title(runs),
         subtitle: subtitle.to_owned(),
-        keys: [keys(tracks, looks), found.keys()].concat(),
+        keys: [keys(tracks, styles), found.keys()].concat(),
         layout: Layout {
             direction: Direction::Down,
             columns,
@@ -69,14 +69,14 @@ pub(super) fn plots(
 }
 
 /// What the curves, bands and areas of these tracks mean.
-fn keys(tracks: &[(&Track, Panel)], looks: &Looks<'_>) -> Vec<Key> {
+fn keys(tracks: &[(&Track, Panel)], styles: &CurveStyles<'_>) -> Vec<Key> {
     let marks = || tracks.iter().flat_map(|(_, panel)| &panel.marks);
     let mut keys = if tracks.iter().all(|(track, _)| track.from == Source::Well) {
         Vec::new()
     } else {
         let is_of = |mark: &Mark, ink: Ink, stroke: Stroke| match mark {
             Mark::Curve { stroke: own, .. } if ink == Ink::Note => *own == stroke,
-            Mark::Curve { ink: own, .. } if !looks.alone() => *own == ink,
+            Mark::Curve { ink: own, .. } if !styles.alone() => *own == ink,
             Mark::Curve {
                 ink: own_ink,
                 stroke: own_stroke,
@@ -88,7 +88,7 @@ fn keys(tracks: &[(&Track, Panel)], looks: &Looks<'_>) -> Vec<Key> {
             Sample::Line(ink, stroke) => marks().any(|mark| is_of(mark, ink, stroke)),
             _ => true,
         };
-        looks.keys().into_iter().filter(drawn).collect()
+        styles.keys().into_iter().filter(drawn).collect()
     };
     let dotted = |mark: &Mark| {
         matches!(
@@ -100,10 +100,10 @@ fn keys(tracks: &[(&Track, Panel)], looks: &Looks<'_>) -> Vec<Key> {
         )
     };
     if marks().any(dotted) {
-        keys.push(looks.between_key());
+        keys.push(styles.between_key());
     }
     if marks().any(|mark| matches!(mark, Mark::Band { .. })) {
-        keys.push(looks.band_key());
+        keys.push(styles.band_key());
     }
     if marks().any(|mark| matches!(mark, Mark::Sides { .. })) {
         for (name, ink) in [
@@ -119,10 +119,15 @@ fn keys(tracks: &[(&Track, Panel)], looks: &Looks<'_>) -> Vec<Key> {
     keys
 }
 
-fn panel(track: &Track, runs: &[Run<'_>], looks: &Looks<'_>, shown: Shown<'_>) -> Option<Panel> {
+fn panel(
+    track: &Track,
+    runs: &[Run<'_>],
+    styles: &CurveStyles<'_>,
+    shown: Shown<'_>,
+) -> Option<Panel> {
     let marks = match track.from {
         Source::Well => well_marks(track, runs, shown),
-        _ => solved_marks(track, looks, shown),
+        _ => solved_marks(track, styles, shown),
     };
     if marks.is_empty() {
         return None;
@@ -138,7 +143,7 @@ fn panel(track: &Track, runs: &[Run<'_>], looks: &Looks<'_>, shown: Shown<'_>) -
     Some(Panel {
         axis: Axis {
             clips: track.from == Source::Profile && track.range.is_none(),
-            least_span: shown.value(track.least_span, track.dimension),
+            min_span: shown.value(track.min_span, track.dimension),
             sides: track
                 .sides
                 .then(|| ["low side".to_owned(), "high side".to_owned()]),
@@ -158,9 +163,9 @@ fn points(depths: &[f64], values: &[f64], shown: Shown<'_>, dimension: &str) -> 
         .collect()
 }
 
-fn solved_marks(track: &Track, looks: &Looks<'_>, shown: Shown<'_>) -> Vec<Mark> {
+fn solved_marks(track: &Track, styles: &CurveStyles<'_>, shown: Shown<'_>) -> Vec<Mark> {
     let (mut areas, mut bands, mut curves) = (Vec::new(), Vec::new(), Vec::new());
-    for (run, solved) in looks.solved() {
+    for (run, solved) in styles.solved() {
         let table = match track.from {
             Source::Wear => &solved.wear,
             _ => &solved.profile,
@@ -189,7 +194,7 @@ fn solved_marks(track: &Track, looks: &Looks<'_>, shown: Shown<'_>) -> Vec<Mark>
             band = band.map(|(low, high)| (at_joints(&low), at_joints(&high)));
             between = differs(&smallest, &values).then_some(smallest);
         }
-        let (ink, stroke) = looks.of(run, solved);
+        let (ink, stroke) = styles.of(run, solved);
         let points = |values: &[f64]| points(&depths, values, shown, track.dimension);
         if let Some((low, high)) = band {
             let ends = points(&low).into_iter().zip(points(&high));
@@ -199,7 +204,7 @@ fn solved_marks(track: &Track, looks: &Looks<'_>, shown: Shown<'_>) -> Vec<Mark>
             });
         }
         let points = points(&values);
-        if track.sides && looks.is_first(solved) {
+        if track.sides && styles.is_first(solved) {
             areas.push(Mark::Sides {
                 points: points.clone(),
             });
@@ -227,7 +232,7 @@ fn differs(one: &[f64], other: &[f64]) -> bool {
         .iter()
         .fold(0.0_f64, |most, value| most.max(value.abs()));
     let off = one.iter().zip(other).map(|(a, b)| (a - b).abs());
-    off.fold(0.0, f64::max) > RULES.least_difference * largest
+    off.fold(0.0, f64::max) > RULES.min_difference * largest
 }
 
 /// A curve of the path: one alone where all runs are on the same.

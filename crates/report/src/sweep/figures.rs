@@ -138,9 +138,9 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// Colour by what was varied, and by the operation where that is all that differs; shape by the operation. Strokes tell
-    /// the models apart where there are two, else the operations.
-    fn look(&self, family: usize, operation: usize) -> (Ink, Shape) {
+    /// Colour by what was varied, and by the operation where that is all that differs; shape by the operation. Strokes distinguish the
+    /// models where there are two, else the operations.
+    fn style(&self, family: usize, operation: usize) -> (Ink, Shape) {
         let ink = if self.families.len() > 1 {
             family
         } else {
@@ -179,7 +179,7 @@ impl<'a> Drawing<'a> {
         self.models.iter().any(|of| of.in_time)
     }
 
-    /// What a curve is called at its end: what it is of, as far as that differs, without the model, which its stroke tells.
+    /// What a curve is called at its end: what it is of, as far as that differs, without the model, which its stroke shows.
     fn name(&self, family: usize, operation: usize) -> String {
         let mut parts = Vec::new();
         if self.families.len() > 1 {
@@ -205,7 +205,7 @@ impl<'a> Drawing<'a> {
                 models.map(move |model| (of, model))
             });
             for ((done, operation), (model, method)) in solved {
-                let (ink, shape) = self.look(place, done);
+                let (ink, shape) = self.style(place, done);
                 let mine = |row: &SweepRow| {
                     let values = self.others.iter().map(|key| row.values[*key].as_str());
                     row.model == method.name
@@ -289,7 +289,7 @@ impl<'a> Drawing<'a> {
             axis: Axis {
                 // Depth points down wherever an axis can.
                 down: of.dimension == "length",
-                least_span: self.shown.value(of.least_span, of.dimension),
+                min_span: self.shown.value(of.min_span, of.dimension),
                 ..Axis::new(self.shown.label(of.title, of.dimension), Range::Near)
             },
             marks: [bands, curves, points].concat(),
@@ -359,7 +359,7 @@ impl<'a> Drawing<'a> {
                     .iter()
                     .enumerate()
                     .map(|(place, operation)| {
-                        let (ink, shape) = self.look(0, place);
+                        let (ink, shape) = self.style(0, place);
                         let ink = if self.families.len() > 1 {
                             Ink::Note
                         } else {

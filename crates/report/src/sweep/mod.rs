@@ -1,4 +1,4 @@
-//! What a page tells of a sweep, and its pictures.
+//! What a page reports a sweep, and its pictures.
 
 mod figures;
 
@@ -59,7 +59,7 @@ struct Quantity {
     title: &'static str,
     dimension: &'static str,
     /// What its axis spans at least, SI.
-    least_span: f64,
+    min_span: f64,
     column: &'static str,
 }
 
@@ -68,28 +68,28 @@ const QUANTITIES: &[Quantity] = &[
         name: "hook-load",
         title: "Hook load without block",
         dimension: "force",
-        least_span: 2e4,
+        min_span: 2e4,
         column: "hook_load_N",
     },
     Quantity {
         name: "torque",
         title: "Surface torque",
         dimension: "torque",
-        least_span: 1e3,
+        min_span: 1e3,
         column: "surface_torque_N_m",
     },
     Quantity {
         name: "axial-friction",
         title: "Axial friction",
         dimension: "force",
-        least_span: 1e4,
+        min_span: 1e4,
         column: "axial_friction_N",
     },
     Quantity {
         name: "cut-off-depth",
         title: "Cut-off depth",
         dimension: "length",
-        least_span: 20.0,
+        min_span: 20.0,
         column: "cutoff_depth_m",
     },
 ];

@@ -8,7 +8,7 @@ use crate::{
 
 const MODELS: [&str; 2] = ["soft", "dynamic"];
 
-/// A sweep of two keys by both models, with a number that tells every case.
+/// A sweep of two keys by both models, with a number that shows every case.
 fn sweep(keys: [&str; 2], values: [&[&str]; 2]) -> Sweep {
     let unit = |symbol: &str, factor| DisplayUnit {
         symbol: symbol.into(),
@@ -254,7 +254,7 @@ fn more_curves_than_colours_differ_by_stroke() {
     assert_eq!(strokes[7..], [Stroke::Dashed]);
 }
 
-/// Operations are told apart by strokes and named at the ends of their curves; a page can hide what a key says, and knows
+/// Operations are distinguished by strokes and named at the ends of their curves; a page can hide what a key says, and knows
 /// which row a point shows.
 #[test]
 fn operations_differ_by_stroke_and_have_their_names() {

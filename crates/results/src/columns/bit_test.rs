@@ -77,7 +77,7 @@ pub const BIT_TEST: &[ColumnSpec] = &[
     ColumnSpec::number(
         "bricks_broken",
         QuantityKind::Ratio,
-        "Bricks of the rock that it broke",
+        "Elements of the rock that it broke",
     ),
     ColumnSpec::number(
         "kinetic_fraction",

@@ -47,7 +47,7 @@ pub struct FramesSoFar {
 ///
 /// Rows gather until there are 131 072 of them and go to a file of their own, `frames.parts/000001.parquet` and so on;
 /// [`FrameWriter::write`] joins these parts to `frames.parquet`. A part is never touched again, so that a run
-/// can go on from any checkpoint ([`FrameWriter::so_far`]) that was written since: it drops the parts that are
+/// can continue from any checkpoint ([`FrameWriter::so_far`]) that was written since: it drops the parts that are
 /// younger, and writes the same ones again. The parts go with the checkpoint
 /// ([`ResultsFolder::remove_checkpoint`](crate::ResultsFolder::remove_checkpoint)).
 pub struct FrameWriter {
@@ -75,7 +75,7 @@ impl FrameWriter {
         Self::resume(folder, channels, so_far)
     }
 
-    /// Goes on with frames; the parts that have come since go.
+    /// Continues with frames; the parts that have come since go.
     ///
     /// # Errors
     /// Parts that are missing or damaged, and frames of other channels.
@@ -119,7 +119,7 @@ impl FrameWriter {
         Ok(())
     }
 
-    /// What a checkpoint must keep, to go on from here.
+    /// What a checkpoint must keep, to continue from here.
     pub fn so_far(&self) -> &FramesSoFar {
         &self.so_far
     }

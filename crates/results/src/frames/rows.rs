@@ -63,7 +63,7 @@ impl FrameRows {
         names.eq(specs(channels).map(|spec| spec.name))
     }
 
-    /// Whether every column has as many rows as there are, and the kind of values that its name asks for.
+    /// Whether every column has as many rows as there are, and the kind of values that its name requires.
     pub(super) fn is_sound(&self) -> bool {
         self.columns.iter().all(|(name, values)| {
             let (kind, rows) = match values {

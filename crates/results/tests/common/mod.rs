@@ -6,7 +6,7 @@ use wholestring::dynamics::Frame;
 /// Nodes of a string of 4300 m.
 pub const NODES: usize = 1350;
 
-/// A frame in which every number can be told from every other.
+/// A frame in which every number can be distinguished from every other.
 pub fn frame(time_s: f64) -> Frame {
     let mut next = time_s;
     let mut column = || {

@@ -1,7 +1,7 @@
 //! A bit test: the bit alone on its rock, under every weight at every speed.
 
-mod laid;
 pub(crate) mod page;
+mod point_checkpoint;
 mod points;
 mod request;
 mod tables;

@@ -35,7 +35,7 @@ pub(crate) fn write(folder: &ResultsFolder, test: &BitTest) -> Result<(), Result
     write_picture(folder, &drill_off.name, &drill_off.figure, false)
 }
 
-/// Everything that is told of a bit test.
+/// Everything that is reported of a bit test.
 pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<BitTest, ResultsError> {
     let summary = BitTestSummary::read(&folder.join("summary.json"))?;
     let settings = &summary.settings;
@@ -65,7 +65,7 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<BitTest, R
         title: format!("{}: bit test", summary.case),
         units: units.into(),
         dimensions: dimensions::all(),
-        asked: asked(&summary),
+        asked: facts(&summary),
         strength_Pa: summary.rock_strength_Pa,
         radius_m: summary.bit_radius_m,
         torque_by_weight: summary
@@ -107,7 +107,7 @@ fn inputs(settings: &Json) -> Vec<Sheet> {
 }
 
 /// Bit, rock and grid in a few facts.
-fn asked(summary: &BitTestSummary) -> Vec<Fact> {
+fn facts(summary: &BitTestSummary) -> Vec<Fact> {
     let test = &summary.settings["bit_test"];
     let number = |value: &Json| value.as_f64().unwrap_or(f64::NAN);
     let fact = |label: &str, value: Cell| Fact {

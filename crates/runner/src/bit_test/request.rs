@@ -1,4 +1,4 @@
-//! A bit test that is asked for, and how it ended.
+//! A bit test that is requested, and how it ended.
 
 use std::path::Path;
 
@@ -46,8 +46,8 @@ pub struct Outcome {
 /// Drills every point of a case's bit test, and writes its tables, its picture and its page.
 ///
 /// # Errors
-/// A case without a rock, or a folder that the results cannot go to. What becomes of the points is
-/// told by the outcome.
+/// A case without a rock, or a folder that the results cannot go to. What becomes of the points is identified
+/// by the outcome.
 pub fn run(
     request: &Request<'_>,
     observer: &dyn Observer,
@@ -103,7 +103,7 @@ pub fn run(
     Ok(Outcome { summary, batch })
 }
 
-/// Refuses to go on in a folder with another test's points.
+/// Refuses to continue in a folder with another test's points.
 fn check_same(folder: &Path, case: &Case) -> Result<(), Error> {
     let path = folder.join("summary.json");
     if !path.is_file() {

@@ -9,7 +9,7 @@ use wholestring_results::{
 };
 
 use super::{
-    laid::{self, Laid},
+    point_checkpoint::{self, PointCheckpoint},
     points::Point,
     tables,
 };
@@ -86,7 +86,7 @@ impl<'a> Trials<'a> {
         let mut endings = lock(&self.endings);
         for (index, point) in self.points.iter().enumerate() {
             let place = self.folder.path().join(&point.name);
-            endings[index] = laid::finished(&place, point).map(Ok);
+            endings[index] = point_checkpoint::finished(&place, point).map(Ok);
             if endings[index].is_some() && self.mine.contains(&index) {
                 // Killed as soon as the point was finished, the earlier test left this.
                 ResultsFolder::create(place)?.remove_checkpoint()?;
@@ -126,7 +126,7 @@ impl<'a> Trials<'a> {
         let ending = self.ending(index);
         lock(&self.endings)[index] = Some(ending);
         self.tell_end(0.0);
-        // What cannot be written now is told at the end.
+        // What cannot be written now is reported at the end.
         let _ = self.write();
     }
 
@@ -141,7 +141,7 @@ impl<'a> Trials<'a> {
         let mut trial = match begun {
             Some(trial) => trial,
             None => {
-                laid::begin(&folder)?;
+                point_checkpoint::begin(&folder)?;
                 Trial::new(&point.spec, &self.test.drilling).map_err(|error| unsolved(&error))?
             }
         };
@@ -158,9 +158,9 @@ impl<'a> Trials<'a> {
             progress.reach(trial.time_s(), duration_s, false);
             let interrupted = self.cancellation.is_cancelled();
             if interrupted || keeper.is_due() {
-                let laid = Laid::new(point, &self.stepper, &trial);
+                let stored = PointCheckpoint::new(point, &self.stepper, &trial);
                 // A point does not end because one checkpoint cannot be written: the next may.
-                if let Err(error) = keeper.write(&laid) {
+                if let Err(error) = keeper.write(&stored) {
                     self.observer.warning(&format!("no checkpoint: {error}"));
                 }
             }
@@ -177,20 +177,20 @@ impl<'a> Trials<'a> {
         let bottom = tables::bottom(&trial.drilling().bottom_hole());
         folder.write_table(tables::BOTTOM, &bottom, self.options.csv)?;
         // With this the point is finished.
-        laid::finish(&folder, point, outcome)?;
+        point_checkpoint::finish(&folder, point, outcome)?;
         keeper.finish()?;
         Ok(outcome)
     }
 
-    /// What an earlier test began of the point; nothing where it left none to go on with, or none that one can.
+    /// What an earlier test began of the point; nothing where it left none to continue with, or none that one can.
     fn begun(&self, point: &Point, folder: &ResultsFolder) -> Option<Trial> {
-        match Laid::read(folder, point, &self.test.drilling) {
-            Ok(laid) => laid.map(|laid| {
+        match PointCheckpoint::read(folder, point, &self.test.drilling) {
+            Ok(stored) => stored.map(|stored| {
                 let now = self.stepper.instructions;
-                if let Some(warning) = other_processor(&laid.instructions, now) {
+                if let Some(warning) = other_processor(&stored.instructions, now) {
                     self.observer.warning(&warning);
                 }
-                laid.trial.into_owned()
+                stored.trial.into_owned()
             }),
             Err(reason) => {
                 let name = &point.name;
@@ -208,7 +208,7 @@ impl<'a> Trials<'a> {
         done.count()
     }
 
-    /// Tells that a point has ended, of which so much was not drilled now.
+    /// Shows that a point has ended, of which so much was not drilled now.
     fn tell_end(&self, reused_s: f64) {
         self.observer.case_ended(&CaseEnded {
             ended: self.ended(),

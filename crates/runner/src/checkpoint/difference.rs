@@ -70,11 +70,11 @@ fn first_difference<'a>(
     }
 }
 
-/// What to tell whoever goes on with a run on a processor of another kind.
+/// What to tell whoever continues with a run on a processor of another kind.
 pub(crate) fn other_processor(then: &str, now: &str) -> Option<String> {
     (then != now).then(|| {
         format!(
-            "the run was computed with {then} until now and goes on with {now}: as good, but not the same to the last bit"
+            "the run was computed with {then} until now and continues with {now}: as good, but not the same to the last bit"
         )
     })
 }

@@ -27,14 +27,14 @@ impl<'a> Keeper<'a> {
         self.last.elapsed() >= self.every
     }
 
-    /// Writes what is needed to go on.
+    /// Writes what is needed to continue.
     pub(crate) fn write(&mut self, content: &impl Serialize) -> Result<(), ResultsError> {
         let written = self.folder.write_checkpoint(content);
         self.last = Instant::now();
         written
     }
 
-    /// The run has come to its end: there is nothing to go on with.
+    /// The run has come to its end: there is nothing to continue with.
     pub(crate) fn finish(self) -> Result<(), ResultsError> {
         self.folder.remove_checkpoint()
     }

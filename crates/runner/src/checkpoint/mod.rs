@@ -1,9 +1,9 @@
-//! Laying a run aside and taking it up again.
+//! Writing a run to a checkpoint and resuming it.
 
 mod difference;
 mod keeper;
-mod laid;
+mod run_checkpoint;
 
 pub(crate) use difference::{difference, is_of, other_processor};
 pub(crate) use keeper::Keeper;
-pub(crate) use laid::{Laid, UnderWay};
+pub(crate) use run_checkpoint::{RunCheckpoint, UnderWay};

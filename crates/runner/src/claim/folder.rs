@@ -1,4 +1,4 @@
-//! A folder that is asked for, and held as long as it is written to.
+//! A folder that is requested, and held as long as it is written to.
 
 use std::{
     path::{Path, PathBuf},
@@ -15,7 +15,7 @@ use crate::{
     output::{Existing, Output},
 };
 
-/// Who asks for a folder, and what for.
+/// Who requires a folder, and what for.
 pub(crate) struct Claim<'a> {
     /// What will be written.
     pub(crate) occupant: Occupant,
@@ -27,7 +27,7 @@ pub(crate) struct Claim<'a> {
     pub(crate) shared: bool,
     /// Who is told of another folder than the default one.
     pub(crate) observer: &'a dyn Observer,
-    /// Whether the work has been begun there, and can be gone on with.
+    /// Whether the work has been begun there, and can be continued.
     pub(crate) is_unfinished: &'a dyn Fn(&Path) -> bool,
     /// Whether some of the work lies there, of more or less work than this: a sweep may be resumed with other values.
     pub(crate) is_part: &'a dyn Fn(&Path) -> bool,
@@ -42,7 +42,7 @@ pub(crate) struct Claimed {
 }
 
 /// What comes of a folder that was looked at.
-enum Look {
+enum FolderState {
     Free(ResultsFolder, Hold),
     /// A part of the work lies there.
     Part(ResultsFolder, Hold),
@@ -55,7 +55,7 @@ enum Look {
 }
 
 /// More folders of one name than this are a mistake.
-const MOST_FOLDERS: usize = 1000;
+const MAX_FOLDERS: usize = 1000;
 
 /// How often, and after which time, a shard asks again for a folder that another shard only looks at.
 const PATIENCE: (usize, Duration) = (50, Duration::from_millis(20));
@@ -68,14 +68,16 @@ impl Claim<'_> {
     /// A named folder with other results, an unfinished run of the same work, or another program that writes there.
     pub(crate) fn folder(&self) -> Result<Claimed, Error> {
         if let Some(path) = &self.output.folder {
-            return match self.look(path)? {
-                Look::Free(folder, hold) | Look::Part(folder, hold) => self.take(folder, hold),
-                Look::Unfinished => Err(self.unfinished(path)),
-                Look::Other(there) => {
+            return match self.inspect(path)? {
+                FolderState::Free(folder, hold) | FolderState::Part(folder, hold) => {
+                    self.take(folder, hold)
+                }
+                FolderState::Unfinished => Err(self.unfinished(path)),
+                FolderState::Other(there) => {
                     let path = path.clone();
                     Err(FolderRefused::Occupied { path, there }.into())
                 }
-                Look::Busy(_) => Err(busy(path)),
+                FolderState::Busy(_) => Err(busy(path)),
             };
         }
         let ours = |there: &Option<Occupant>| {
@@ -85,16 +87,16 @@ impl Claim<'_> {
         };
         // The same work has the first say, wherever it lies.
         let mut part = None;
-        for number in 1..=MOST_FOLDERS {
+        for number in 1..=MAX_FOLDERS {
             let path = numbered(&self.default, number);
             if !path.exists()
                 && let Some((folder, hold)) = part.take()
             {
                 return self.take(folder, hold);
             }
-            match self.look(&path)? {
-                Look::Part(folder, hold) => part = part.or(Some((folder, hold))),
-                Look::Free(folder, hold) => {
+            match self.inspect(&path)? {
+                FolderState::Part(folder, hold) => part = part.or(Some((folder, hold))),
+                FolderState::Free(folder, hold) => {
                     if number > 1 {
                         self.observer.note(&format!(
                             "{} holds other results, and is left alone: these go to {}",
@@ -104,19 +106,19 @@ impl Claim<'_> {
                     }
                     return self.take(folder, hold);
                 }
-                Look::Unfinished => return Err(self.unfinished(&path)),
-                Look::Busy(there) if ours(&there) => return Err(busy(&path)),
-                Look::Other(_) | Look::Busy(_) => {}
+                FolderState::Unfinished => return Err(self.unfinished(&path)),
+                FolderState::Busy(there) if ours(&there) => return Err(busy(&path)),
+                FolderState::Other(_) | FolderState::Busy(_) => {}
             }
         }
         Err(FolderRefused::AllOccupied {
             path: self.default.clone(),
-            count: MOST_FOLDERS,
+            count: MAX_FOLDERS,
         }
         .into())
     }
 
-    fn look(&self, path: &Path) -> Result<Look, Error> {
+    fn inspect(&self, path: &Path) -> Result<FolderState, Error> {
         let folder = ResultsFolder::create(path)?;
         let (mut tries, pause) = PATIENCE;
         let hold = loop {
@@ -131,12 +133,12 @@ impl Claim<'_> {
                 {
                     break hold;
                 }
-                Holding::Shared(hold) => return Ok(Look::Busy(hold.occupant().cloned())),
+                Holding::Shared(hold) => return Ok(FolderState::Busy(hold.occupant().cloned())),
                 Holding::Busy(there) => {
                     let same = there.as_ref();
                     let same = same.is_none_or(|there| self.occupant.is_same(there));
                     if !(self.shared && same) || tries == 0 {
-                        return Ok(Look::Busy(there));
+                        return Ok(FolderState::Busy(there));
                     }
                     thread::sleep(pause);
                 }
@@ -148,17 +150,17 @@ impl Claim<'_> {
             None
         };
         Ok(match there {
-            None => Look::Free(folder, hold),
+            None => FolderState::Free(folder, hold),
             Some(Some(there)) if self.occupant.is_same(&there) => {
                 if self.output.existing == Existing::Protect && (self.is_unfinished)(path) {
-                    Look::Unfinished
+                    FolderState::Unfinished
                 } else {
-                    Look::Free(folder, hold)
+                    FolderState::Free(folder, hold)
                 }
             }
             Some(_) if self.output.existing == Existing::Overwrite => {
                 leftovers::remove(path)?;
-                Look::Free(folder, hold)
+                FolderState::Free(folder, hold)
             }
             // Which of its cases are finished is asked one by one.
             Some(there)
@@ -168,9 +170,9 @@ impl Claim<'_> {
                         .is_none_or(|one| one.kind == self.occupant.kind)
                     && (self.is_part)(path) =>
             {
-                Look::Part(folder, hold)
+                FolderState::Part(folder, hold)
             }
-            Some(there) => Look::Other(there),
+            Some(there) => FolderState::Other(there),
         })
     }
 
@@ -197,7 +199,7 @@ impl Claim<'_> {
     }
 }
 
-/// Holds a folder whose work is gone on with, whatever it is.
+/// Holds a folder whose work is continued, whatever it is.
 ///
 /// # Errors
 /// Another program that writes there.

@@ -1,4 +1,4 @@
-//! What an engineer must be told, on its way to the page.
+//! What an engineer must know, on its way to the page.
 
 use wholestring_report::{Cell, Finding, Level};
 use wholestring_results::{Finding as Found, Level as Grave};

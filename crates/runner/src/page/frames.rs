@@ -8,10 +8,10 @@ use wholestring_results::{ResultsError, Table};
 use crate::column::{numbers, words};
 
 /// Numbers of frames that a page holds, all operations together: 1.6 MB.
-const MOST_NUMBERS: usize = 600_000;
+const MAX_NUMBERS: usize = 600_000;
 
 /// Nodes of a frame on the page.
-const MOST_NODES: usize = 450;
+const MAX_NODES: usize = 450;
 
 /// What the page can colour the string with, and where it lies.
 const CHANNELS: &[&str] = &[
@@ -43,7 +43,7 @@ pub(super) fn read(folder: &Path, runs: usize) -> Result<BTreeMap<String, Frames
     })?;
     let mut reader = Reader {
         kept,
-        share: MOST_NUMBERS / runs.max(1),
+        share: MAX_NUMBERS / runs.max(1),
         seen: BTreeMap::new(),
         moment: None,
         taken: BTreeMap::new(),
@@ -120,7 +120,7 @@ impl Reader {
         let place = *seen;
         *seen += 1;
         let kept = &self.kept[operation];
-        let nodes = (kept.rows / kept.frames).min(MOST_NODES);
+        let nodes = (kept.rows / kept.frames).min(MAX_NODES);
         let most = (self.share / (nodes * CHANNELS.len())).max(2);
         let every = kept.frames.div_ceil(most).max(1);
         self.moment = place.is_multiple_of(every).then(|| Moment {
@@ -156,7 +156,7 @@ impl Taken {
         let nodes = moment.md_m.len();
         if self.time_s.is_empty() {
             self.nodes = nodes;
-            let every = nodes.div_ceil(MOST_NODES).max(1);
+            let every = nodes.div_ceil(MAX_NODES).max(1);
             // The bit is always among them.
             self.chosen = (0..nodes)
                 .filter(|node| (nodes - 1 - node).is_multiple_of(every))

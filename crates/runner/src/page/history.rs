@@ -9,13 +9,13 @@ use super::rows::rows;
 use crate::column::{numbers, words};
 
 /// Rows of time histories that a page holds, all operations together.
-const MOST_ROWS: usize = 12_000;
+const MAX_ROWS: usize = 12_000;
 
 /// Times of a map of contact that a page holds, all operations together.
-const MOST_TIMES: usize = 450;
+const MAX_TIMES: usize = 450;
 
 /// Samples of what the bit does that a page holds, all operations together.
-const MOST_DRILLED: usize = 3000;
+const MAX_DRILLED: usize = 3000;
 
 /// Time histories of one operation.
 pub(super) struct History {
@@ -51,7 +51,7 @@ pub(super) fn history(time: &Table, operation: &str, many: usize) -> History {
         .filter(|(_, values)| values.iter().any(|value| value.is_finite()))
         .unzip();
     let slices: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
-    let (times, columns) = thinned(&times, &slices, MOST_ROWS / many.max(1));
+    let (times, columns) = thinned(&times, &slices, MAX_ROWS / many.max(1));
     let names = names.into_iter().map(String::from);
     let columns = names.zip(columns.into_iter().map(Packed::single));
     History {
@@ -79,7 +79,7 @@ pub(super) fn drill_off(
         // What ended before its window shows what there is.
         window = rows.iter().collect();
     }
-    let step = window.len().div_ceil((MOST_DRILLED / many.max(1)).max(1));
+    let step = window.len().div_ceil((MAX_DRILLED / many.max(1)).max(1));
     let column = |name: &str| -> Vec<f64> {
         let chosen = window.iter().step_by(step.max(1));
         chosen
@@ -144,7 +144,7 @@ pub(super) fn contact(table: &Table, operation: &str, many: usize) -> Option<Con
     let stretches = times.iter().take_while(|time| **time == times[0]).count();
     let count = times.len().checked_div(stretches)?;
     // Neighbouring times become one where there are too many.
-    let many = count.div_ceil((MOST_TIMES / many.max(1)).max(1));
+    let many = count.div_ceil((MAX_TIMES / many.max(1)).max(1));
     let groups: Vec<std::ops::Range<usize>> = (0..count)
         .step_by(many)
         .map(|first| first..(first + many).min(count))

@@ -1,18 +1,18 @@
 //! `report.html`: the pages and pictures of what runs left, made from their files.
 
-mod answers;
-pub(crate) mod asked;
 pub(crate) mod dimensions;
+pub(crate) mod facts;
 mod file;
 mod findings;
 mod frames;
 pub(crate) mod history;
 pub(crate) mod inputs;
+mod page_tables;
 mod picture;
 mod profile;
+mod results;
 mod rows;
 mod run;
-mod sheets;
 pub(crate) mod spectra;
 mod tables;
 pub(crate) mod well;

@@ -3,10 +3,10 @@
 use wholestring_report::figure::Figure;
 use wholestring_results::{ResultsError, ResultsFolder};
 
-/// Dots per inch that printers and journals ask for.
+/// Dots per inch that printers and journals require.
 const DOTS_PER_INCH: f64 = 300.0;
 
-/// Writes a picture as SVG, and as PNG if that is asked for.
+/// Writes a picture as SVG, and as PNG if that is requested.
 ///
 /// # Errors
 /// Files that cannot be written.

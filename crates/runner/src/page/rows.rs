@@ -8,15 +8,15 @@ use wholestring_results::Table;
 use crate::column::{numbers, words};
 
 /// Rows of a profile that a page shows: of a soft string every few where there are more.
-const MOST_NODES: usize = 3000;
+const MAX_NODES: usize = 3000;
 
-/// Rows of a table that belong to an operation, and to a model where the table tells them apart.
+/// Rows of a table that belong to an operation, and to a model where the table distinguishes them.
 pub(super) fn rows(table: &Table, model: Option<&str>, operation: &str) -> Vec<usize> {
     let models = words(table, "model");
     let operations = words(table, "operation").iter().enumerate();
     operations
         .filter(|(row, name)| {
-            // A table that does not tell models apart is that of the one in time.
+            // A table that does not distinguish models is that of the one in time.
             let of = models.get(*row);
             let others = of.zip(model).is_some_and(|(of, model)| of != model);
             *name == operation && !others
@@ -32,7 +32,7 @@ pub(super) fn columns(
     operation: &str,
 ) -> BTreeMap<String, Packed> {
     let rows = rows(table, model, operation);
-    let step = rows.len().div_ceil(MOST_NODES).max(1);
+    let step = rows.len().div_ceil(MAX_NODES).max(1);
     // The last row, the bit's, is always among them.
     let last = rows.len().saturating_sub(1);
     let chosen: Vec<usize> = rows

@@ -7,12 +7,13 @@ use wholestring_results::{OperationSummary, ResultsError, ResultsFolder, Status,
 use wholestring_units::UnitSet;
 
 use super::{
-    answers, asked, dimensions,
+    dimensions, facts,
     file::{FILE, PROGRAM},
-    findings, frames, history, inputs,
+    findings, frames, history, inputs, page_tables,
     profile::{PROFILE, write_profile},
+    results,
     rows::columns,
-    sheets, spectra,
+    spectra,
     tables::Tables,
     well,
 };
@@ -74,7 +75,7 @@ pub(crate) fn page(folder: &Path, units: Option<UnitSet>) -> Result<String, Resu
     Ok(report_html(&report))
 }
 
-/// What is told of a run; all but the string at moments.
+/// What is reported of a run; all but the string at moments.
 ///
 /// # Errors
 /// Tables that cannot be read.
@@ -118,7 +119,7 @@ pub(crate) fn gather(
     })
 }
 
-/// What is told of a run along its hole, and nothing of what it did in time.
+/// What is reported of a run along its hole, and nothing of what it did in time.
 ///
 /// # Errors
 /// Tables that cannot be read.
@@ -141,7 +142,7 @@ pub(crate) fn along_the_hole(
                 Status::Failed(reason) => Some(reason.clone()),
             },
             findings: solved.findings.iter().map(findings::told).collect(),
-            answers: answers::answers(solved, settings, &nodes),
+            answers: results::key_results(solved, settings, &nodes),
             profile: columns(&nodes, Some(solved.model.name()), &solved.operation),
             wear: columns(&wear, Some(solved.model.name()), &solved.operation),
         })
@@ -155,7 +156,7 @@ pub(crate) fn along_the_hole(
         },
         told_in: settings["units"].as_str().unwrap_or("si").into(),
         dimensions: dimensions::all(),
-        asked: asked::asked(summary),
+        asked: facts::facts(summary),
         solved: summary
             .operations
             .iter()
@@ -166,8 +167,8 @@ pub(crate) fn along_the_hole(
         string: well.string(),
         runs: Vec::new(),
         sheets: [
-            sheets::results(summary),
-            sheets::numerics(summary),
+            page_tables::results(summary),
+            page_tables::numerics(summary),
             inputs::sheets(settings),
         ]
         .concat(),

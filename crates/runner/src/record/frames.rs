@@ -11,7 +11,7 @@ pub(crate) struct Frames {
 }
 
 impl Frames {
-    /// Begins them, or goes on from what a checkpoint kept, where the case asks for frames and a model can give
+    /// Begins them, or continues from what a checkpoint kept, where the case requires frames and a model can give
     /// them.
     pub(crate) fn begin(
         case: &Case,

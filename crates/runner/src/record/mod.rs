@@ -58,7 +58,7 @@ pub(crate) struct Record {
     contact: GrowingTable,
     bottom_hole: Table,
     spectra: GrowingTable,
-    /// Frames of the whole string, where the case asks for them.
+    /// Frames of the whole string, where the case requires them.
     pub(crate) frames: Option<Frames>,
     records: Records,
     hole: Hole,
@@ -66,7 +66,7 @@ pub(crate) struct Record {
 }
 
 impl Record {
-    /// Begins anew in the folder; what an earlier run left to go on with goes.
+    /// Begins anew in the folder; what an earlier run left to continue with goes.
     pub(crate) fn begin(
         case: &Case,
         units: UnitSet,
@@ -160,7 +160,7 @@ impl Record {
         }
     }
 
-    /// What is told of it in short; all else goes.
+    /// What is reported of it in short; all else goes.
     pub(crate) fn into_summary(self) -> Summary {
         self.summary
     }
@@ -172,7 +172,7 @@ impl Record {
         solved.any(|solved| solved.model == model && solved.operation == name)
     }
 
-    /// Tells what was found in the answer that was added last.
+    /// Shows what was found in the answer that was added last.
     pub(crate) fn judge(&mut self, found: &[Finding], rig: &Rig) {
         if let Some(last) = self.summary.operations.last_mut() {
             last.findings = findings::told(found, last, rig, self.units);
@@ -221,7 +221,7 @@ impl Record {
             folder.remove(PROFILE)?;
             folder.remove(FILE)?;
         }
-        // Last, so that a summary tells of tables that are there.
+        // Last, so that a summary reports tables that are there.
         let solved = &self.summary.operations;
         if keep == Keep::Summary && solved.iter().all(|of| is_cheap(of.model)) {
             folder.write_compact_summary(&self.summary)?;

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use wholestring::{
-    dynamics::{ScheduleStep, TunedLift},
+    dynamics::{ScheduleStep, TunedHookLoad},
     operation::Operation,
     outcome::{CONTACT_MAP, HOLE_WEAR, InTime, PROFILE, Profile, Solution, TIME_SERIES},
     rock::bit_face::BottomHole,
@@ -26,7 +26,7 @@ pub(crate) struct CarriedOut<'a> {
     /// How far.
     pub(crate) status: Status,
     /// The lift that was found for it, if there is one.
-    pub(crate) lift: Option<TunedLift>,
+    pub(crate) lift: Option<TunedHookLoad>,
     /// The bottom that it left on solid rock, if there is one.
     pub(crate) bottom: Option<&'a BottomHole>,
     /// What it cost.
@@ -118,7 +118,7 @@ impl Record {
         }
     }
 
-    /// Adds the spectra that the case asks for; a window that was interrupted before a segment of it was full is
+    /// Adds the spectra that the case requires; a window that was interrupted before a segment of it was full is
     /// one segment.
     fn add_spectra(&mut self, operation: &Operation, of: &InTime<'_>, profile: &Profile) {
         let series = of.series;

@@ -1,7 +1,7 @@
 //! The lift that a string hangs on, found by trial.
 
 use wholestring::{
-    dynamics::{LiftError, MOST_LIFT_RUNS, Simulation, TunedLift, tune_lift},
+    dynamics::{MAX_TUNING_RUNS, Simulation, TunedHookLoad, TuningError, tune_hook_load},
     operation::Operation,
 };
 use wholestring_case::Case;
@@ -14,25 +14,31 @@ pub(super) fn tune(
     case: &Case,
     operation: &Operation,
     way: &Way<'_>,
-) -> Result<(TunedLift, Simulation), LiftError> {
+) -> Result<(TunedHookLoad, Simulation), TuningError> {
     let mut shown: Option<(usize, Simulating<'_>)> = None;
     let (model, settings) = (&case.model, &case.dynamics);
-    tune_lift(model, operation, settings, &way.crew, |run, simulation| {
-        if shown.as_ref().is_none_or(|(of, _)| *of != run) {
-            let trial = Trial {
-                number: run,
-                most: MOST_LIFT_RUNS,
-            };
-            let times = [0.0, simulation.end_time_s()];
-            // The one before has ended.
-            shown = None;
-            let name = operation.kind.name();
-            shown = Some((run, way.watch.simulation(name, Some(trial), times)));
-        }
-        if let Some((_, shown)) = &shown {
-            let settling = settings.steady.is_some() && simulation.is_settling();
-            shown.reach(simulation.time_s(), simulation.end_time_s(), settling);
-        }
-        !way.cancellation.is_cancelled()
-    })
+    tune_hook_load(
+        model,
+        operation,
+        settings,
+        &way.executor,
+        |run, simulation| {
+            if shown.as_ref().is_none_or(|(of, _)| *of != run) {
+                let trial = Trial {
+                    number: run,
+                    most: MAX_TUNING_RUNS,
+                };
+                let times = [0.0, simulation.end_time_s()];
+                // The one before has ended.
+                shown = None;
+                let name = operation.kind.name();
+                shown = Some((run, way.watch.simulation(name, Some(trial), times)));
+            }
+            if let Some((_, shown)) = &shown {
+                let settling = settings.steady.is_some() && simulation.is_settling();
+                shown.reach(simulation.time_s(), simulation.end_time_s(), settling);
+            }
+            !way.cancellation.is_cancelled()
+        },
+    )
 }

@@ -1,4 +1,4 @@
-//! A run that is asked for, and how it ended.
+//! A run that is requested, and how it ended.
 
 use std::{
     num::NonZeroUsize,
@@ -17,7 +17,7 @@ use super::{
 };
 use crate::{
     cancellation::CancellationToken,
-    checkpoint::{Laid, UnderWay, is_of},
+    checkpoint::{RunCheckpoint, UnderWay, is_of},
     claim::{self, Claim, Claimed},
     cores,
     error::Error,
@@ -34,7 +34,7 @@ use crate::{
 pub struct Request<'a> {
     /// The case.
     pub case: &'a Case,
-    /// Where the results go. With [`Existing::Resume`] the run in the folder goes on from its
+    /// Where the results go. With [`Existing::Resume`] the run in the folder continues from its
     /// checkpoint.
     pub output: Output,
     /// Units of the findings, the picture and the page; the case's where nothing is said.
@@ -93,7 +93,7 @@ impl Outcome {
 ///
 /// # Errors
 /// A folder that the results cannot go to, or a run that cannot be resumed. What stops the run
-/// later is told by its outcome, for what was computed until then is kept.
+/// later is identified by its outcome, for what was computed until then is kept.
 pub fn run(
     request: &Request<'_>,
     observer: &dyn Observer,
@@ -110,10 +110,10 @@ pub fn run(
         checkpoint_every: every.unwrap_or_else(|| checkpoint_every(case)),
         watch: Watch { observer, case: 0 },
         cancellation,
-        crew: cores::for_rock(case, request.jobs, cancellation),
+        executor: cores::for_rock(case, request.jobs, cancellation),
     };
     let solved = solve(case, &way, &mut record, folder, under_way);
-    // The page is made from the files: of what they hold, only the summary is held beside it.
+    // The page is made from the files: of what they hold, only the summary is compared with it.
     let summary = record.into_summary();
     let reported = page::write(folder, units);
     Ok(Outcome {
@@ -140,9 +140,9 @@ fn begin(
     if request.output.existing == Existing::Resume {
         let folder = existing(request.output.folder.as_ref().unwrap_or(&default))?;
         let claimed = claim::hold(&folder)?;
-        let laid = laid_aside(&folder, case)?;
-        let record = Record::resume(case, units, &folder, laid.solved).map_err(anew)?;
-        return Ok((claimed.occupy(&occupant)?, record, laid.under_way));
+        let stored = read_checkpoint(&folder, case)?;
+        let record = Record::resume(case, units, &folder, stored.solved).map_err(anew)?;
+        return Ok((claimed.occupy(&occupant)?, record, stored.under_way));
     }
     // Before anything is solved, so that a long run does not end on a folder it may not write to.
     let claimed = Claim {
@@ -160,7 +160,7 @@ fn begin(
     Ok((claimed, record, None))
 }
 
-/// Why a run cannot go on.
+/// Why a run cannot continue.
 fn anew(reason: String) -> Error {
     let noun = "case";
     Error::NotResumable { noun, reason }
@@ -175,11 +175,11 @@ fn existing(path: &Path) -> Result<ResultsFolder, Error> {
     Ok(ResultsFolder::create(path)?)
 }
 
-/// The run that was laid aside in the folder, or why there is none.
-fn laid_aside(folder: &ResultsFolder, case: &Case) -> Result<Laid<'static>, Error> {
+/// The run that was written to a checkpoint in the folder, or why there is none.
+fn read_checkpoint(folder: &ResultsFolder, case: &Case) -> Result<RunCheckpoint<'static>, Error> {
     let place = folder.path().display();
-    match Laid::read(folder, case) {
-        Ok(Some(laid)) => return Ok(laid),
+    match RunCheckpoint::read(folder, case) {
+        Ok(Some(stored)) => return Ok(stored),
         Ok(None) => {}
         Err(reason) => return Err(anew(reason)),
     }
@@ -188,7 +188,7 @@ fn laid_aside(folder: &ResultsFolder, case: &Case) -> Result<Laid<'static>, Erro
     };
     if let Err(reason) = is_of(&summary, case) {
         return Err(anew(format!(
-            "there is no checkpoint in {place}, and what lies there cannot be gone on with: {reason}"
+            "there is no checkpoint in {place}, and what lies there cannot be continued: {reason}"
         )));
     }
     let failed = summary.operations.iter().find_map(|of| match &of.status {

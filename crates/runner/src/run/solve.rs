@@ -1,11 +1,11 @@
-//! Solving a case, operation by operation, with whatever model it asks for.
+//! Solving a case, operation by operation, with whatever model it requires.
 
 use std::time::{Duration, Instant};
 
 use wholestring::{
     dynamics::{
-        BitLaw, DynamicsSettings, Effort as Planned, HoistControl, LiftError, SetupError,
-        Simulation,
+        BitLaw, DynamicsSettings, Effort as Planned, HoistControl, SetupError, Simulation,
+        TuningError,
     },
     findings,
     operation::Operation,
@@ -17,7 +17,7 @@ use wholestring_results::{ResultsFolder, Status};
 
 use super::{lift::tune, stop::Stop, way::Way};
 use crate::{
-    checkpoint::{self, Keeper, Laid, UnderWay},
+    checkpoint::{self, Keeper, RunCheckpoint, UnderWay},
     observer::Watch,
     record::{
         Record,
@@ -43,7 +43,7 @@ pub(crate) fn solve(
                 continue;
             }
             if way.cancellation.is_cancelled() {
-                lay_aside(&mut keeper, record, under_way, &way.watch);
+                write_checkpoint(&mut keeper, record, under_way, &way.watch);
                 return Err(Stop::Interrupted);
             }
             let stopped = match model {
@@ -68,12 +68,12 @@ pub(crate) fn solve(
                 }
             }
             if keeper.is_due() {
-                lay_aside(&mut keeper, record, None, &way.watch);
+                write_checkpoint(&mut keeper, record, None, &way.watch);
             }
         }
     }
     if !written {
-        // All was solved when the run was laid aside; the folder may not show it.
+        // All was solved when the run was written to a checkpoint; the folder may not show it.
         record.write(folder, way.keep, way.csv)?;
     }
     keeper.finish()?;
@@ -83,13 +83,13 @@ pub(crate) fn solve(
 
 /// Writes a checkpoint. A run does not end because one cannot be written: the next may, and so may the
 /// results.
-fn lay_aside(
+fn write_checkpoint(
     keeper: &mut Keeper<'_>,
     record: &Record,
     under_way: Option<UnderWay>,
     watch: &Watch<'_>,
 ) {
-    if let Err(error) = keeper.write(&Laid::new(record, under_way)) {
+    if let Err(error) = keeper.write(&RunCheckpoint::new(record, under_way)) {
         let warning = format!("no checkpoint: {error}");
         watch.observer.warning(&warning);
     }
@@ -107,9 +107,9 @@ fn solve_soft(case: &Case, operation: &Operation, record: &mut Record) -> Status
     }
 }
 
-/// Simulated time between two looks at a cancellation and two tellings of the progress, s: a fraction of
+/// Simulated time between two checks of a cancellation and two tellings of the progress, s: a fraction of
 /// a second even where a run is slower than real time.
-const LOOK_INTERVAL_S: f64 = 0.2;
+const POLL_INTERVAL_S: f64 = 0.2;
 
 fn solve_dynamic(
     case: &Case,
@@ -124,15 +124,15 @@ fn solve_dynamic(
     let mut lift = begun.as_ref().and_then(|begun| begun.lift);
     let mut settings = case.dynamics.clone();
     let mut tuned = None;
-    if case.tunes_lift && lift.is_none() {
+    if case.tunes_hook_load && lift.is_none() {
         match tune(case, operation, way) {
             Ok((found, simulation)) => {
                 lift = Some(found);
-                // Frames are taken as a run goes on: that needs another.
+                // Frames are taken as a run continues: that needs another.
                 tuned = record.frames.is_none().then_some(simulation);
             }
-            Err(LiftError::Stopped) => {
-                lay_aside(keeper, record, None, &way.watch);
+            Err(TuningError::Stopped) => {
+                write_checkpoint(keeper, record, None, &way.watch);
                 return Status::Interrupted;
             }
             Err(error) => return unsolvable("dynamic model", &error),
@@ -147,11 +147,11 @@ fn solve_dynamic(
         (None, None) => {
             let what = preparation(&settings, operation);
             let _shown = way.watch.preparing(operation.kind.name(), what);
-            let crew = way.crew.clone();
-            match Simulation::lent(&case.model, operation, &settings, crew) {
+            let executor = way.executor.clone();
+            match Simulation::with_executor(&case.model, operation, &settings, executor) {
                 Ok(simulation) => simulation,
                 Err(SetupError::Stopped) => {
-                    lay_aside(keeper, record, None, &way.watch);
+                    write_checkpoint(keeper, record, None, &way.watch);
                     return Status::Interrupted;
                 }
                 Err(error) => return unsolvable("dynamic model", &error),
@@ -174,11 +174,11 @@ fn solve_dynamic(
         }
     };
     // One that was resumed has not got them yet.
-    simulation.lend(way.crew.clone());
+    simulation.set_executor(way.executor.clone());
     let took = || before + start.elapsed();
-    // Laying the string takes seconds. Whoever has asked by now has nothing of this operation to keep.
+    // Initialising the string takes seconds. Whoever has asked by now has nothing of this operation to keep.
     if way.cancellation.is_cancelled() && simulation.time_s() == 0.0 {
-        lay_aside(keeper, record, None, &way.watch);
+        write_checkpoint(keeper, record, None, &way.watch);
         return Status::Interrupted;
     }
     let waits = settings.steady.is_some();
@@ -189,13 +189,13 @@ fn solve_dynamic(
     };
     let times = [simulation.time_s(), longest_s];
     let progress = way.watch.simulation(name, None, times);
-    // The run goes on by whole samples.
+    // The run continues by whole samples.
     let sample_s = simulation.sample_interval_s();
     let frame_samples = record
         .frames
         .as_ref()
         .map(|frames| frames.samples(sample_s));
-    let look_samples = ((LOOK_INTERVAL_S / sample_s).round() as u64).max(1);
+    let poll_samples = ((POLL_INTERVAL_S / sample_s).round() as u64).max(1);
     // Frames and looks fall on the same samples wherever the run was taken up.
     let mut samples = (simulation.time_s() / sample_s).round() as u64;
     let status = loop {
@@ -207,14 +207,14 @@ fn solve_dynamic(
         let interrupted = way.cancellation.is_cancelled();
         if interrupted || keeper.is_due() {
             let under_way = UnderWay::new(operation, took(), lift, simulation.checkpoint());
-            lay_aside(keeper, record, Some(under_way), &way.watch);
+            write_checkpoint(keeper, record, Some(under_way), &way.watch);
         }
         if interrupted {
             break Status::Interrupted;
         }
         let missing = ((end_s - time_s) / sample_s).round() as u64;
         let to_frame = frame_samples.map_or(u64::MAX, |every| every - samples % every);
-        let next = look_samples.min(missing.max(1)).min(to_frame);
+        let next = poll_samples.min(missing.max(1)).min(to_frame);
         if let Err(diverged) = simulation.advance(next as f64 * sample_s) {
             break Status::Failed(diverged.to_string());
         }
@@ -252,9 +252,9 @@ fn solve_dynamic(
 fn preparation(settings: &DynamicsSettings, operation: &Operation) -> &'static str {
     match settings.bit.law {
         BitLaw::Rock(_) if operation.weight_on_bit_now_N() > 0.0 => {
-            "laying the string and running the bit in on the rock"
+            "initialising the string and running the bit in on the rock"
         }
-        _ => "laying the string",
+        _ => "initialising the string",
     }
 }
 
@@ -301,7 +301,7 @@ mod tests {
     fn what_comes_before_the_first_step_is_said() {
         let case = slant();
         let said = preparation(&case.dynamics, &case.operations[0]);
-        assert_eq!(said, "laying the string");
+        assert_eq!(said, "initialising the string");
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/rock-300.toml");
         let case = wholestring_case::load(&path, &[]).expect("a sound case");
         let said = preparation(&case.dynamics, &case.operations[0]);
@@ -345,7 +345,7 @@ mod tests {
                 case: 0,
             },
             cancellation,
-            crew: cores::alone(cancellation),
+            executor: cores::alone(cancellation),
         }
     }
 }

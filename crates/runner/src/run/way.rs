@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use wholestring_case::Case;
 
-use crate::{cancellation::CancellationToken, cores::Lent, keep::Keep, observer::Watch};
+use crate::{cancellation::CancellationToken, cores::SharedExecutor, keep::Keep, observer::Watch};
 
 /// How a case is solved, beside what it says itself.
 pub(crate) struct Way<'a> {
@@ -18,7 +18,7 @@ pub(crate) struct Way<'a> {
     pub(crate) watch: Watch<'a>,
     pub(crate) cancellation: &'a CancellationToken,
     /// Who works on solid rock.
-    pub(crate) crew: Lent,
+    pub(crate) executor: SharedExecutor,
 }
 
 /// What the case says about the time between checkpoints.

@@ -2,7 +2,7 @@
 
 use wholestring_study::{Quantity, Statistic};
 
-use super::answers::Series;
+use super::results::Series;
 
 /// A curve with everything that tells it from the others.
 pub(super) struct Curve {
@@ -34,7 +34,7 @@ pub(super) struct MapData {
     pub(super) shoes_m: Vec<f64>,
 }
 
-/// A value as the quantity has it: without its sign where that is asked for.
+/// A value as the quantity has it: without its sign where that is requested.
 pub(super) fn signed(quantity: &Quantity, value: f64) -> f64 {
     if quantity.magnitude {
         value.abs()

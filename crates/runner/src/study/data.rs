@@ -4,15 +4,15 @@ use wholestring_results::{Column, Data, Table};
 use wholestring_study::{Figure, FigureData};
 
 use super::{
-    answers::{Answers, keys_of},
     curve::Curve,
+    results::{CaseResults, keys_of},
 };
 
 /// The data of the curves, a row per point, SI.
 pub(super) fn table(
     figure: &Figure,
     curves: &[Curve],
-    answers: &Answers,
+    answers: &CaseResults,
     sweeps: &[String],
 ) -> Table {
     let mut points: Vec<(&Curve, f64, f64)> = Vec::new();

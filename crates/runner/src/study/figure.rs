@@ -4,15 +4,15 @@ use wholestring_results::ResultsError;
 use wholestring_study::{Figure, FigureData, Quantity, Source, Statistic};
 
 use super::{
-    answers::{Answer, Answers},
     curve::{Curve, signed, within},
     frames::{at_depth, at_times},
     map,
+    results::{CaseResult, CaseResults},
 };
 
 /// All curves of a figure.
-pub(super) fn curves(figure: &Figure, answers: &Answers) -> Result<Vec<Curve>, ResultsError> {
-    let chosen: Vec<&Answer> = answers.chosen(&figure.chosen).collect();
+pub(super) fn curves(figure: &Figure, answers: &CaseResults) -> Result<Vec<Curve>, ResultsError> {
+    let chosen: Vec<&CaseResult> = answers.chosen(&figure.chosen).collect();
     let mut curves = Vec::new();
     for quantity in &figure.y {
         match &figure.data {
@@ -84,7 +84,7 @@ pub(super) fn curves(figure: &Figure, answers: &Answers) -> Result<Vec<Curve>, R
 }
 
 fn blank(
-    answer: &Answer,
+    answer: &CaseResult,
     axis: Option<&str>,
     quantity: &Quantity,
     statistic: Option<Statistic>,
@@ -123,7 +123,7 @@ fn put(curves: &mut Vec<Curve>, like: Curve) {
 }
 
 fn rows(
-    answer: &Answer,
+    answer: &CaseResult,
     x: &Quantity,
     y: &Quantity,
     window_s: Option<[f64; 2]>,

@@ -4,8 +4,8 @@ use wholestring_results::ResultsError;
 use wholestring_study::{Quantity, Source};
 
 use super::{
-    answers::Answer,
     curve::{signed, within},
+    results::CaseResult,
 };
 
 /// A time, s, and the points of its frame.
@@ -13,7 +13,7 @@ type AtTime = (f64, Vec<(f64, f64)>);
 
 /// What frames say at the times that are nearest to these.
 pub(super) fn at_times(
-    answer: &Answer,
+    answer: &CaseResult,
     x: &Quantity,
     y: &Quantity,
     times_s: &[f64],
@@ -54,7 +54,7 @@ fn is_of_wall(name: &str) -> bool {
 /// The node that frames at a depth are about: the nearest in the first frame, and for what the wall
 /// does, of those within half a joint the one to which it does most.
 fn node_at(
-    answer: &Answer,
+    answer: &CaseResult,
     depth_m: f64,
     quantities: &[&Quantity],
 ) -> Result<Option<f64>, ResultsError> {
@@ -81,7 +81,7 @@ fn node_at(
 
 /// Time and these quantities of the node at a depth.
 pub(super) fn at_depth<const N: usize>(
-    answer: &Answer,
+    answer: &CaseResult,
     depth_m: f64,
     window_s: Option<[f64; 2]>,
     quantities: [&Quantity; N],

@@ -9,15 +9,15 @@ use wholestring_study::{Figure, Quantity, Source};
 use wholestring_units::{Dimension, UnitSet};
 
 use super::{
-    answers::Answer,
     columns::{label, title, unit},
     curve::{Curve, MapData, signed},
-    looks::{Looks, levels},
+    results::CaseResult,
+    styles::{CurveStyles, levels},
 };
 
 /// Times and values of a map.
 pub(super) fn read(
-    answer: &Answer,
+    answer: &CaseResult,
     colour: &Quantity,
     window_s: Option<[f64; 2]>,
 ) -> Result<(Vec<(f64, f64)>, MapData), ResultsError> {
@@ -58,7 +58,7 @@ pub(super) fn picture(
         true => Hue::Side,
         false => Hue::Amount,
     };
-    let looks = Looks::of(curves, sweeps, units, figure);
+    let styles = CurveStyles::of(curves, sweeps, units, figure);
     let of_curve = |curve: &Curve| {
         let map = curve.map.as_ref()?;
         let mut ends: Vec<f64> = curve.points.iter().map(|(time_s, _)| *time_s).collect();
@@ -71,7 +71,7 @@ pub(super) fn picture(
         };
         let case = match curves.len() {
             1 => "Measured depth".to_owned(),
-            _ => looks.name(curve),
+            _ => styles.name(curve),
         };
         Some(ContactMap {
             label: label(&case, &length),

@@ -5,8 +5,8 @@ use wholestring_results::ResultsError;
 use wholestring_study::{Number, NumberTable, Row, Selection, Shape, Source, Statistic};
 
 use super::{
-    answers::{Answer, Answers, Series},
     frames::{at_depth, at_times},
+    results::{CaseResult, CaseResults, Series},
 };
 
 /// A table with what was computed.
@@ -19,7 +19,7 @@ pub(super) struct Computed<'a> {
 }
 
 impl<'a> Computed<'a> {
-    pub(super) fn of(table: &'a NumberTable, answers: &Answers) -> Result<Self, ResultsError> {
+    pub(super) fn of(table: &'a NumberTable, answers: &CaseResults) -> Result<Self, ResultsError> {
         let mut series = Vec::new();
         for of in table
             .rows
@@ -59,7 +59,11 @@ pub(super) fn agrees(row: &Row, computed: f64) -> Option<bool> {
 }
 
 /// The number of a row as a series has it.
-fn computed(row: &Row, series: &Series, answers: &Answers) -> Result<Option<f64>, ResultsError> {
+fn computed(
+    row: &Row,
+    series: &Series,
+    answers: &CaseResults,
+) -> Result<Option<f64>, ResultsError> {
     let only = &row.chosen.only;
     let Some(mut value) = of_cases(row, series, answers, only)? else {
         return Ok(None);
@@ -74,11 +78,11 @@ fn computed(row: &Row, series: &Series, answers: &Answers) -> Result<Option<f64>
     Ok(Some(value).filter(|value| value.is_finite()))
 }
 
-/// The number of one case, or what is told of those along a key.
+/// The number of one case, or what is reported of those along a key.
 fn of_cases(
     row: &Row,
     series: &Series,
-    answers: &Answers,
+    answers: &CaseResults,
     only: &Selection,
 ) -> Result<Option<f64>, ResultsError> {
     let mut cases = answers.of(series, only);
@@ -134,7 +138,7 @@ fn shape_of(shape: Shape, points: &[(f64, f64)]) -> Option<f64> {
 }
 
 /// The number as one answer has it.
-fn number(number: &Number, answer: &Answer) -> Result<Option<f64>, ResultsError> {
+fn number(number: &Number, answer: &CaseResult) -> Result<Option<f64>, ResultsError> {
     let quantity = &number.quantity;
     let source = quantity.column.source;
     let name = quantity.column.name;
@@ -213,8 +217,8 @@ fn number(number: &Number, answer: &Answer) -> Result<Option<f64>, ResultsError>
 
 /// The value whose place is the nearest.
 fn nearest(rows: impl Iterator<Item = (f64, f64)>, wanted: f64) -> Vec<f64> {
-    let sound = rows.filter(|(_, value)| value.is_finite());
-    let best = sound.min_by(|a, b| (a.0 - wanted).abs().total_cmp(&(b.0 - wanted).abs()));
+    let valid = rows.filter(|(_, value)| value.is_finite());
+    let best = valid.min_by(|a, b| (a.0 - wanted).abs().total_cmp(&(b.0 - wanted).abs()));
     best.into_iter().map(|(_, value)| value).collect()
 }
 

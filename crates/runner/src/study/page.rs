@@ -6,13 +6,13 @@ use wholestring_report::{StudyPage, StudyPart, study_html};
 use wholestring_results::{ResultsError, ResultsFolder};
 use wholestring_study::Study;
 
-use super::{answers::Answers, data, figure, numbers::Computed, picture, texts};
+use super::{data, figure, formats, numbers::Computed, picture, results::CaseResults};
 use crate::page::{FILE, PROGRAM, write_picture};
 
 /// Writes every figure and table, and the page of all.
 pub(super) fn show(
     study: &Study,
-    answers: &Answers,
+    answers: &CaseResults,
     folder: &ResultsFolder,
     png: bool,
 ) -> Result<(), ResultsError> {
@@ -40,10 +40,10 @@ pub(super) fn show(
     }
     for table in &study.tables {
         let computed = Computed::of(table, answers)?;
-        let data = texts::data(&computed, &sweeps);
+        let data = formats::data(&computed, &sweeps);
         data.write_csv(&tables.path().join(format!("{}.csv", table.name)))?;
-        let grid = texts::grid(&computed, &sweeps, study.units);
-        let text = texts::markdown(&table.title, &table.caption, &grid);
+        let grid = formats::grid(&computed, &sweeps, study.units);
+        let text = formats::markdown(&table.title, &table.caption, &grid);
         tables.write_file(&format!("{}.md", table.name), text.as_bytes())?;
         parts.push(StudyPart::Table {
             title: table.title.clone(),

@@ -12,8 +12,8 @@ use wholestring_units::UnitSet;
 use super::{
     columns::{is_depth, label, title, unit},
     curve::Curve,
-    looks::{Looks, levels},
     map,
+    styles::{CurveStyles, levels},
 };
 
 /// Size of a figure, and the height of one in which depth points down.
@@ -28,7 +28,7 @@ const UPRIGHT_MM: (f64, f64) = (130.0, 140.0);
 const POSITIONS: [&str; 4] = ["north_m", "east_m", "tvd_m", "vertical_section_m"];
 
 /// Curves of more points than this are lines without dots.
-const MOST_DOTS: usize = 60;
+const MAX_DOTS: usize = 60;
 
 /// The figure as it is to be drawn.
 pub(super) fn picture(
@@ -57,10 +57,10 @@ pub(super) fn picture(
         }
     };
     let y_names: Vec<String> = figure.y.iter().map(title).collect();
-    let looks = Looks::of(curves, sweeps, units, figure);
+    let styles = CurveStyles::of(curves, sweeps, units, figure);
     let mut marks = levels(figure, y_worth);
     for curve in curves {
-        let (colour, stroke) = looks.of_curve(curve);
+        let (colour, stroke) = styles.of_curve(curve);
         let points: Vec<(f64, f64)> = curve
             .points
             .iter()
@@ -69,7 +69,7 @@ pub(super) fn picture(
         let (ink, shape) = (Ink::Line(colour), Shape::Circle);
         // Nodes between the joints of a string touch nothing: a line would fill the picture.
         let single = matches!(figure.data, FigureData::Times { .. });
-        if single || points.len() <= MOST_DOTS {
+        if single || points.len() <= MAX_DOTS {
             let points = points.clone();
             marks.push(Mark::Points { ink, shape, points });
         }
@@ -81,7 +81,7 @@ pub(super) fn picture(
             });
         }
     }
-    let mut keys = looks.keys();
+    let mut keys = styles.keys();
     let errors = curves.iter().flat_map(|curve| &curve.errors);
     let errors: Vec<_> = errors.map(|(x, y)| (x / x_worth, y / y_worth)).collect();
     if !errors.is_empty() {
@@ -157,7 +157,7 @@ fn is_position(quantity: &Quantity) -> bool {
     quantity.column.source == Source::Path && POSITIONS.contains(&quantity.column.name)
 }
 
-/// Depth reaches as far as it goes, time over all that is asked for, all else to zero.
+/// Depth reaches as far as it goes, time over all that is requested, all else to zero.
 fn range(name: &str, figure: &Figure, curves: &[Curve]) -> Range {
     let window_s = match figure.data {
         FigureData::Rows { window_s, .. } | FigureData::Depths { window_s, .. } => window_s,

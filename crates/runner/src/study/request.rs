@@ -1,4 +1,4 @@
-//! A study that is asked for.
+//! A study that is requested.
 
 use std::path::Path;
 
@@ -6,7 +6,7 @@ use wholestring_case::{Override, Report};
 use wholestring_results::ResultsFolder;
 use wholestring_study::Study;
 
-use super::{answers::Answers, cases::Templates, columns, page::show};
+use super::{cases::Templates, columns, page::show, results::CaseResults};
 use crate::{
     batch::{BatchOptions, BatchOutcome},
     cancellation::CancellationToken,
@@ -14,7 +14,7 @@ use crate::{
     folder_name::file_name,
     keep::Keep,
     observer::Observer,
-    sweep::{Batch, Ending, Set, Sound},
+    sweep::{Batch, CheckedPoints, Ending, Set},
 };
 
 /// A study that is to be carried out.
@@ -27,7 +27,7 @@ pub struct Request<'a> {
     /// What is changed in every case.
     pub overrides: &'a [Override],
     /// What is kept of each case. Where nothing is said: its tables where dynamics solve it, or
-    /// where they are asked for as CSV or a figure needs them, else its summary.
+    /// where they are requested as CSV or a figure needs them, else its summary.
     pub keep: Option<Keep>,
     /// Whether to paint each figure as PNG too.
     pub png: bool,
@@ -47,7 +47,7 @@ pub fn load(path: &Path) -> Result<Study, Report> {
 ///
 /// # Errors
 /// Cases that are not sound, or a folder that the results cannot go to. What becomes of the cases
-/// is told by the outcome.
+/// is identified by the outcome.
 pub fn run(
     request: &Request<'_>,
     observer: &dyn Observer,
@@ -56,9 +56,9 @@ pub fn run(
     let (study, options) = (request.study, &request.batch);
     let templates = Templates::read(study, request.cases)?;
     let points = templates.points(study, request.overrides)?;
-    let sound = Sound::check(points, options, observer, cancellation)?;
+    let valid = CheckedPoints::check(points, options, observer, cancellation)?;
     let of_set = |path: &Path, set: usize| path.join(file_name(&study.sweeps[set].name));
-    let claimed = sound.claim("study", &study.name, options, observer, &of_set)?;
+    let claimed = valid.claim("study", &study.name, options, observer, &of_set)?;
     let folder = &claimed.folder;
     let sets = study.sweeps.iter().enumerate().map(|(i, sweep)| {
         Ok(Set {
@@ -74,9 +74,9 @@ pub fn run(
         })
     });
     let sets = sets.collect::<Result<_, Error>>()?;
-    let mut batch = Batch::new(options, sets, sound, observer, cancellation);
+    let mut batch = Batch::new(options, sets, valid, observer, cancellation);
     batch.solve_all()?;
-    let mut answers = Answers(Vec::new());
+    let mut answers = CaseResults(Vec::new());
     for (set, point, ending) in batch.cases() {
         if let Some(Ending { solved, .. }) = ending {
             let values = (&set.keys[..], &point.values[..]);

@@ -12,16 +12,16 @@ use wholestring_results::{OperationSummary, ResultsError, ResultsFolder, Status,
 
 use super::{
     checked::Checked,
+    checked_points::CheckedPoints,
     page as sweep_page,
     points::Point,
     set::Set,
-    sound::Sound,
     table::{FILE, SweepTable},
 };
 use crate::{
     batch::{BatchOptions, BatchOutcome, CaseWithErrors, FailedCase},
     cancellation::CancellationToken,
-    checkpoint::{Laid, UnderWay, is_of},
+    checkpoint::{RunCheckpoint, UnderWay, is_of},
     cores, findings,
     keep::Keep,
     observer::{BatchSize, CaseEnded, Observer, Watch},
@@ -72,11 +72,11 @@ impl<'a> Batch<'a> {
     pub(crate) fn new(
         options: &'a BatchOptions,
         sets: Vec<Set>,
-        sound: Sound<'a>,
+        valid: CheckedPoints<'a>,
         observer: &'a dyn Observer,
         cancellation: &'a CancellationToken,
     ) -> Self {
-        let Sound { points, checked } = sound;
+        let CheckedPoints { points, checked } = valid;
         let shard = options.shard;
         let mine: Vec<usize> = (0..points.len()).filter(|case| shard.has(*case)).collect();
         Self {
@@ -154,7 +154,7 @@ impl<'a> Batch<'a> {
             reused_s,
         });
         if reached.written.elapsed() >= WRITE_INTERVAL {
-            // What cannot be written now is told at the end.
+            // What cannot be written now is reported at the end.
             let _ = self.write(self.points[case].set, &reached.endings);
             reached.written = Instant::now();
         }
@@ -207,7 +207,7 @@ impl<'a> Batch<'a> {
             },
             cancellation: self.cancellation,
             // Cases are what the cores share.
-            crew: cores::alone(self.cancellation),
+            executor: cores::alone(self.cancellation),
         };
         let why = solve(&case, &way, &mut record, &folder, under_way).err();
         if keep == Keep::All {
@@ -220,7 +220,7 @@ impl<'a> Batch<'a> {
         })
     }
 
-    /// What an earlier sweep began of the case; nothing where it left none to go on with, or none
+    /// What an earlier sweep began of the case; nothing where it left none to continue with, or none
     /// that one can.
     fn begun(
         &self,
@@ -228,10 +228,12 @@ impl<'a> Batch<'a> {
         case: &Case,
         folder: &ResultsFolder,
     ) -> Option<(Record, Option<UnderWay<'static>>)> {
-        let begun = Laid::<'static>::read(folder, case).and_then(|laid| {
-            let Some(laid) = laid else { return Ok(None) };
-            let record = Record::resume(case, case.units, folder, laid.solved)?;
-            Ok(Some((record, laid.under_way)))
+        let begun = RunCheckpoint::<'static>::read(folder, case).and_then(|stored| {
+            let Some(stored) = stored else {
+                return Ok(None);
+            };
+            let record = Record::resume(case, case.units, folder, stored.solved)?;
+            Ok(Some((record, stored.under_way)))
         });
         begun.unwrap_or_else(|reason| {
             self.warn_of(point, &reason);
@@ -239,7 +241,7 @@ impl<'a> Batch<'a> {
         })
     }
 
-    /// Tells why a case does not go on from what lies in its folder.
+    /// Shows why a case does not continue from what lies in its folder.
     fn warn_of(&self, point: &Point<'_>, reason: &str) {
         let label = self.label(point);
         let warning = format!("{label}: {reason}; it begins anew");

@@ -33,7 +33,7 @@ pub(super) struct Checked {
 }
 
 /// Most cases that are held in memory between their check and their solution; each takes some 0.2 MB.
-const MOST_HELD: usize = 500;
+const MAX_HELD: usize = 500;
 
 impl Checked {
     fn of(case: Case, holds: bool) -> Self {
@@ -50,7 +50,7 @@ impl Checked {
             name: case.name.clone(),
             identity: digest(&case.identity()),
             cost: cost.sum(),
-            lift: dynamic && case.tunes_lift,
+            lift: dynamic && case.tunes_hook_load,
             simulated_s: efforts.iter().map(|effort| effort.end_s).sum(),
             case: Mutex::new((holds && !dynamic).then_some(case)),
         }
@@ -62,7 +62,7 @@ impl Checked {
     }
 }
 
-/// Mistakes or warnings that are told; the same is told once.
+/// Mistakes or warnings that are reported; the same is reported once.
 const SHOWN: usize = 5;
 
 /// Reads and checks every case, so that no sweep ends on a mistake in its last.
@@ -91,7 +91,7 @@ pub(super) fn check(
                 warnings.pop_last();
             }
         }
-        *lock(&answers[i]) = Some(answer.map(|case| Checked::of(case, points.len() <= MOST_HELD)));
+        *lock(&answers[i]) = Some(answer.map(|case| Checked::of(case, points.len() <= MAX_HELD)));
     });
     let mut checked = Vec::new();
     let mut unsound: Vec<(&Point<'_>, Report)> = Vec::new();

@@ -2,18 +2,18 @@
 
 mod batch;
 mod checked;
+mod checked_points;
 pub(crate) mod page;
 mod points;
 mod request;
 mod set;
-mod sound;
 mod table;
 
 pub(crate) use self::{
     batch::{Batch, Ending},
+    checked_points::CheckedPoints,
     points::{Point, points},
     set::Set,
-    sound::Sound,
 };
 pub use self::{
     request::{Request, run},

@@ -7,7 +7,7 @@ use wholestring_results::{Column, Data, ResultsError, ResultsFolder, Summary, Ta
 use wholestring_units::UnitSet;
 
 use super::table::{FILE, SCALARS};
-use crate::page::{self, asked, dimensions};
+use crate::page::{self, dimensions, facts};
 
 /// Whether a folder is one that a sweep wrote to.
 pub(crate) fn is_sweep(folder: &Path) -> bool {
@@ -23,7 +23,7 @@ pub(crate) fn write(folder: &ResultsFolder, units: Option<UnitSet>) -> Result<()
     folder.write_file(page::FILE, sweep_html(&sweep).as_bytes())
 }
 
-/// Everything that is told of a sweep.
+/// Everything that is reported of a sweep.
 pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, ResultsError> {
     let table = Table::read_csv(&folder.join(FILE))?;
     // Keys may be named like other columns, `model`: they are those that come first.
@@ -92,7 +92,7 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, Res
     let first = summary(folders.first())?;
     // The last case differs from the first in every key that was varied.
     let last = summary(folders.last())?;
-    let facts = |of: &Option<Summary>| of.as_ref().map_or(Vec::new(), asked::asked);
+    let facts = |of: &Option<Summary>| of.as_ref().map_or(Vec::new(), facts::facts);
     let mut asked = facts(&first);
     let others = facts(&last);
     asked.retain(|fact| others.contains(fact));

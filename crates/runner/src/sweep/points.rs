@@ -7,7 +7,7 @@ use wholestring_case::{Override, Template, Variation};
 use crate::{error::Error, folder_name::file_name};
 
 /// More cases than this make no sense in one sweep.
-const MOST_CASES: usize = 100_000;
+const MAX_CASES: usize = 100_000;
 
 /// One combination of values.
 pub(crate) struct Point<'a> {
@@ -31,10 +31,10 @@ pub(crate) fn points<'a>(
 ) -> Result<Vec<Point<'a>>, Error> {
     let counts = variations.iter().map(|of| of.values.len());
     let count = counts.clone().try_fold(1_usize, usize::checked_mul);
-    let Some(count) = count.filter(|count| *count <= MOST_CASES) else {
+    let Some(count) = count.filter(|count| *count <= MAX_CASES) else {
         let counts: Vec<String> = counts.map(|count| count.to_string()).collect();
         return Err(Error::BadInput(format!(
-            "a sweep of {} cases, expected at most {MOST_CASES}",
+            "a sweep of {} cases, expected at most {MAX_CASES}",
             counts.join(" × ")
         )));
     };
@@ -67,7 +67,7 @@ pub(crate) fn points<'a>(
     Ok(points)
 }
 
-/// Folders bear the values; where those are too long for a name, or some system does not tell them apart,
+/// Folders bear the values; where those are too long for a name, or some system does not distinguish them,
 /// the number of the case.
 fn name_folders(points: &mut [Point<'_>]) {
     let names: Vec<String> = points.iter().map(|point| file_name(&point.name)).collect();

@@ -1,8 +1,8 @@
-//! A sweep that is asked for.
+//! A sweep that is requested.
 
 use wholestring_case::{Override, Template, Variation};
 
-use super::{batch::Batch, points::points, set::Set, sound::Sound};
+use super::{batch::Batch, checked_points::CheckedPoints, points::points, set::Set};
 use crate::{
     batch::{BatchOptions, BatchOutcome},
     cancellation::CancellationToken,
@@ -21,7 +21,7 @@ pub struct Request<'a> {
     /// The keys that are varied, with their values.
     pub variations: &'a [Variation],
     /// What is kept of each case. Where nothing is said: its tables where dynamics solve it or they
-    /// are asked for as CSV, else its summary.
+    /// are requested as CSV, else its summary.
     pub keep: Option<Keep>,
     /// How the cases are solved.
     pub batch: BatchOptions,
@@ -32,7 +32,7 @@ pub struct Request<'a> {
 ///
 /// # Errors
 /// Cases that are not sound, or a folder that the results cannot go to. What becomes of the cases
-/// is told by the outcome.
+/// is identified by the outcome.
 pub fn run(
     request: &Request<'_>,
     observer: &dyn Observer,
@@ -40,10 +40,10 @@ pub fn run(
 ) -> Result<BatchOutcome, Error> {
     let options = &request.batch;
     let points = points(request.template, request.overrides, request.variations)?;
-    let sound = Sound::check(points, options, observer, cancellation)?;
-    let name = format!("{} sweep", sound.first_name());
+    let valid = CheckedPoints::check(points, options, observer, cancellation)?;
+    let name = format!("{} sweep", valid.first_name());
     let within_itself = |path: &std::path::Path, _| path.to_owned();
-    let claimed = sound.claim("sweep", &name, options, observer, &within_itself)?;
+    let claimed = valid.claim("sweep", &name, options, observer, &within_itself)?;
     let keys = request.variations.iter().map(|of| of.key.clone());
     let set = Set {
         prefix: String::new(),
@@ -52,7 +52,7 @@ pub fn run(
         keep: request.keep,
         needs: Keep::Summary,
     };
-    let mut batch = Batch::new(options, vec![set], sound, observer, cancellation);
+    let mut batch = Batch::new(options, vec![set], valid, observer, cancellation);
     batch.solve_all()?;
     Ok(batch.outcome(claimed.folder.path()))
 }

@@ -18,7 +18,7 @@ pub const SCALARS: [&str; outcome::SCALARS.len() + 1] = {
     names
 };
 
-/// What is told of a tuned lift, as `summary.json` names it.
+/// What is reported of a tuned lift, as `summary.json` names it.
 const LIFT: [&str; 3] = ["hook_load_N", "weight_on_bit_N", "runs"];
 
 const STATISTICS: [&str; 8] = [
@@ -59,7 +59,7 @@ impl Row {
         Some(found.filter(|of| of["level"] == level.name()).count() as f64)
     }
 
-    /// What is told of the gravest finding.
+    /// What is reported of the gravest finding.
     fn worst(&self, key: &str) -> String {
         let found = self.solved.get("findings").and_then(Value::as_array);
         let worst = found.and_then(|found| found.first());

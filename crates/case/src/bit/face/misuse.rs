@@ -13,17 +13,17 @@ const FINEST: f64 = 0.02;
 impl FaceTable {
     /// Finer ones than any bit has are looked for as long as they are found.
     pub(super) fn check_width(&self, diameter_m: f64, reader: &mut Reader) -> Option<()> {
-        let least_m = FINEST * diameter_m;
+        let min_m = FINEST * diameter_m;
         let fine = [
             (&self.cutter_diameter, "cutters"),
             (&self.insert_diameter, "inserts"),
         ]
         .into_iter()
-        .find_map(|(field, what)| Some((field.given().filter(|at| at.value < least_m)?, what)));
+        .find_map(|(field, what)| Some((field.given().filter(|at| at.value < min_m)?, what)));
         let Some((given, what)) = fine else {
             return Some(());
         };
-        let least = number_text((least_m * 1e4).ceil() * 1e-1);
+        let least = number_text((min_m * 1e4).ceil() * 1e-1);
         reader.report(
             Diagnostic::error(format!("the {what} are too fine for this bit")).at(
                 given.place,

@@ -1,11 +1,11 @@
-//! What a run is before its string is laid: settings that can be used, the hoist, the mesh and the step.
+//! What a run is before its string is initialised: settings that can be used, the hoist, the mesh and the step.
 
 use super::{chain, error::SetupError, hoisting::hoisting};
 use crate::{
     dynamics::{
         boundary::{
             bit::{Band, BitLaw, BitSettings, Cutters, Excitation, Motor, MudMotor},
-            hole::Surroundings,
+            hole::Borehole,
         },
         initial_state,
         kernel::step::{Abilities, Stepper},
@@ -55,7 +55,7 @@ pub(in crate::dynamics) fn check(settings: &DynamicsSettings) -> Result<(), Setu
     ];
     check_numbers(&positive, &not_negative)?;
     if let Some(until) = settings.steady {
-        check_numbers(&[("steady.most_s", until.most_s)], &[])?;
+        check_numbers(&[("steady.most_s", until.max_s)], &[])?;
     }
     check_numbers(&drive_numbers(&settings.top_drive), &[])?;
     check_bit(&settings.bit)?;
@@ -231,7 +231,7 @@ pub(in crate::dynamics) fn first_bit_md_m(
     if settings.schedule.moves_the_hoist() {
         return operation.bit_depth_m;
     }
-    let middle_s = settling.least_s() + 0.5 * settings.duration_s;
+    let middle_s = settling.min_s() + 0.5 * settings.duration_s;
     operation.bit_depth_m - hoisting(operation, settings).1 * middle_s
 }
 
@@ -250,12 +250,12 @@ fn mesh_and_plan(
 }
 
 /// What the model, the operation and the settings of a run determine: the same at its start and
-/// wherever it is taken up again.
+/// wherever it is resumed.
 pub(in crate::dynamics) struct Basis<R: Real> {
     pub(in crate::dynamics) mesh: Mesh,
     pub(in crate::dynamics) settling: Settling,
     pub(in crate::dynamics) plan: StepPlan,
-    pub(in crate::dynamics) surroundings: Surroundings,
+    pub(in crate::dynamics) borehole: Borehole,
     pub(in crate::dynamics) abilities: Abilities,
     pub(in crate::dynamics) stepper: Stepper<R>,
     pub(in crate::dynamics) steps_per_sample: u64,
@@ -272,18 +272,18 @@ impl<R: Registers> Basis<R> {
         served.map_err(SetupError::Precision)?;
         let (mesh, settling, plan) = mesh_and_plan(model, operation, settings);
         check_weight_of_bit(settings, &plan)?;
-        let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
+        let borehole = Borehole::new(model, &mesh, settings.contact_law);
         let abilities = Abilities {
             hertz: matches!(settings.contact_law, ContactLaw::Hertz { .. }),
             vector: settings.friction_law == FrictionLaw::Vector,
-            full: surroundings.intricate || model.mud.rheology.is_some(),
+            full: borehole.intricate || model.mud.rheology.is_some(),
         };
         let steps_per_sample = (settings.sample_interval_s / plan.dt_s).round().max(1.0) as u64;
         Ok(Self {
             mesh,
             settling,
             plan,
-            surroundings,
+            borehole,
             abilities,
             stepper: Stepper::new(abilities),
             steps_per_sample,
@@ -325,12 +325,12 @@ pub struct Effort {
     pub time_step_s: f64,
     /// Simulated time from the start to the end of the window, s, at most.
     pub end_s: f64,
-    /// Steps from the laying of the string to the end of the window, at most.
+    /// Steps from the initialisation of the string to the end of the window, at most.
     pub steps: f64,
 }
 
 impl Effort {
-    /// What the run would cost, found without laying the string.
+    /// What the run would cost, found without initialising the string.
     ///
     /// # Errors
     /// A setting out of range, or a bit on solid rock that is lighter than what it touches.
@@ -349,8 +349,8 @@ impl Effort {
         Ok(Self {
             elements: mesh.elements.len(),
             time_step_s: plan.dt_s,
-            end_s: settling.most_s() + settings.duration_s,
-            steps: (laying_s + settling.most_s() + settings.duration_s) / plan.dt_s,
+            end_s: settling.max_s() + settings.duration_s,
+            steps: (laying_s + settling.max_s() + settings.duration_s) / plan.dt_s,
         })
     }
 }

@@ -11,7 +11,7 @@ use crate::{
 /// a pipe fills 82 % of its hole. The formula of the concentric annulus grows without bound where a tool
 /// fills its hole, for it has the mud go round it in a plane; round a stabiliser or a bit, no longer than its hole is
 /// wide, most of it goes round the ends.
-const MOST_ADDED_MUD: f64 = 5.0;
+const MAX_ADDED_MUD: f64 = 5.0;
 
 /// Lateral mass of each element, kg/m: steel, mud inside, and the mud that an accelerated cylinder
 /// carries along in an annulus, `ρ π r² (R² + r²)/(R² − r²)`.
@@ -26,7 +26,7 @@ pub fn lateral_mass_kg_per_m(model: &Model, mesh: &Mesh, bit_md_m: f64) -> Vec<f
             let hole = 0.5 * model.well.hole.at(md).diameter_m;
             let r = 0.5 * section.od_m;
             let (r2, hole2) = (r * r, hole * hole);
-            let confined = ((hole2 + r2) / (hole2 - r2).max(1e-12)).min(MOST_ADDED_MUD);
+            let confined = ((hole2 + r2) / (hole2 - r2).max(1e-12)).min(MAX_ADDED_MUD);
             let outside = std::f64::consts::PI * r2 * confined;
             section.steel_kg_per_m + density * (section.bore_m2 + outside)
         })

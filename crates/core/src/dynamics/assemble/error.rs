@@ -8,7 +8,7 @@ use crate::{
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SetupError {
     /// The soft string, which the start is laid by, has no solution.
-    #[error("the string cannot be laid in the hole: {0}")]
+    #[error("the string cannot be placed in the hole: {0}")]
     Start(#[from] SoftError),
     /// A setting that no run can use.
     #[error("{name} is {value}, expected {expected}")]
@@ -26,7 +26,7 @@ pub enum SetupError {
     /// A bit that is lighter than the rock that it touches.
     #[error(
         "the bit's node has {bit:.3} {unit} {direction} and the rock that it touches up to {rock:.3} {unit}, expected less: \
-         lower the density factor or the size of the bricks, or raise the length of the elements"
+         lower the density factor or the size of the elements, or raise the length of the elements"
     )]
     LightBit {
         /// In which direction.

@@ -29,7 +29,7 @@ pub struct Bend {
     pub angle_rad: f64,
     /// Its direction, fixed in the body: across the director.
     pub toward: Vector<f64>,
-    /// Part of the angle that is there: it grows while the string is laid.
+    /// Part of the angle that is there: it grows while the string is initialised.
     part: f64,
     /// Director before the step.
     director: Vector<f64>,

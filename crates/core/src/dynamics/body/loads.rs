@@ -39,7 +39,7 @@ pub(super) struct Load {
 }
 
 /// Most that viscous mud takes of a node's spin in a step: as in the step itself.
-const MOST_SLOWED: f64 = 0.5;
+const MAX_SLOWED: f64 = 0.5;
 
 /// Power that stiffness-proportional damping takes of the elements at a node as they move now, W.
 fn damped_W(chain: &Chain<impl Real>, index: usize, beta: f64) -> f64 {
@@ -90,7 +90,7 @@ impl Loads {
             load.weight = chain.weight(index);
             chain.set_weight(index, load.weight + load.force);
             let mobility = dt * node!(chain, index, inv_polar);
-            load.slowed = (mobility * node!(chain, index, mud_spin)).min(MOST_SLOWED);
+            load.slowed = (mobility * node!(chain, index, mud_spin)).min(MAX_SLOWED);
             // The mud takes its part of what a node comes with; of a kick it must leave all.
             load.spun = mobility * load.moment.dot(load.director) / (1.0 - load.slowed);
             load.friction = node!(chain, index, sum_torque);

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     GRAVITY_M_PER_S2,
-    damage::{Damaged, sound},
+    damage::{Damaged, ensure},
     dynamics::{
         body::{bend::Bend, imbalance::Imbalance, loads::Loads},
         boundary::anchor::Anchor,
@@ -55,7 +55,7 @@ impl Body {
         let fits = bends(self) == bends(fresh)
             && masses(self) == masses(fresh)
             && self.loads.loads.is_empty();
-        sound(fits, "the bends and eccentric masses")
+        ensure(fits, "the bends and eccentric masses")
     }
 
     /// Bends and eccentric masses of `model` on the nodes of `mesh`. Their directions are set by [`Self::orient`]: until

@@ -70,7 +70,7 @@ impl Hoist {
         }
     }
 
-    /// Changes what the hoist does from now on. An autodriller that takes over goes on from the speed that
+    /// Changes what the hoist does from now on. An autodriller that takes over continues from the speed that
     /// the block has, as far as it has an integral to hold it by.
     pub fn set_control(&mut self, control: HoistControl) {
         if control == HoistControl::Autodriller

@@ -17,7 +17,7 @@ use crate::{
 
 /// The hole around the chain: what a node takes up anew as it slides along.
 #[derive(Debug, Clone)]
-pub struct Surroundings {
+pub struct Borehole {
     path: Path,
     bore: Bore,
     law: ContactLaw,
@@ -29,7 +29,7 @@ pub struct Surroundings {
     held_radii_m: Vec<f64>,
     /// A node takes up a new anchor when it has slid this far, m.
     reach_m: f64,
-    /// Whether the wall asks for all that a step can do: friction at rest above the kinetic one, friction
+    /// Whether the wall requires all that a step can do: friction at rest above the kinetic one, friction
     /// around the hole other than along it, or a radius that undulates. Only then do cones have a slope, too.
     pub intricate: bool,
 }
@@ -59,8 +59,8 @@ fn held_length_m(model: &Model) -> f64 {
     }
 }
 
-impl Surroundings {
-    /// The surroundings of a chain made of `mesh`.
+impl Borehole {
+    /// The borehole around a chain made of `mesh`.
     pub fn new(model: &Model, mesh: &Mesh, law: ContactLaw) -> Self {
         let steel = mesh
             .nodes

@@ -2,7 +2,7 @@
 
 pub mod anchor;
 pub mod bit;
-pub mod crew;
+pub mod executor;
 pub mod hoist;
 pub mod hole;
 pub mod mud;

@@ -1,7 +1,7 @@
-//! How the string lies at time zero.
+//! The initial condition: how the string lies at time zero.
 //!
 //! A string that is dropped into its hole needs minutes to find its torque and its tension. The
-//! prepared start takes both from the soft string, lays the string on the side where it will touch and
+//! prepared start takes both from the soft string, initialises the string on the side where it will touch and
 //! lets it settle laterally, so that what follows is the operation and not the aftermath of a fall.
 
 mod guide;
@@ -15,12 +15,12 @@ use crate::{
         assemble::chain,
         boundary::{
             anchor::Anchor,
-            hole::{self, Surroundings},
+            hole::{self, Borehole},
         },
         initial_state::{guide::Guide, scene::Scene},
         kernel::{
             chain::{Chain, NO_WALL_M, element, node},
-            step::{Calming, StepInput, Stepper},
+            step::{MassDamping, StepInput, Stepper},
         },
     },
     operation::Operation,
@@ -35,7 +35,7 @@ pub const SETTLING_S: f64 = 2.0;
 const SETTLING_DAMPING_PER_S: f64 = 15.0;
 
 /// Steps after which that damping acts.
-const CALM_STEPS: usize = 4;
+const DAMPING_STEPS: usize = 4;
 
 /// Amplitude of the seeded disturbance that breaks the symmetry of a start, m.
 const DISTURBANCE_M: f64 = 1e-6;
@@ -59,11 +59,11 @@ pub struct Initial {
     pub hook_load_N: f64,
 }
 
-/// Lays the string with its bit at `bit_md_m`.
+/// Initialises the string with its bit at `bit_md_m`.
 ///
 /// # Errors
 /// A soft string without solution.
-pub fn lay(
+pub fn initialise(
     scene: &Scene<'_>,
     chain: Chain,
     body: Body,
@@ -76,7 +76,7 @@ pub fn lay(
         ..
     } = *scene;
     let guide = Guide::new(scene)?;
-    let mut string = Laying {
+    let mut string = InitialString {
         anchors: vec![
             Anchor {
                 md_m: 0.0,
@@ -87,7 +87,7 @@ pub fn lay(
         ],
         chain,
         body,
-        surroundings: scene.surroundings,
+        borehole: scene.borehole,
         guide: &guide,
         mesh,
     };
@@ -117,17 +117,17 @@ pub fn lay(
     })
 }
 
-/// A string being laid.
-struct Laying<'a> {
+/// A string being initialised.
+struct InitialString<'a> {
     chain: Chain,
     anchors: Vec<Anchor>,
     body: Body,
-    surroundings: &'a Surroundings,
+    borehole: &'a Borehole,
     guide: &'a Guide,
     mesh: &'a Mesh,
 }
 
-impl Laying<'_> {
+impl InitialString<'_> {
     /// Puts every node at its depth and on its side, from the bit up, every element at its tension.
     fn place(&mut self, bit_md_m: f64, lean: bool) {
         let nodes = self.mesh.nodes.len();
@@ -137,7 +137,7 @@ impl Laying<'_> {
         }
         for _ in 0..PASSES {
             for (i, depth) in md.iter().enumerate() {
-                self.surroundings
+                self.borehole
                     .place(&mut self.chain, &mut self.anchors, i, *depth);
                 let clearance = node!(self.chain, i, clearance);
                 let off = if lean && clearance < NO_WALL_M {
@@ -212,8 +212,8 @@ impl Laying<'_> {
 
     /// Lets the string find its place across the hole, axial motion and spin held.
     fn settle(&mut self, stepper: &Stepper, input: &StepInput, operation: &Operation) {
-        let time_s = CALM_STEPS as f64 * input.dt;
-        let calming = Calming {
+        let time_s = DAMPING_STEPS as f64 * input.dt;
+        let mass_damping = MassDamping {
             time_s,
             dt: input.dt,
             left: (-SETTLING_DAMPING_PER_S * time_s).exp(),
@@ -240,15 +240,15 @@ impl Laying<'_> {
             self.body.push(&mut self.chain, input, grown.min(1.0));
             stepper.step(&mut self.chain, input);
             self.body.follow(&mut self.chain, input);
-            if step % CALM_STEPS == 0 {
-                stepper.calm(&mut self.chain, &calming);
+            if step % DAMPING_STEPS == 0 {
+                stepper.damp(&mut self.chain, &mass_damping);
                 self.chain.find_drag(input.dt);
             }
         }
         chain::release(&mut self.chain);
         for i in 0..self.mesh.nodes.len() {
             let md = self.anchors[i].md_m;
-            self.surroundings
+            self.borehole
                 .anchor(&mut self.chain, &mut self.anchors, i, md);
         }
     }

@@ -1,8 +1,8 @@
-//! What a string is laid by.
+//! What a string is initialised by.
 
 use crate::{
     dynamics::{
-        boundary::{hole::Surroundings, mud::viscous::Viscous},
+        boundary::{hole::Borehole, mud::viscous::Viscous},
         kernel::step::{StepInput, Stepper},
         settings::DynamicsSettings,
     },
@@ -11,7 +11,7 @@ use crate::{
     rod::mesh::Mesh,
 };
 
-/// What a string is laid by.
+/// What a string is initialised by.
 #[derive(Debug, Clone, Copy)]
 pub struct Scene<'a> {
     /// Well, string and mud.
@@ -25,7 +25,7 @@ pub struct Scene<'a> {
     /// The string cut into elements.
     pub mesh: &'a Mesh,
     /// The hole around it.
-    pub surroundings: &'a Surroundings,
+    pub borehole: &'a Borehole,
     /// The mud that drags on it, if any.
     pub viscous: Option<&'a Viscous>,
     /// What moves it while it settles.

@@ -1,8 +1,8 @@
-//! The chain of nodes and elements as the time loop holds it.
+//! The chain of nodes and elements as the time loop holds it: a structure of arrays.
 //!
-//! The chain is cut into as many strands as there are lanes, and the strands lie side by side: node `i` is in row
+//! The chain is cut into as many pieces as there are lanes, and the pieces lie side by side: node `i` is in row
 //! `i mod rows`, lane `i / rows`. What is next along the string so stands in the same lane of the next row, and
-//! one instruction works on all lanes without moving a number between them; only where a strand ends does its
+//! one instruction works on all lanes without moving a number between them; only where a piece ends does its
 //! last element reach for the first node of the next lane. A whole string of thousands of metres fits in the
 //! second-level cache. Positions are displacements from each node's own anchor on the hole's axis.
 
@@ -12,9 +12,9 @@ mod rows;
 
 use serde::{Deserialize, Serialize};
 
-use super::layout::{Layout, Strands};
+use super::layout::{LaneLayout, Layout};
 use crate::{
-    damage::{Damaged, sound},
+    damage::{Damaged, ensure},
     rod::element::{Pose, Stiffness},
     simd::{
         lanes::SINGLES,
@@ -35,11 +35,11 @@ pub struct Chain<R: Real = f64> {
     nodes: usize,
     /// Number of nodes after which the string looks the same: from joint to joint.
     pattern: usize,
-    strands: Strands,
-    /// Rest length of each element, m: however the chain keeps its numbers, its chords are held against these.
+    lane_layout: LaneLayout,
+    /// Rest length of each element, m: however the chain keeps its numbers, its chords are compared with these.
     lengths_m: Vec<f64>,
     /// How the nodes move, row by row; the last row repeats the first one lane lower, for the elements
-    /// where strands end.
+    /// where pieces end.
     pub states: Vec<StateBlock<R>>,
     /// Nodes, row by row.
     pub node_blocks: Vec<NodeBlock<R>>,
@@ -81,15 +81,15 @@ impl Chain {
 
 impl<R: Real> Chain<R> {
     fn idle(nodes: usize, pattern: usize) -> Self {
-        Self::in_strands(nodes, pattern, Strands::new(nodes, R::LANES, pattern))
+        Self::in_lanes(nodes, pattern, LaneLayout::new(nodes, R::LANES, pattern))
     }
 
-    fn in_strands(nodes: usize, pattern: usize, strands: Strands) -> Self {
-        let rows = strands.rows();
+    fn in_lanes(nodes: usize, pattern: usize, lane_layout: LaneLayout) -> Self {
+        let rows = lane_layout.rows();
         Self {
             nodes,
             pattern,
-            strands,
+            lane_layout,
             lengths_m: vec![1.0; nodes],
             states: vec![StateBlock::at_rest(); rows + 1],
             node_blocks: vec![NodeBlock::idle(); rows],
@@ -102,13 +102,13 @@ impl<R: Real> Chain<R> {
         self.moved_into(Chain::idle(self.nodes, self.pattern))
     }
 
-    /// The same chain in strands of so many rows.
+    /// The same chain in pieces of so many rows.
     #[cfg(test)]
     pub fn in_rows(&self, rows: usize) -> Self {
-        self.moved_into(Self::in_strands(
+        self.moved_into(Self::in_lanes(
             self.nodes,
             self.pattern,
-            Strands::of(rows),
+            LaneLayout::of(rows),
         ))
     }
 
@@ -125,25 +125,25 @@ impl<R: Real> Chain<R> {
 
     /// Whether a stored chain is one of so many nodes with this pattern.
     pub(crate) fn check(&self, nodes: usize, pattern: usize) -> Result<(), Damaged> {
-        let strands = Strands::new(nodes, R::LANES, pattern);
-        let rows = strands.rows();
-        let fits = (self.nodes, self.pattern, self.strands) == (nodes, pattern, strands)
+        let lane_layout = LaneLayout::new(nodes, R::LANES, pattern);
+        let rows = lane_layout.rows();
+        let fits = (self.nodes, self.pattern, self.lane_layout) == (nodes, pattern, lane_layout)
             && self.lengths_m.len() == nodes
             && self.states.len() == rows + 1
             && self.node_blocks.len() == rows
             && self.element_blocks.len() == rows;
-        sound(fits, "the string")
+        ensure(fits, "the string")
     }
 
     /// Where what is kept of its nodes in double precision lies.
     pub fn layout(&self) -> Layout {
-        Layout::beside::<R>(self.strands)
+        Layout::beside::<R>(self.lane_layout)
     }
 
     /// Row and lane of a node, and of the element below it.
     #[inline]
     pub fn place(&self, index: usize) -> (usize, usize) {
-        self.strands.place(index)
+        self.lane_layout.place(index)
     }
 
     /// Repeats the first row of states below the last, one lane lower. The last lane ends in itself.
@@ -199,9 +199,9 @@ impl<R: Real> Chain<R> {
         }
     }
 
-    /// The upper strands in whose elements the effective tension was more than `least_N` at the last step.
-    pub fn strands_above_N(&self, least_N: f64) -> usize {
-        let least = R::from_f64(least_N);
+    /// The upper pieces in whose elements the effective tension was more than `min_N` at the last step.
+    pub fn strands_above_N(&self, min_N: f64) -> usize {
+        let least = R::from_f64(min_N);
         let mut above = [true; SINGLES];
         for block in &self.element_blocks {
             for (above, tension) in above.iter_mut().zip(block.tension.0.as_ref()) {
@@ -211,14 +211,14 @@ impl<R: Real> Chain<R> {
         above[..R::LANES].iter().take_while(|above| **above).count()
     }
 
-    /// Effective tension of each element at the last step, from the first of a strand down, N, and its index.
-    pub fn tensions_N(&self, strand: usize) -> impl Iterator<Item = (usize, f64)> {
+    /// Effective tension of each element at the last step, from the first of a piece down, N, and its index.
+    pub fn tensions_N(&self, lane: usize) -> impl Iterator<Item = (usize, f64)> {
         let along = |lane| {
             let blocks = self.element_blocks.iter();
             blocks.map(move |block: &ElementBlock<R>| block.tension.0[lane].to_f64())
         };
-        let first = strand * self.strands.rows();
-        let tensions = (strand..R::LANES).flat_map(along);
+        let first = lane * self.lane_layout.rows();
+        let tensions = (lane..R::LANES).flat_map(along);
         (first..self.elements()).zip(tensions)
     }
 
@@ -296,7 +296,7 @@ impl<R: Real> Chain<R> {
 
     /// Takes out what rounding has added to the directors' lengths and to the angular velocities along
     /// them. The step preserves both but for the damping of bending: once in a hundred steps is plenty.
-    pub fn square_up(&mut self) {
+    pub fn renormalise(&mut self) {
         for index in 0..self.nodes {
             let d = self.director(index);
             let unit = d.scaled(1.0 / d.dot(d).sqrt());

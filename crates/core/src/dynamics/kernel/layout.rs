@@ -4,28 +4,28 @@ use serde::{Deserialize, Serialize};
 
 use crate::simd::{lanes::DOUBLES, number::Real};
 
-/// How long the strands are that a chain is cut into.
+/// How long the pieces are that a chain is cut into.
 ///
-/// Every number of a node is asked for by its place, and divisions would take most of the time: the inverse of the
+/// Every number of a node is requested by its place, and divisions would take most of the time: the inverse of the
 /// length, rounded up, is multiplied with instead.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(try_from = "usize", into = "usize")]
-pub struct Strands {
+pub struct LaneLayout {
     rows: usize,
     inverse: u64,
 }
 
-impl Strands {
+impl LaneLayout {
     /// Binary places of the inverse.
     const PLACES: u32 = 40;
     /// Length up to which places are exact in 32 lanes: `32 LONGEST² < 2^PLACES`. No string is as long.
     const LONGEST: usize = 1 << 17;
 
-    /// Part of its length by which a strand may be longer than it must, so that the pattern fits.
+    /// Part of its length by which a piece may be longer than it must, so that the pattern fits.
     const SPARE: f64 = 0.06;
 
     /// As long as so many nodes in so many lanes need. `pattern` is the number of nodes after which a string looks the
-    /// same: strands that hold it a whole number of times have their tool joints side by side, and the rows between
+    /// same: pieces that hold it a whole number of times have their tool joints side by side, and the rows between
     /// them, where no node touches the wall, are done with sooner.
     pub fn new(nodes: usize, lanes: usize, pattern: usize) -> Self {
         let rows = nodes.div_ceil(lanes);
@@ -61,12 +61,12 @@ impl Strands {
     }
 }
 
-impl TryFrom<usize> for Strands {
+impl TryFrom<usize> for LaneLayout {
     type Error = String;
 
     fn try_from(rows: usize) -> Result<Self, String> {
         if rows > Self::LONGEST {
-            return Err(format!("strands of {rows} nodes"));
+            return Err(format!("pieces of {rows} nodes"));
         }
         Ok(Self {
             rows,
@@ -75,9 +75,9 @@ impl TryFrom<usize> for Strands {
     }
 }
 
-impl From<Strands> for usize {
-    fn from(strands: Strands) -> Self {
-        strands.rows
+impl From<LaneLayout> for usize {
+    fn from(lane_layout: LaneLayout) -> Self {
+        lane_layout.rows
     }
 }
 
@@ -85,15 +85,15 @@ impl From<Strands> for usize {
 /// has, part by part, its blocks of doubles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Layout {
-    strands: Strands,
+    lane_layout: LaneLayout,
     parts: usize,
 }
 
 impl Layout {
-    /// Beside a chain in numbers of kind `R` with such strands.
-    pub fn beside<R: Real>(strands: Strands) -> Self {
+    /// Beside a chain in numbers of kind `R` with such pieces.
+    pub fn beside<R: Real>(lane_layout: LaneLayout) -> Self {
         Self {
-            strands,
+            lane_layout,
             parts: R::LANES / DOUBLES,
         }
     }
@@ -107,13 +107,13 @@ impl Layout {
 
     /// Number of blocks.
     pub fn blocks(&self) -> usize {
-        self.strands.rows() * self.parts
+        self.lane_layout.rows() * self.parts
     }
 
     /// Block and lane of a node, and of the element below it.
     #[inline]
     pub fn place(&self, index: usize) -> (usize, usize) {
-        let (row, lane) = self.strands.place(index);
+        let (row, lane) = self.lane_layout.place(index);
         (row * self.parts + lane / DOUBLES, lane % DOUBLES)
     }
 }
@@ -147,18 +147,18 @@ mod tests {
     /// take 96.
     #[test]
     fn joints_stand_side_by_side_where_that_costs_little() {
-        let rows = |pattern| Strands::new(1347, DOUBLES, pattern).rows();
+        let rows = |pattern| LaneLayout::new(1347, DOUBLES, pattern).rows();
         assert_eq!([1, 3, 12].map(rows), [85, 87, 85]);
     }
 
     #[test]
     fn a_place_is_the_quotient_and_its_rest() {
-        let longest = Strands::LONGEST;
+        let longest = LaneLayout::LONGEST;
         for rows in (1..300).chain([4095, 4096, 4097, longest - 1, longest]) {
-            let strands = Strands::of(rows);
+            let lane_layout = LaneLayout::of(rows);
             for lane in 0..SINGLES {
                 for row in [0, 1, rows / 2, rows - 1].map(|row| row.min(rows - 1)) {
-                    assert_eq!(strands.place(lane * rows + row), (row, lane));
+                    assert_eq!(lane_layout.place(lane * rows + row), (row, lane));
                 }
             }
         }

@@ -1,7 +1,7 @@
-//! How well the mean of a stretch of samples is known, and whether it stands still.
+//! Block averages: how well the mean of an interval of samples is known, and whether it stands still.
 
 /// Blocks that are left at the longest: fewer tell no spread.
-const LEAST_BLOCKS: usize = 8;
+const MIN_BLOCKS: usize = 8;
 
 /// Standard errors beyond which a change of a mean is no chance.
 pub(in crate::dynamics) const SIGNIFICANT: f64 = 4.0;
@@ -28,7 +28,7 @@ pub(in crate::dynamics) fn standard_error(samples: &[f64]) -> f64 {
         let mean = mean(&blocks);
         let squares: f64 = blocks.iter().map(|x| (x - mean).powi(2)).sum();
         largest = largest.max(squares / ((n - 1) * n) as f64);
-        if n / 2 < LEAST_BLOCKS {
+        if n / 2 < MIN_BLOCKS {
             return largest.sqrt();
         }
         for pair in 0..n / 2 {
@@ -66,7 +66,7 @@ impl Drift {
         let square = n as f64 * ((n * n) as f64 - 1.0) / 12.0;
         let slope = if n < 2 { 0.0 } else { moment / square };
         let change = slope * n as f64;
-        if half < LEAST_BLOCKS {
+        if half < MIN_BLOCKS {
             return Self {
                 change,
                 errors: 0.0,
@@ -77,8 +77,8 @@ impl Drift {
             .collect();
         let line_error = 12_f64.sqrt() * standard_error(&about_line);
         let (first, second) = (&samples[..half], &samples[n - half..]);
-        let least_error = standard_error(first).min(standard_error(second));
-        let halves_error = 2_f64.sqrt() * least_error;
+        let min_error = standard_error(first).min(standard_error(second));
+        let halves_error = 2_f64.sqrt() * min_error;
         let over = |change: f64, error: f64| {
             if change == 0.0 {
                 0.0

@@ -93,17 +93,17 @@ fn weight_J(chain: &Chain<impl Real>, anchors: &[Anchor], dt: f64) -> f64 {
         .sum::<f64>()
 }
 
-/// The least energy that a residual is held against: what lifts the string by this much, m.
-const LEAST_LIFT_M: f64 = 1e-3;
+/// The least energy that a residual is compared with: what lifts the string by this much, m.
+const MIN_RISE_M: f64 = 1e-3;
 
 /// What lifts the string of `mesh` in air by a millimetre, J.
-pub fn least_J(mesh: &Mesh) -> f64 {
+pub fn min_J(mesh: &Mesh) -> f64 {
     let steel_kg: f64 = mesh
         .elements
         .iter()
         .map(|e| e.section.steel_kg_per_m * e.length_m)
         .sum();
-    steel_kg * GRAVITY_M_PER_S2 * LEAST_LIFT_M
+    steel_kg * GRAVITY_M_PER_S2 * MIN_RISE_M
 }
 
 /// The energy of a run since its window began, J: `work = loss + change`, up to the residual.
@@ -216,21 +216,16 @@ impl Ledger {
     }
 
     /// Books what mass-proportional damping took, J.
-    pub fn book_calming(&mut self, taken: f64) {
+    pub fn book_mass_damping(&mut self, taken: f64) {
         self.booked.mud_loss_J += taken;
     }
 
     /// The balance and its residual over the largest of work, losses, change of energy, kinetic energy and
-    /// `least_J`; none where a number is none, as in a run that diverged.
+    /// `min_J`; none where a number is none, as in a run that diverged.
     ///
     /// Of a string at rest all but the last are rounding, and so is the residual: without an energy that is
     /// something to the string it would be all of it.
-    pub fn balance(
-        &self,
-        now: &Energies,
-        flow_J: f64,
-        least_J: f64,
-    ) -> Option<(EnergyBalance, f64)> {
+    pub fn balance(&self, now: &Energies, flow_J: f64, min_J: f64) -> Option<(EnergyBalance, f64)> {
         let mut balance = EnergyBalance {
             flow_work_J: flow_J - self.flow_at_start_J,
             kinetic_change_J: now.kinetic - self.start.kinetic,
@@ -242,7 +237,7 @@ impl Ledger {
         balance.residual_J = work - loss - change;
         let largest = [work, loss, change, now.kinetic]
             .iter()
-            .fold(least_J, |largest, part| largest.max(part.abs()));
+            .fold(min_J, |largest, part| largest.max(part.abs()));
         let relative = balance.residual_J / largest;
         relative.is_finite().then_some((balance, relative))
     }
@@ -252,11 +247,11 @@ impl Ledger {
 mod tests {
     use super::*;
 
-    /// Of a string at rest nothing but rounding is booked: its residual is held against what lifts the string by a
+    /// Of a string at rest nothing but rounding is booked: its residual is compared with what lifts the string by a
     /// millimetre and not against itself. Where something moves, the larger counts, as ever.
     #[test]
     fn a_residual_of_rounding_is_small() {
-        let least_J = 1000.0;
+        let min_J = 1000.0;
         let hung = Energies {
             gravity: -4e9,
             ..Energies::default()
@@ -266,18 +261,18 @@ mod tests {
             ..hung
         };
         let ledger = Ledger::open(hung, 0.0);
-        let (balance, relative) = ledger.balance(&rounded, 0.0, least_J).unwrap();
+        let (balance, relative) = ledger.balance(&rounded, 0.0, min_J).unwrap();
         assert!(balance.residual_J != 0.0);
-        assert_eq!(relative, balance.residual_J / least_J);
+        assert_eq!(relative, balance.residual_J / min_J);
         let moving = Energies {
             kinetic: 5000.0,
             ..hung
         };
-        assert_eq!(ledger.balance(&moving, 0.0, least_J).unwrap().1, -1.0);
+        assert_eq!(ledger.balance(&moving, 0.0, min_J).unwrap().1, -1.0);
         let lost = Energies {
             kinetic: f64::NAN,
             ..hung
         };
-        assert!(ledger.balance(&lost, 0.0, least_J).is_none());
+        assert!(ledger.balance(&lost, 0.0, min_J).is_none());
     }
 }

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::{
     probe::NodeSignal,
-    record::{Look, Strength},
+    record::{BlockSample, Strength},
 };
 use crate::{
     dynamics::{
@@ -186,7 +186,7 @@ struct View<'a, R: Real> {
     scene: &'a Scene<'a, R>,
     node: usize,
     /// The node's block.
-    look: &'a Look,
+    sample: &'a BlockSample,
     lane: usize,
 }
 
@@ -198,15 +198,15 @@ impl<R: Real> Scene<'_, R> {
             time_s: self.time_s,
             ..Frame::default()
         };
-        let looks: Vec<Look> = (0..chain.layout().blocks())
-            .map(|block| self.look(block))
+        let samples: Vec<BlockSample> = (0..chain.layout().blocks())
+            .map(|block| self.sample(block))
             .collect();
         for i in 0..=last {
             let (block, lane) = chain.layout().place(i);
             let view = View {
                 scene: self,
                 node: i,
-                look: &looks[block],
+                sample: &samples[block],
                 lane,
             };
             let anchor = &self.anchors[i];
@@ -221,8 +221,10 @@ impl<R: Real> Scene<'_, R> {
             frame.tvd_m.push(anchor.position_m.z + moved.2);
             frame.tilt_high_rad.push(tilt.dot(high));
             frame.tilt_right_rad.push(tilt.dot(right));
-            frame.axial_friction_N.push(-view.look.axial[lane]);
-            frame.friction_torque_N_m.push(view.look.rub[lane]);
+            frame.axial_friction_N.push(-view.sample.axial[lane]);
+            frame
+                .friction_torque_N_m
+                .push(view.sample.friction_torque[lane]);
             for (signal, values) in [
                 (NodeSignal::OffsetHigh, &mut frame.offset_high_m),
                 (NodeSignal::OffsetRight, &mut frame.offset_right_m),
@@ -258,15 +260,15 @@ impl<R: Real> Scene<'_, R> {
         let view = View {
             scene: self,
             node,
-            look: &self.look(block),
+            sample: &self.sample(block),
             lane,
         };
         view.signal(signal)
     }
 
-    fn look(&self, block: usize) -> Look {
+    fn sample(&self, block: usize) -> BlockSample {
         let per_step = 1.0 / self.summed_steps as f64;
-        Look::at(
+        BlockSample::at(
             self.chain,
             self.high,
             self.body,
@@ -289,7 +291,7 @@ impl<R: Real> View<'_, R> {
         let Self {
             scene,
             node,
-            look,
+            sample,
             lane,
         } = *self;
         let chain = scene.chain;
@@ -298,12 +300,12 @@ impl<R: Real> View<'_, R> {
         match signal {
             NodeSignal::Tension => self.at_ends(|i| element!(chain, i, tension)),
             NodeSignal::Torque => self.at_ends(|i| -element!(chain, i, torque)),
-            NodeSignal::BendingMoment => look.bending[lane],
-            NodeSignal::VonMisesStress => look.stress[lane],
-            NodeSignal::ContactForce if look.up[lane] < 0.0 => -look.normal[lane],
-            NodeSignal::ContactForce => look.normal[lane],
-            NodeSignal::OffsetHigh => look.offset[lane] * look.up[lane],
-            NodeSignal::OffsetRight => look.offset[lane] * look.right[lane],
+            NodeSignal::BendingMoment => sample.bending[lane],
+            NodeSignal::VonMisesStress => sample.stress[lane],
+            NodeSignal::ContactForce if sample.up[lane] < 0.0 => -sample.normal[lane],
+            NodeSignal::ContactForce => sample.normal[lane],
+            NodeSignal::OffsetHigh => sample.offset[lane] * sample.up[lane],
+            NodeSignal::OffsetRight => sample.offset[lane] * sample.right[lane],
             NodeSignal::VelocityHigh => velocity.dot(high),
             NodeSignal::VelocityRight => velocity.dot(right),
             NodeSignal::AxialVelocity => velocity.dot(tangent),

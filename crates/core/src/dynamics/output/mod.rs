@@ -1,6 +1,6 @@
 //! What is recorded of a run, and what is made of it.
 
-pub mod carry;
+pub mod contact_length;
 pub mod drift;
 pub mod energy;
 pub mod frame;

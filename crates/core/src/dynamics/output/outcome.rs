@@ -21,7 +21,7 @@ pub struct Numerics {
     pub time_step_s: f64,
     /// Steps done.
     pub steps: u64,
-    /// Axial mass lent to short elements over that of the string.
+    /// Axial mass added by scaling to short elements over that of the string.
     #[serde(with = "crate::finite::unsigned_zero")]
     pub added_axial_mass_fraction: f64,
     /// Deepest penetration of the wall at any sample, m, by the geometry: of the nodes that touch it, and of the bit,
@@ -66,7 +66,7 @@ pub struct Numerics {
 }
 
 impl DynamicOutcome {
-    /// The scalars that [`Self::statistics`] tells of, in its order.
+    /// The scalars that [`Self::statistics`] reports, in its order.
     pub fn quantities() -> impl Iterator<Item = &'static str> {
         super::varying::varying(&TimeSeries::default())
             .map(|scalar| scalar.name)

@@ -1,7 +1,7 @@
 //! From the record of a run to its answer.
 
 use super::{
-    carry,
+    contact_length,
     drift::mean,
     energy::EnergyBalance,
     indicators::{Indicators, Motion},
@@ -206,8 +206,8 @@ fn profile(s: &Sources<'_>, from: usize) -> Profile {
     (p.tension_N[0], p.tension_std_N[0]) = (hook, hook_std);
     let jet = s.hydraulics.map_or(0.0, |mud| mud.jet_thrust_N);
     (p.tension_N[n - 1], p.tension_std_N[n - 1]) = (-weight - jet, weight_std);
-    let carries = carry::carried(s.mesh, |i| record.normal(i).mean > 0.0);
-    p.side_force_N_per_m = carry::spread(&carries, n, |i| record.signed(i));
+    let contact_spans = contact_length::contact_spans(s.mesh, |i| record.normal(i).mean > 0.0);
+    p.side_force_N_per_m = contact_length::spread(&contact_spans, n, |i| record.signed(i));
     let sides: Vec<[f64; 3]> = (0..n)
         .map(|i| record.percentiles(Quantity::Side, i))
         .collect();
@@ -215,10 +215,11 @@ fn profile(s: &Sources<'_>, from: usize) -> Profile {
         p.side_force_p05_N_per_m,
         p.side_force_p50_N_per_m,
         p.side_force_p95_N_per_m,
-    ] = [0, 1, 2].map(|k| carry::spread(&carries, n, |i| sides[i][k]));
-    p.axial_friction_N_per_m = carry::spread(&carries, n, |i| -record.axial(i));
-    p.friction_torque_N_m_per_m = carry::spread(&carries, n, |i| record.rub(i));
-    p.wear_work_J_per_m = carry::spread(&carries, n, |i| s.wear.string_J(i));
+    ] = [0, 1, 2].map(|k| contact_length::spread(&contact_spans, n, |i| sides[i][k]));
+    p.axial_friction_N_per_m = contact_length::spread(&contact_spans, n, |i| -record.axial(i));
+    p.friction_torque_N_m_per_m =
+        contact_length::spread(&contact_spans, n, |i| record.friction_torque(i));
+    p.wear_work_J_per_m = contact_length::spread(&contact_spans, n, |i| s.wear.string_J(i));
     p.wear_power_W_per_m = rates(&p.wear_work_J_per_m, window_s(s, from));
     (p.twist_rad, p.stretch_m) = deformed(s);
     load(s, &mut p);

@@ -1,8 +1,8 @@
 //! Where friction works: along the string and along the hole.
 
-use super::carry::LONGEST_REACH_M;
+use super::contact_length::LONGEST_REACH_M;
 use crate::{
-    damage::{Damaged, sound},
+    damage::{Damaged, ensure},
     dynamics::kernel::chain::Chain,
     outcome::{HOLE_STEP_M, hole_steps, spread},
     simd::number::Real,
@@ -10,13 +10,13 @@ use crate::{
 
 /// Work of friction since the window began: force times sliding distance, J.
 ///
-/// What a node has done is kept with the node, and laid on the hole whenever the string has moved by
+/// What a node has done is kept with the node, and distributed over the hole whenever the string has moved by
 /// [`HOLE_STEP_M`].
 #[derive(Debug, Clone, serde::Serialize, serde::Deserialize)]
 pub struct Wear {
     /// Of each node.
     string_J: Vec<f64>,
-    /// What of that has been laid on the hole.
+    /// What of that has been initialised on the hole.
     laid_J: Vec<f64>,
     /// Depth of the bit when that was done, m.
     bit_md_m: f64,
@@ -27,11 +27,11 @@ pub struct Wear {
 impl Wear {
     /// Whether stored wear is that of a string of so many nodes in a hole down to `hole_end_m`.
     pub(in crate::dynamics) fn check(&self, nodes: usize, hole_end_m: f64) -> Result<(), Damaged> {
-        let stretches = Self::new(0, hole_end_m, 0.0).hole_J.len();
+        let intervals = Self::new(0, hole_end_m, 0.0).hole_J.len();
         let fits = [&self.string_J, &self.laid_J]
             .iter()
             .all(|each| each.len() == nodes);
-        sound(fits && self.hole_J.len() == stretches, "the wear")
+        ensure(fits && self.hole_J.len() == intervals, "the wear")
     }
 
     /// No wear yet of a string of `nodes` in a hole down to `hole_end_m`, its bit at `bit_md_m`.
@@ -62,7 +62,7 @@ impl Wear {
         }
         let bit_md_m = md_m(self.string_J.len() - 1);
         if (bit_md_m - self.bit_md_m).abs() >= HOLE_STEP_M {
-            self.lay(md_m);
+            self.deposit(md_m);
             self.bit_md_m = bit_md_m;
         }
         all
@@ -76,13 +76,13 @@ impl Wear {
     /// Work on each stretch of the hole up to now, J per metre of hole, with the nodes at `md_m`.
     pub fn hole_J_per_m(&self, md_m: impl Fn(usize) -> f64) -> Vec<f64> {
         let mut now = self.clone();
-        now.lay(md_m);
+        now.deposit(md_m);
         now.hole_J.iter().map(|work| work / HOLE_STEP_M).collect()
     }
 
-    /// Lays on the hole what has not been laid yet. Each node works on half the way to the next one
+    /// Distributes over the hole what has not been distributed yet. Each node works on half the way to the next one
     /// that has done something on either side, at most [`LONGEST_REACH_M`].
-    fn lay(&mut self, md_m: impl Fn(usize) -> f64) {
+    fn deposit(&mut self, md_m: impl Fn(usize) -> f64) {
         let working: Vec<(f64, f64)> = (0..self.string_J.len())
             .map(|i| (md_m(i), self.string_J[i] - self.laid_J[i]))
             .filter(|(_, work)| *work != 0.0)

@@ -9,8 +9,8 @@ use crate::{
     wall::{contact::ContactLaw, friction::STRIBECK_SPEED_M_PER_S},
 };
 
-/// How far the mean weight on bit may be from what is asked for where nobody says, as a fraction of it.
-pub const LIFT_TOLERANCE: f64 = 0.01;
+/// How far the mean weight on bit may be from what is requested where nobody says, as a fraction of it.
+pub const WEIGHT_TOLERANCE: f64 = 0.01;
 
 /// How the string lies at time zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -182,7 +182,7 @@ pub struct RodDamping {
     pub stiffness_s: f64,
 }
 
-/// Settling that goes on until the string is steady.
+/// Settling that continues until the string is steady.
 ///
 /// Every second the last stretch of the run is tested, in which the string turns three times and swings twice in its lowest torsional
 /// motion (at least 5 s): every scalar of the statistics, and the magnitude of its deviation, so that a
@@ -193,13 +193,13 @@ pub struct RodDamping {
 pub struct UntilSteady {
     /// Longest simulated time before the window, s; it counts from the end of the schedule where there is one. Raising it waits longer
     /// for a string that never is steady. A string so slow that its first stretch ends later has that one.
-    pub most_s: f64,
+    pub max_s: f64,
 }
 
 impl Default for UntilSteady {
     /// 120 s.
     fn default() -> Self {
-        Self { most_s: 120.0 }
+        Self { max_s: 120.0 }
     }
 }
 
@@ -228,10 +228,10 @@ pub struct DynamicsSettings {
     pub contact_law: ContactLaw,
     /// Rayleigh damping.
     pub damping: RodDamping,
-    /// Hoist control; `None` takes what the operation asks for: the autodriller on bottom, a
+    /// Hoist control; `None` takes what the operation requires: the autodriller on bottom, a
     /// constant block velocity otherwise.
     pub hoist_control: Option<HoistControl>,
-    /// How far the mean weight on bit may be from the operation's under a lift that is [tuned](super::tune_lift) for it, as
+    /// How far the mean weight on bit may be from the operation's under a lift that is [tuned](super::tune_hook_load) for it, as
     /// a part of it. Raising it takes fewer runs.
     pub lift_tolerance: f64,
     /// The autodriller, wherever it is in control.
@@ -270,11 +270,11 @@ impl DynamicsSettings {
 
     /// The longest time from the start to the end of the window, s, but for strings so slow that their first test for steadiness comes later.
     pub fn longest_s(&self) -> f64 {
-        let most_s = match self.steady {
-            Some(until) => self.settle_s.max(self.schedule.end_s() + until.most_s),
+        let max_s = match self.steady {
+            Some(until) => self.settle_s.max(self.schedule.end_s() + until.max_s),
             None => self.settle_s,
         };
-        most_s + self.duration_s
+        max_s + self.duration_s
     }
 
     /// Whether the string starts without any tension.
@@ -287,7 +287,7 @@ impl Default for DynamicsSettings {
     /// Elements of 3.2 m; 60 s after 20 s of settling, steady or not, sampled every 10 ms; a prepared start, or a centred one
     /// with its static tension and a ramp of 1 s; vector
     /// friction that loses half of its rise at rest by 0.1 m/s; Hertz contact with 0.5 s/m; damping of 0.1 1/s by
-    /// mass and 10 µs by stiffness; the hoist control that the operation asks for on a line of 1e7 N/m and
+    /// mass and 10 µs by stiffness; the hoist control that the operation requires on a line of 1e7 N/m and
     /// 1e5 N·s/m that carries no block; a constant rotary speed; no schedule, no probes; rock of 1e8 N/m and 1e7 N/m across;
     /// seed 1; double precision.
     fn default() -> Self {
@@ -308,7 +308,7 @@ impl Default for DynamicsSettings {
                 stiffness_s: 1e-5,
             },
             hoist_control: None,
-            lift_tolerance: LIFT_TOLERANCE,
+            lift_tolerance: WEIGHT_TOLERANCE,
             autodriller: Autodriller::default(),
             hoist_line: HoistLine {
                 stiffness_N_per_m: 1e7,

@@ -1,8 +1,8 @@
-//! What the driller changes while a run goes on: set points against time.
+//! What the driller changes while a run continues: set points against time.
 
 use serde::{Deserialize, Serialize};
 
-use crate::damage::{Damaged, sound};
+use crate::damage::{Damaged, ensure};
 use crate::operation::Operation;
 
 /// What moves the top of the string along the hole.
@@ -232,7 +232,7 @@ impl SetPoints {
     /// Whether stored set points are those of this schedule.
     pub(in crate::dynamics) fn check(&self, schedule: &Schedule) -> Result<(), Damaged> {
         let fits = self.steps == schedule.steps && self.next <= self.steps.len();
-        sound(fits, "the schedule")
+        ensure(fits, "the schedule")
     }
 
     /// The set points of `operation` until `schedule` changes them.

@@ -43,10 +43,10 @@ impl<R: Real> Run<R> {
         self.state
             .window_open
             .then(|| {
-                let least_J = energy::least_J(&self.mesh);
+                let min_J = energy::min_J(&self.mesh);
                 self.state
                     .ledger
-                    .balance(&self.energies(), self.flow_work_J(), least_J)
+                    .balance(&self.energies(), self.flow_work_J(), min_J)
             })
             .flatten()
     }

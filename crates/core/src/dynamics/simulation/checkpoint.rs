@@ -1,4 +1,4 @@
-//! A run laid aside and taken up again, to the bit.
+//! A run written to a checkpoint and resumed, to the bit.
 
 use std::borrow::Cow;
 
@@ -17,11 +17,11 @@ use crate::{
     simd::wide::Registers,
 };
 
-/// Everything of a run that changes while it goes on, as plain data; what the model, the operation and
+/// Everything of a run that changes while it continues, as plain data; what the model, the operation and
 /// the settings determine is found anew.
 ///
-/// [`Simulation::resume`](crate::dynamics::Simulation::resume) goes on from it and ends, on a processor with the same instructions, with
-/// the same bits as the run that was never laid aside. One that has just been taken borrows from the run; one that has
+/// [`Simulation::resume`](crate::dynamics::Simulation::resume) continues from it and ends, on a processor with the same instructions, with
+/// the same bits as the run that was never written to a checkpoint. One that has just been taken borrows from the run; one that has
 /// been read back is its own.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Checkpoint<'a> {
@@ -32,7 +32,7 @@ pub struct Checkpoint<'a> {
     instructions: String,
 }
 
-/// Why a run cannot be taken up again.
+/// Why a run cannot be resumed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ResumeError {
     /// The run could not have begun either.
@@ -43,14 +43,14 @@ pub enum ResumeError {
     AnotherString {
         /// Nodes of the checkpoint.
         found: usize,
-        /// Nodes that the model and the settings ask for.
+        /// Nodes that the model and the settings require.
         expected: usize,
     },
     /// The checkpoint is that of a run in another precision.
     #[error("the checkpoint is that of a run in another precision")]
     AnotherPrecision,
     /// What the checkpoint holds does not fit together, or not the model.
-    #[error("the checkpoint cannot be gone on with: {0}")]
+    #[error("the checkpoint cannot be continued: {0}")]
     Damaged(#[from] Damaged),
 }
 
@@ -60,7 +60,7 @@ impl Checkpoint<'_> {
         self.time_s
     }
 
-    /// The same, of its own: the run may go on.
+    /// The same, of its own: the run may continue.
     pub fn into_owned(self) -> Checkpoint<'static> {
         Checkpoint {
             chain: self.chain,
@@ -77,7 +77,7 @@ impl Checkpoint<'_> {
 }
 
 impl<R: Registers> Run<R> {
-    /// The run as it stands, to be laid aside: between two calls of [`Self::advance`], at any time.
+    /// The run as it stands, to be written to a checkpoint: between two calls of [`Self::advance`], at any time.
     pub fn checkpoint(&self) -> Checkpoint<'_> {
         Checkpoint {
             chain: self.chain.converted(),
@@ -87,8 +87,8 @@ impl<R: Registers> Run<R> {
         }
     }
 
-    /// Takes up a run where [`Self::checkpoint`] left it. Model, operation and settings are those
-    /// that it began with: others would go on, but with an answer to neither case.
+    /// Resumes a run where [`Self::checkpoint`] left it. Model, operation and settings are those
+    /// that it began with: others would continue, but with an answer to neither case.
     ///
     /// # Errors
     /// A checkpoint of another string, or a run that could not have begun.

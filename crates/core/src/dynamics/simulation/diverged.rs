@@ -1,4 +1,4 @@
-//! A run that cannot go on.
+//! A run that cannot continue.
 
 /// A run that left the range of numbers that mean anything.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -1,9 +1,9 @@
-//! A run in the precision that its settings ask for.
+//! A run in the precision that its settings require.
 
 mod balance;
 pub mod checkpoint;
 pub mod diverged;
-mod laying;
+mod initialise;
 mod numbers;
 mod run;
 mod sampling;
@@ -20,7 +20,7 @@ use super::settings::{DynamicsSettings, HoistControl, Precision};
 use crate::{
     dynamics::{
         assemble::error::SetupError,
-        boundary::crew::Crew,
+        boundary::executor::RockExecutor,
         kernel::step::{Abilities, Stepper},
         output::{frame::Frame, outcome::DynamicOutcome},
         simulation::{
@@ -98,7 +98,7 @@ macro_rules! either {
 }
 
 impl Simulation {
-    /// Lays the string in its hole, ready to run.
+    /// Initialises the string in its hole, ready to run.
     ///
     /// The bit is placed so that it passes the operation's depth in the middle of the window: a string
     /// that trips at 0.3 m/s for a minute is then, on average, where a static calculation has it.
@@ -110,38 +110,38 @@ impl Simulation {
         operation: &Operation,
         settings: &DynamicsSettings,
     ) -> Result<Self, SetupError> {
-        Self::lent(model, operation, settings, Arc::new(Alone))
+        Self::with_executor(model, operation, settings, Arc::new(Alone))
     }
 
-    /// The same with an executor lent to solid rock under the bit from the first: the bit is run in before the string is laid. The
+    /// The same with an executor given to solid rock under the bit from the first: the bit is run in before the string is initialised. The
     /// answer does not depend on it.
     ///
     /// # Errors
     /// Those of [`Simulation::new`].
-    pub fn lent(
+    pub fn with_executor(
         model: &Model,
         operation: &Operation,
         settings: &DynamicsSettings,
         executor: Arc<dyn Executor + Send + Sync>,
     ) -> Result<Self, SetupError> {
-        let crew = Crew::of(executor);
+        let executor = RockExecutor::of(executor);
         Ok(Self(match settings.precision {
             Precision::Double => {
-                Either::Double(Box::new(Run::new(model, operation, settings, crew)?))
+                Either::Double(Box::new(Run::new(model, operation, settings, executor)?))
             }
             Precision::Single => {
-                Either::Single(Box::new(Run::new(model, operation, settings, crew)?))
+                Either::Single(Box::new(Run::new(model, operation, settings, executor)?))
             }
         }))
     }
 
-    /// The run as it stands, to be laid aside: between two calls of [`Simulation::advance`], at any time.
+    /// The run as it stands, to be written to a checkpoint: between two calls of [`Simulation::advance`], at any time.
     pub fn checkpoint(&self) -> Checkpoint<'_> {
         either!(&self.0, run => run.checkpoint())
     }
 
-    /// Takes up a run where [`Simulation::checkpoint`] left it. Model, operation and settings are those
-    /// that it began with: others would go on, but with an answer to neither case.
+    /// Resumes a run where [`Simulation::checkpoint`] left it. Model, operation and settings are those
+    /// that it began with: others would continue, but with an answer to neither case.
     ///
     /// # Errors
     /// A checkpoint of another string, or a run that could not have begun.
@@ -161,7 +161,7 @@ impl Simulation {
         }))
     }
 
-    /// Goes on for `seconds`, to the nearest sample.
+    /// Continues for `seconds`, to the nearest sample.
     ///
     /// # Errors
     /// A run that diverged; what it had sampled before stays available.
@@ -230,10 +230,10 @@ impl Simulation {
         either!(&self.0, run => run.kinetic_energy_J())
     }
 
-    /// Lends an executor to solid rock under the bit; the answer does not depend on it. A simulation that was resumed has to be
-    /// lent it anew.
-    pub fn lend(&mut self, executor: Arc<dyn Executor + Send + Sync>) {
-        either!(&mut self.0, run => run.lend(executor));
+    /// Sets an executor to solid rock under the bit; the answer does not depend on it. A simulation that was resumed has to be
+    /// set anew.
+    pub fn set_executor(&mut self, executor: Arc<dyn Executor + Send + Sync>) {
+        either!(&mut self.0, run => run.set_executor(executor));
     }
 
     /// The pattern that the bit has left on the bottom of the hole, radii from the bit's axis, angles from the high side to the right,
@@ -253,10 +253,10 @@ impl Simulation {
         either!(&mut self.0, run => run.set_flow_rate(flow_m3_per_s));
     }
 
-    /// Gives every node an additional velocity, m/s, and an additional spin, rad/s: a blow. `blow` is
-    /// asked for each node but the top, which is clamped.
-    pub fn strike(&mut self, blow: impl Fn(&MeshNode) -> (Vector3<f64>, f64)) {
-        either!(&mut self.0, run => run.strike(blow));
+    /// Gives every node an additional velocity, m/s, and an additional spin, rad/s: a blow. `impulse` is
+    /// requested each node but the top, which is clamped.
+    pub fn apply_impulse(&mut self, impulse: impl Fn(&MeshNode) -> (Vector3<f64>, f64)) {
+        either!(&mut self.0, run => run.apply_impulse(impulse));
     }
 
     /// Name of the instruction set that the time loop was compiled for.
@@ -275,7 +275,7 @@ impl Simulation {
         all.iter().map(|stepper| stepper.instructions).collect()
     }
 
-    /// Goes on with one of [`Self::instruction_sets`]; with what it has if there is none of that name.
+    /// Continues with one of [`Self::instruction_sets`]; with what it has if there is none of that name.
     pub fn use_instructions(&mut self, name: &str) {
         either!(&mut self.0, run => run.use_instructions(name));
     }

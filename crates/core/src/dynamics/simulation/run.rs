@@ -9,15 +9,15 @@ use crate::{
     dynamics::{
         assemble::basis::Basis,
         boundary::{
-            bit::Came,
-            crew::{Crew, Lent},
+            bit::StepStart,
+            executor::{RockExecutor, SharedExecutor},
             hoist::Target,
-            hole::Surroundings,
+            hole::Borehole,
             mud::{squeezed::Squeezed, viscous::Viscous},
         },
         kernel::{
             chain::{Chain, node},
-            step::{Abilities, Calming, StepInput, Stepper},
+            step::{Abilities, MassDamping, StepInput, Stepper},
         },
         output::{
             energy::StepWork,
@@ -48,8 +48,8 @@ const FADING_DAMPING_PER_S: f64 = 4.0;
 /// at 3.2 m elements some 10 ms, a fifth of the shortest period that they have across the hole.
 const FOLLOW_STEPS: u64 = 16;
 
-/// Steps after which directors are squared up.
-const SQUARE_UP_STEPS: u64 = 128;
+/// Steps after which directors are renormalised.
+const RENORMALISE_STEPS: u64 = 128;
 
 /// A drill string in time, in one kind of number.
 #[derive(Debug, Clone)]
@@ -61,13 +61,13 @@ pub struct Run<R: Real> {
     pub(super) mesh: Mesh,
     pub(super) settling: Settling,
     pub(super) plan: StepPlan,
-    pub(super) surroundings: Surroundings,
+    pub(super) borehole: Borehole,
     pub(super) abilities: Abilities,
     pub(super) stepper: Stepper<R>,
     pub(super) steps_per_sample: u64,
     pub(super) chain: Chain<R>,
     pub(super) state: State,
-    pub(super) crew: Crew,
+    pub(super) executor: RockExecutor,
 }
 
 impl<R: Real> Run<R> {
@@ -84,7 +84,7 @@ impl<R: Real> Run<R> {
             mesh,
             settling,
             plan,
-            surroundings,
+            borehole,
             abilities,
             stepper,
             steps_per_sample,
@@ -97,13 +97,13 @@ impl<R: Real> Run<R> {
             mesh,
             settling,
             plan,
-            surroundings,
+            borehole,
             abilities,
             stepper,
             steps_per_sample,
             chain,
             state,
-            crew: Crew::default(),
+            executor: RockExecutor::default(),
         }
     }
 
@@ -116,7 +116,7 @@ impl<R: Real> Run<R> {
     pub fn end_time_s(&self) -> f64 {
         let settle_s = match self.state.settled {
             Some(settled) => settled.settle_s,
-            None => self.settling.most_s(),
+            None => self.settling.max_s(),
         };
         settle_s + self.settings.duration_s
     }
@@ -146,9 +146,9 @@ impl<R: Real> Run<R> {
         &self.mesh
     }
 
-    /// Lends an executor to solid rock under the bit; the answer does not depend on it.
-    pub fn lend(&mut self, executor: Arc<dyn Executor + Send + Sync>) {
-        self.crew.lent = Lent::new(executor);
+    /// Sets an executor to solid rock under the bit; the answer does not depend on it.
+    pub fn set_executor(&mut self, executor: Arc<dyn Executor + Send + Sync>) {
+        self.executor.shared = SharedExecutor::new(executor);
     }
 
     /// The pattern that the bit has left on the bottom of the hole; none without solid rock.
@@ -174,18 +174,18 @@ impl<R: Real> Run<R> {
         }
     }
 
-    /// Gives every node an additional velocity, m/s, and an additional spin, rad/s: a blow. `blow` is
-    /// asked for each node but the top, which is clamped.
-    pub fn strike(&mut self, blow: impl Fn(&MeshNode) -> (Vector3<f64>, f64)) {
+    /// Gives every node an additional velocity, m/s, and an additional spin, rad/s: a blow. `impulse` is
+    /// requested each node but the top, which is clamped.
+    pub fn apply_impulse(&mut self, impulse: impl Fn(&MeshNode) -> (Vector3<f64>, f64)) {
         for (index, node) in self.mesh.nodes.iter().enumerate().skip(1) {
-            let (velocity, spin) = blow(node);
+            let (velocity, spin) = impulse(node);
             let before = self.chain.velocity(index);
             self.chain.set_velocity(index, before + velocity.into());
             node!(self.chain, index, spin += spin);
         }
     }
 
-    /// Goes on for `seconds`, to the nearest sample.
+    /// Continues for `seconds`, to the nearest sample.
     ///
     /// # Errors
     /// A run that diverged; what it had sampled before stays available.
@@ -199,11 +199,11 @@ impl<R: Real> Run<R> {
                 if self.state.steps.is_multiple_of(FOLLOW_STEPS) {
                     // Nothing follows a node to where no number is.
                     self.check_numbers()?;
-                    self.calm(FOLLOW_STEPS);
+                    self.damp(FOLLOW_STEPS);
                     self.follow();
                 }
-                if self.state.steps.is_multiple_of(SQUARE_UP_STEPS) {
-                    self.chain.square_up();
+                if self.state.steps.is_multiple_of(RENORMALISE_STEPS) {
+                    self.chain.renormalise();
                 }
             }
             if !self.state.steps.is_multiple_of(FOLLOW_STEPS) {
@@ -217,15 +217,12 @@ impl<R: Real> Run<R> {
     /// Takes the hole and the mud along to where the nodes have slid.
     fn follow(&mut self) {
         let (chain, anchors) = (&mut self.chain, &mut self.state.anchors);
-        if self
-            .surroundings
-            .follow(chain, anchors, &mut self.state.high)
-        {
+        if self.borehole.follow(chain, anchors, &mut self.state.high) {
             self.state.squeezed = Squeezed::of(&self.mesh, self.mud, anchors);
         }
         chain.find_drag(self.plan.dt_s);
         if let Some(mud) = &mut self.state.viscous {
-            mud.update(chain, anchors, &self.surroundings, self.plan.dt_s);
+            mud.update(chain, anchors, &self.borehole, self.plan.dt_s);
         }
     }
 
@@ -238,7 +235,7 @@ impl<R: Real> Run<R> {
         self.state.top_drive.prescribe(&mut self.chain, rotation);
         let last = self.chain.nodes() - 1;
         let top_before = self.chain.velocity(0).dot(self.chain.tangent(0));
-        let came = Came {
+        let step_start = StepStart {
             velocity: self.chain.velocity(last),
             spin: node!(self.chain, last, spin),
         };
@@ -249,8 +246,8 @@ impl<R: Real> Run<R> {
         let bit = self.state.bit.act(
             &mut self.chain,
             &self.state.anchors[last],
-            came,
-            &self.crew,
+            step_start,
+            &self.executor,
             dt,
         );
         let weight = bit.weight_on_bit_N;
@@ -334,8 +331,8 @@ impl<R: Real> Run<R> {
         chain.set_director(0, along);
     }
 
-    /// Calms the string by what mass-proportional damping takes in `steps`.
-    fn calm(&mut self, steps: u64) {
+    /// Damps the string by what mass-proportional damping takes in `steps`.
+    fn damp(&mut self, steps: u64) {
         let time = self.time_s();
         let fading = match self.settings.start {
             Start::Prepared if time < self.state.fading_s => {
@@ -347,15 +344,15 @@ impl<R: Real> Run<R> {
         let rotation =
             self.settings.start_ramp(time) * self.state.set_points.rotary_speed_rad_per_s(time);
         let time_s = steps as f64 * self.plan.dt_s;
-        let calming = Calming {
+        let mass_damping = MassDamping {
             time_s,
             dt: self.plan.dt_s,
             left: (-rate_per_s * time_s).exp(),
             rigid_velocity: self.state.rigid_velocity_m_per_s,
             rigid_spin: self.state.top_drive.rigid_spin(&self.chain, rotation),
         };
-        let taken = self.stepper.calm(&mut self.chain, &calming);
-        self.state.ledger.book_calming(taken);
+        let taken = self.stepper.damp(&mut self.chain, &mass_damping);
+        self.state.ledger.book_mass_damping(taken);
     }
 
     pub(super) fn step_input(&self) -> StepInput {

@@ -37,7 +37,7 @@ impl<R: Real> Run<R> {
             state.ledger.book_friction(rubbed_J);
         }
         let cut = state.bit.side_cut_m();
-        record.note_penetration(self.surroundings.held_penetration_m(chain, anchors, cut));
+        record.note_penetration(self.borehole.held_penetration_m(chain, anchors, cut));
         let totals = record.sample(chain, &state.high, &state.body, sums.steps);
         record.squeeze(&state.squeezed.each_m);
         record.map_contact(anchors, time, run_samples);

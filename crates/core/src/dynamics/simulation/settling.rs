@@ -18,20 +18,20 @@ use crate::{
 pub(in crate::dynamics) const FADING_S: f64 = 5.0;
 
 /// Shortest stretch that is tested, s.
-const LEAST_STRETCH_S: f64 = 5.0;
+const MIN_INTERVAL_S: f64 = 5.0;
 
-/// Revolutions of the string in the stretch, and the most time that they may ask for, s.
+/// Revolutions of the string in the stretch, and the most time that they may require, s.
 const REVOLUTIONS: f64 = 3.0;
-const REVOLUTIONS_MOST_S: f64 = 30.0;
+const REVOLUTIONS_MAX_S: f64 = 30.0;
 
 /// Periods of the lowest torsional motion in the stretch. Stick-slip is as slow as that or a little slower.
 const TORSIONAL_PERIODS: f64 = 2.0;
 
 /// Samples of the stretch at least: sixteen blocks of four in either half.
-const LEAST_SAMPLES: f64 = 128.0;
+const MIN_SAMPLES: f64 = 128.0;
 
 /// Time between two tests, s.
-const LOOK_S: f64 = 1.0;
+const TEST_INTERVAL_S: f64 = 1.0;
 
 /// Part of what matters in a window that may be left when it opens.
 const LEFT: f64 = 0.2;
@@ -45,7 +45,7 @@ const TRAVEL: f64 = 2.0;
 
 /// A string that travels, and what it settles at least, s: its place in the hole is chosen before that is known.
 const TRAVELS_M: f64 = 1.0;
-const TRAVELS_LEAST_S: f64 = 30.0;
+const TRAVELS_MIN_S: f64 = 30.0;
 
 /// When the window opens.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,9 +57,9 @@ pub(in crate::dynamics) enum Settling {
         /// Length of the stretch that is tested, s.
         stretch_s: f64,
         /// Time of the first test, s.
-        least_s: f64,
+        min_s: f64,
         /// Time at which it opens whatever the test says, s.
-        most_s: f64,
+        max_s: f64,
     },
 }
 
@@ -73,7 +73,7 @@ pub(in crate::dynamics) struct Settled {
 }
 
 impl Settling {
-    /// What the settings ask for.
+    /// What the settings require.
     ///
     /// A stretch holds three revolutions and two periods of the lowest torsional motion, and five seconds at least. It begins when the extra damping or the
     /// ramp of the start is over and the schedule's last line is done. A string that travels by more than a metre settles for 30 s at least, so
@@ -88,52 +88,52 @@ impl Settling {
         };
         let spin = operation.rotation_rad_per_s().abs();
         let turning_s = if spin > 0.0 {
-            (REVOLUTIONS * std::f64::consts::TAU / spin).min(REVOLUTIONS_MOST_S)
+            (REVOLUTIONS * std::f64::consts::TAU / spin).min(REVOLUTIONS_MAX_S)
         } else {
             0.0
         };
-        let stretch_s = LEAST_STRETCH_S
+        let stretch_s = MIN_INTERVAL_S
             .max(turning_s)
             .max(TORSIONAL_PERIODS / torsion::lowest_frequency_Hz(mesh))
-            .max(LEAST_SAMPLES * settings.sample_interval_s);
+            .max(MIN_SAMPLES * settings.sample_interval_s);
         let start_s = match settings.start {
             Start::Prepared => FADING_S,
             Start::Centred => settings.centred.ramp_s,
         };
         let planned_s = settings.schedule.end_s();
-        let travel_m = hoisting::hoisting(operation, settings).1.abs() * until.most_s;
+        let travel_m = hoisting::hoisting(operation, settings).1.abs() * until.max_s;
         let travels = travel_m > TRAVELS_M && !settings.schedule.moves_the_hoist();
-        let least_s = settings.settle_s.max(start_s).max(planned_s) + stretch_s;
-        let least_s = if travels {
-            least_s.max(TRAVELS_LEAST_S)
+        let min_s = settings.settle_s.max(start_s).max(planned_s) + stretch_s;
+        let min_s = if travels {
+            min_s.max(TRAVELS_MIN_S)
         } else {
-            least_s
+            min_s
         };
         Self::UntilSteady {
             stretch_s,
-            least_s,
-            most_s: (planned_s + until.most_s).max(least_s),
+            min_s,
+            max_s: (planned_s + until.max_s).max(min_s),
         }
     }
 
     /// The shortest time before the window, s.
-    pub(in crate::dynamics) fn least_s(&self) -> f64 {
+    pub(in crate::dynamics) fn min_s(&self) -> f64 {
         match *self {
             Self::Fixed(settle_s) => settle_s,
-            Self::UntilSteady { least_s, .. } => least_s,
+            Self::UntilSteady { min_s, .. } => min_s,
         }
     }
 
     /// The longest, s.
-    pub(in crate::dynamics) fn most_s(&self) -> f64 {
+    pub(in crate::dynamics) fn max_s(&self) -> f64 {
         match *self {
             Self::Fixed(settle_s) => settle_s,
-            Self::UntilSteady { most_s, .. } => most_s,
+            Self::UntilSteady { max_s, .. } => max_s,
         }
     }
 
     /// Whether what was sampled so far, every `interval_s`, ends the settling before a window of `duration_s`; a fixed time never
-    /// does. It depends on the samples alone, so that a run that was taken up again ends it at the same one.
+    /// does. It depends on the samples alone, so that a run that was resumed ends it at the same one.
     pub(in crate::dynamics) fn ends(
         &self,
         series: &TimeSeries,
@@ -143,8 +143,8 @@ impl Settling {
     ) -> Option<Settled> {
         let Self::UntilSteady {
             stretch_s,
-            least_s,
-            most_s,
+            min_s,
+            max_s,
         } = *self
         else {
             return None;
@@ -152,8 +152,9 @@ impl Settling {
         let samples = |time_s: f64| (time_s / interval_s).round().max(1.0) as usize;
         let now = series.time_s.len();
         let settle_s = (now + 1) as f64 * interval_s;
-        let (least, most) = (samples(least_s), samples(most_s));
-        let due = now >= most || now >= least && (now - least).is_multiple_of(samples(LOOK_S));
+        let (least, most) = (samples(min_s), samples(max_s));
+        let due =
+            now >= most || now >= least && (now - least).is_multiple_of(samples(TEST_INTERVAL_S));
         if !due {
             return None;
         }

@@ -11,7 +11,7 @@ use crate::{
 };
 
 impl<R: Registers> Run<R> {
-    /// Goes on with one of the instruction sets; with what it has if there is none of that name.
+    /// Continues with one of the instruction sets; with what it has if there is none of that name.
     pub fn use_instructions(&mut self, name: &str) {
         let mut all = Stepper::all(self.abilities).into_iter();
         if let Some(stepper) = all.find(|stepper| stepper.instructions == name) {
@@ -19,7 +19,7 @@ impl<R: Registers> Run<R> {
         }
         let mut all = rock::Stepper::all().into_iter();
         if let Some(stepper) = all.find(|stepper| stepper.instructions == name) {
-            self.crew.stepper = stepper;
+            self.executor.stepper = stepper;
         }
     }
 

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{settling::Settled, since_sample::SinceSample};
 use crate::{
-    damage::{Damaged, sound},
+    damage::{Damaged, ensure},
     dynamics::{
         body::Body,
         boundary::{
@@ -22,7 +22,7 @@ use crate::{
     rod::mesh::Mesh,
 };
 
-/// Everything of a run, beside its chain, that changes while it goes on: plain data, which a checkpoint holds as it
+/// Everything of a run, beside its chain, that changes while it continues: plain data, which a checkpoint holds as it
 /// is. What the model, the operation and the settings determine is found anew.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct State {
@@ -48,7 +48,7 @@ pub(super) struct State {
     pub(super) high: Vec<Rows<f64>>,
     pub(super) ledger: Ledger,
     pub(super) window_open: bool,
-    /// How settling ended that was to end by itself; none as long as it goes on.
+    /// How settling ended that was to end by itself; none as long as it continues.
     pub(super) settled: Option<Settled>,
 }
 
@@ -62,13 +62,13 @@ impl State {
         layout: Layout,
     ) -> Result<(), Damaged> {
         let nodes = mesh.nodes.len();
-        sound(self.anchors.len() == nodes, "the anchors")?;
-        sound(
+        ensure(self.anchors.len() == nodes, "the anchors")?;
+        ensure(
             self.squeezed.each_m.len() == mesh.elements.len(),
             "the pressure of the mud at rest",
         )?;
-        sound(self.high.len() == layout.blocks(), "the high side")?;
-        sound(
+        ensure(self.high.len() == layout.blocks(), "the high side")?;
+        ensure(
             self.viscous.is_some() == model.mud.rheology.is_some(),
             "the mud",
         )?;

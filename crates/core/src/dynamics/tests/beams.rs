@@ -73,7 +73,7 @@ fn pinned(axial_N: f64, mode: usize, parts: usize) -> f64 {
 /// tolerance is 0.1 % with 60 elements. Its closed form has no rotary inertia, the rod has: a factor
 /// `1/√(1 + I k²/A)`. Nor does it know that tension stretches the pipe by `ε`, 1.4e-4, which divides what bending
 /// adds to `f²` by `(1 + ε)²` and what tension adds by `1 + ε`. The mesh's error is that of the rotary inertia
-/// which it lends, `−(kh)²/78`.
+/// which it gives, `−(kh)²/78`.
 #[test]
 fn a_pinned_pipe_has_its_frequencies() {
     let data = d09();
@@ -108,8 +108,8 @@ fn a_pinned_pipe_has_its_frequencies() {
                 reason: "the source's, with the stretch and the rotary inertia that its closed form leaves out, \
                          2e-4 of mode 5; second order with 60 elements",
             });
-            let lent = (0.5 * k).powi(2) / 78.0;
-            assert!((fine + lent).abs() < 0.1 * lent, "{fine:e} {lent:e}");
+            let added = (0.5 * k).powi(2) / 78.0;
+            assert!((fine + added).abs() < 0.1 * added, "{fine:e} {added:e}");
             if i == 4 && axial == 0.0 {
                 let order = (error(15) / error(30)).abs().log2();
                 assert!((order - 2.0).abs() < 0.2, "{order}");

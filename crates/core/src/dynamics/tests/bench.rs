@@ -6,7 +6,7 @@ use crate::{
         body::Body,
         kernel::{
             chain::{Chain, node},
-            step::{Abilities, Calming, StepInput, StepLosses, Stepper},
+            step::{Abilities, MassDamping, StepInput, StepLosses, Stepper},
         },
     },
     model::Model,
@@ -196,7 +196,7 @@ impl Bench {
     }
 
     /// A free rod of `parts` elements of one section, whose `steel_kg_per_m` and `polar_inertia_kg_m` it has, and a
-    /// moment of inertia of its sections across the axis per length, kg·m: as it is, nothing lent. It takes `0.9` of
+    /// moment of inertia of its sections across the axis per length, kg·m: as it is, nothing added. It takes `0.9` of
     /// the longest stable step.
     pub fn of_section(section: &Section, rotary_kg_m: f64, length_m: f64, parts: usize) -> Self {
         let mut bench = Self::new(&[(PIPE_M, length_m)], length_m / parts as f64, 0.0);
@@ -281,7 +281,7 @@ impl Bench {
         self.mesh.length_m() - self.mesh.nodes[index].from_bit_m
     }
 
-    /// Goes on by a step; what the rod lost in it.
+    /// Continues by a step; what the rod lost in it.
     pub fn step(&mut self) -> StepLosses {
         self.chain.find_drag(self.input.dt);
         let before = self.body.push(&mut self.chain, &self.input, 1.0);
@@ -290,14 +290,14 @@ impl Bench {
         losses.damping += before.damping_loss_J;
         losses.mud += after.mud_loss_J;
         let time_s = self.input.dt;
-        let calming = Calming {
+        let mass_damping = MassDamping {
             time_s,
             dt: self.input.dt,
             left: (-self.mass_damping_per_s * time_s).exp(),
             rigid_velocity: 0.0,
             rigid_spin: 0.0,
         };
-        losses.mud += self.stepper.calm(&mut self.chain, &calming);
+        losses.mud += self.stepper.damp(&mut self.chain, &mass_damping);
         losses
     }
 

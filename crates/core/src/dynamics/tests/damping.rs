@@ -54,7 +54,7 @@ fn a_viscous_spin_down_knows_no_mesh() {
                 expected: 1.0,
                 computed: left,
                 tolerance: Tolerance::Relative(1e-3),
-                reason: "the explicit step's λ² t dt/2, 6e-4 at 4.8 m; 1 % is asked for",
+                reason: "the explicit step's λ² t dt/2, 6e-4 at 4.8 m; 1 % is requested",
             });
         }
     }
@@ -92,7 +92,7 @@ fn taken(element_length_m: f64) -> [f64; 3] {
 }
 
 /// Differences over an element see a wave of 96 m by `(sin(kh/2)/(kh/2))²`: 8e-3 less for 4.8 m, 9e-4 for 1.6 m. All are
-/// within the 1 % that is asked for, and what is missing is this.
+/// within the 1 % that is requested, and what is missing is this.
 #[test]
 fn damping_by_stiffness_knows_no_mesh() {
     for element_length in MESHES_M {
@@ -108,7 +108,7 @@ fn damping_by_stiffness_knows_no_mesh() {
                 expected: 1.0,
                 computed: taken,
                 tolerance: Tolerance::Relative(0.01),
-                reason: "what is asked for; differences over an element see 1 − (kh)²/12 of a wave",
+                reason: "what is requested; differences over an element see 1 − (kh)²/12 of a wave",
             });
             assert!((taken / seen - 1.0).abs() < 1e-3, "{what}: {taken} {seen}");
         }

@@ -11,7 +11,7 @@ use crate::{dynamics::kernel::chain::node, simd::vector::Vector};
 /// whirls forwards at `ω₊` and backwards at `ω₋`. Struck in one plane, it does both: it swings at the mean of the
 /// two, and the plane turns with the spin at half of their difference, `½ J k² Ω/(m + I k²)`.
 ///
-/// `J = m (D² + d²)/8`; `I` is what the mesh has lent its nodes. The mesh's error is of fourth order in `kh`, 0.24 for 24
+/// `J = m (D² + d²)/8`; `I` is what the mesh has added to its nodes. The mesh's error is of fourth order in `kh`, 0.24 for 24
 /// elements: `(kh)⁴/180`, 2e-5 for the swing. That of the plane is five times as large, for the tilt follows the
 /// slope less closely. Both fall to an eighth or less for twice as many elements.
 #[test]
@@ -36,8 +36,8 @@ fn a_spinning_pipe_precesses() {
         let section = rod.mesh.elements[0].section;
         let mass = section.steel_kg_per_m;
         let polar = mass * (PIPE_M[0].powi(2) + PIPE_M[1].powi(2)) / 8.0;
-        let lent: f64 = (0..=parts).map(|i| rod.rotary_kg_m2(i)).sum::<f64>() / length;
-        let inertia = mass + lent * k * k;
+        let added: f64 = (0..=parts).map(|i| rod.rotary_kg_m2(i)).sum::<f64>() / length;
+        let inertia = mass + added * k * k;
         let half_split = 0.5 * polar * k * k * spin / inertia;
         let plain = section.bending_stiffness_N_m2 * k.powi(4) / inertia;
         let mean = (plain + half_split * half_split).sqrt();

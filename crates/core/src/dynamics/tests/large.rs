@@ -124,7 +124,7 @@ fn right_angle(parts: usize) -> Swing {
 ///
 /// The digitised curve is named the elbow's in its source. With the stated load and inertia no elbow moves like it (5
 /// off, root mean square, whatever the inertia), and the tip does, 0.9 to 1.1 s later, through both swings and the dent
-/// between 22 and 27 s. So it is held against the tip: the first peak within its 0.3, the trough, with 8 elements to a leg, within its 0.5, the time
+/// between 22 and 27 s. So it is compared with the tip: the first peak within its 0.3, the trough, with 8 elements to a leg, within its 0.5, the time
 /// between the two within the 0.4 s that its 0.2 s for either allows, and the whole curve, moved as it
 /// fits best, within 0.7 root mean square, 7 % of the trough.
 ///

@@ -146,7 +146,7 @@ fn a_swinging_pipe_decays_at_half_the_rate_of_drag() {
 /// Mud inside and around slows a swinging pipe by `√(m/(m + m_in + m_out))`, and leaves its axial
 /// vibration alone.
 ///
-/// The beam's shear and the mesh act on both alike, but for the rotary inertia that is lent to the mesh: at most
+/// The beam's shear and the mesh act on both alike, but for the rotary inertia that is given to the mesh: at most
 /// `(kh)²/78` = 1.4e-4 of the frequency. The axial frequency is `c/2L`, the mesh's `(2/πk) sin` of it: both
 /// rods have the same to rounding.
 #[test]

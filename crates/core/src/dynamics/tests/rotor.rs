@@ -52,7 +52,7 @@ fn whirling(spin: f64, mode: usize, whirl: f64, parts: usize) -> f64 {
         })
 }
 
-/// D09: two modes at three speeds, forwards and backwards, none of the inertia lent. The source asks 0.1 %; 30 elements
+/// D09: two modes at three speeds, forwards and backwards, no mass scaling. The source asks 0.1 %; 30 elements
 /// are within 2e-6 and 60 within 3e-7, fourth order until the step shows. The split of the two directions is within
 /// 1e-3 of itself, which is 1e-6 to 1e-5 of the frequencies.
 #[test]

@@ -3,7 +3,7 @@
 use crate::{
     dynamics::{
         assemble::chain,
-        boundary::{anchor::Anchor, hole::Surroundings},
+        boundary::{anchor::Anchor, hole::Borehole},
         kernel::{chain::node, step},
         settings::DynamicsSettings,
     },
@@ -81,15 +81,15 @@ fn met(model: &Model, element_length_m: f64, md_m: f64, along_m: f64) -> [f64; 8
     let lateral = chain::lateral_mass_kg_per_m(model, &mesh, LENGTH_M);
     let plan = stability::plan(&mesh, &lateral, settings.damping.stiffness_s);
     let mut chain = chain::chain(model, &mesh, &plan);
-    let surroundings = Surroundings::new(model, &mesh, settings.contact_law);
-    assert!(surroundings.intricate);
+    let borehole = Borehole::new(model, &mesh, settings.contact_law);
+    assert!(borehole.intricate);
     let anchor = Anchor {
         md_m: 0.0,
         position_m: nalgebra::Vector3::zeros(),
         high_side: nalgebra::Vector3::x(),
     };
     let mut anchors = vec![anchor; mesh.nodes.len()];
-    surroundings.place(&mut chain, &mut anchors, 10, md_m);
+    borehole.place(&mut chain, &mut anchors, 10, md_m);
     let tangent = chain.tangent(10);
     // The wall `along_m` further on, as the step finds it from this anchor, for a node that is off the axis.
     let aside = tangent.cross(Vector(0.3, 0.5, 0.8)).scaled(0.02);

@@ -184,7 +184,7 @@ fn damping_shortens_the_step_as_its_formula_says() {
     }
 }
 
-/// Uniform pipe is lent nothing, an assembly up to 0.3 %, and what is reported is what the nodes weigh
+/// Uniform pipe gets no added mass, an assembly up to 0.3 %, and what is reported is what the nodes weigh
 /// more than the steel.
 #[test]
 fn added_mass_is_small_and_reported() {

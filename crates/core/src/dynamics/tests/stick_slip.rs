@@ -128,11 +128,11 @@ impl Disc {
     fn sticks_again(&mut self, seconds: f64) -> bool {
         self.release();
         let steps = (seconds / self.rod.input.dt) as usize;
-        let mut gone = false;
+        let mut damped = false;
         (0..steps).any(|_| {
             self.step();
-            gone |= self.disc() > 0.5 * self.speed;
-            gone && self.disc() <= STILL_RAD_PER_S
+            damped |= self.disc() > 0.5 * self.speed;
+            damped && self.disc() <= STILL_RAD_PER_S
         })
     }
 }
@@ -301,7 +301,7 @@ fn a_string_swings_at_its_torsional_frequency() {
 
 /// E02, break-off: turned slowly at the top, the string slips from above until it turns as a whole. Its torque and
 /// twist then, with the side force prescribed as its authors have it (the weight across a hole that is vertical
-/// to 1500 m, builds to 60° at 2100 m and goes on so), whatever the tension: within 0.5 %. At 0.02 rad/s the impedance
+/// to 1500 m, builds to 60° at 2100 m and continues so), whatever the tension: within 0.5 %. At 0.02 rad/s the impedance
 /// of the pipe and the damping add 20 N·m, 0.2 %.
 #[test]
 fn a_string_breaks_off_at_its_friction() {

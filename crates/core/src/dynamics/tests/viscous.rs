@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::bench::{Bench, PIPE_M};
 use crate::{
     dynamics::{
-        boundary::{anchor::Anchor, hole::Surroundings, mud::viscous::Viscous},
+        boundary::{anchor::Anchor, hole::Borehole, mud::viscous::Viscous},
         kernel::chain::node,
     },
     mud::{Annulus, Motion, Mud, Rheology},
@@ -40,7 +40,7 @@ struct Wet {
     bench: Bench,
     viscous: Viscous,
     anchors: Vec<Anchor>,
-    surroundings: Surroundings,
+    borehole: Borehole,
     steps: u64,
 }
 
@@ -78,7 +78,7 @@ impl Wet {
             stiffness_N_per_m: 1e7,
             damping_ratio: 0.0,
         };
-        let surroundings = Surroundings::new(&bench.model, &bench.mesh, law);
+        let borehole = Borehole::new(&bench.model, &bench.mesh, law);
         let viscous = Viscous::new(&bench.model, &bench.mesh, &operation, velocity, LENGTH_M);
         let mut viscous = viscous.expect("the mud has a rheology");
         viscous.attach(&mut bench.chain, &anchors, bench.input.dt);
@@ -86,7 +86,7 @@ impl Wet {
             bench,
             viscous,
             anchors,
-            surroundings,
+            borehole,
             steps: 0,
         }
     }
@@ -99,7 +99,7 @@ impl Wet {
             if self.steps.is_multiple_of(16) {
                 let chain = &mut self.bench.chain;
                 self.viscous
-                    .update(chain, &self.anchors, &self.surroundings, dt);
+                    .update(chain, &self.anchors, &self.borehole, dt);
             }
         }
     }

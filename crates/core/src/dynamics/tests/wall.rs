@@ -102,7 +102,7 @@ impl Pipe {
     }
 
     /// Lays it where it is pressed on the wall by `force_N`, at an angle, moving along the wall.
-    fn lay(&mut self, angle: f64, force_N: f64, speed_m_per_s: f64) {
+    fn place(&mut self, angle: f64, force_N: f64, speed_m_per_s: f64) {
         let sunk = (force_N / node!(self.chain, 0, stiffness)).powf(2.0 / 3.0);
         let (sin, cos) = angle.sin_cos();
         let offset = self.clearance_m + sunk;
@@ -123,7 +123,7 @@ impl Pipe {
         u.1.atan2(u.0)
     }
 
-    /// Goes on for `seconds`; the mean rate at which it goes round, rad/s, and the mean contact force, N.
+    /// Continues for `seconds`; the mean rate at which it goes round, rad/s, and the mean contact force, N.
     fn round(&mut self, seconds: f64, mut push: impl FnMut(&mut Chain, f64)) -> (f64, f64) {
         let steps = (seconds / self.input.dt) as u64;
         self.chain.clear_sums();
@@ -144,7 +144,7 @@ impl Pipe {
 /// E03: a turning pipe that touches the wall lightly is driven backwards along it by friction until it rolls
 /// without slip, at `−Ω r/(R − r)`, pressed by `m (R − r) ω²`.
 ///
-/// The file asks for 1 % after the transient; 1e-3 is held, and 2e-3 for the force. Found is up to 6e-4 at either
+/// The file requires 1 % after the transient; 1e-3 is held, and 2e-3 for the force. Found is up to 6e-4 at either
 /// step: the pipe sinks into the rock, by 1e-5 m of 0.025 m.
 #[test]
 fn a_pipe_that_rolls_whirls_backwards() {
@@ -156,7 +156,7 @@ fn a_pipe_that_rolls_whirls_backwards() {
             node!(pipe.chain, 0, spin = omega);
             // A third of its final speed, which v' = μ v²/(R − r) then triples.
             let surface = omega * radius;
-            pipe.lay(0.0, 0.0, -surface / 3.0);
+            pipe.place(0.0, 0.0, -surface / 3.0);
             let transient = 3.0 * pipe.clearance_m / (0.3 * surface);
             pipe.round(2.0 * transient, |_, _| ());
             let (rate, force) = pipe.round(2.0, |_, _| ());
@@ -206,7 +206,7 @@ fn backward_whirl_needs_its_friction() {
             let limit = 0.3 * MASS_KG * surface / pipe.clearance_m;
             node!(pipe.chain, 0, drag_linear = part * limit);
             let pressed = MASS_KG * surface * surface / pipe.clearance_m;
-            pipe.lay(0.0, pressed, -surface);
+            pipe.place(0.0, pressed, -surface);
             pipe.round(5.0, |_, _| ());
             let (rate, _) = pipe.round(1.0, |_, _| ());
             let rolling = -surface / pipe.clearance_m;
@@ -254,7 +254,7 @@ fn an_unbalanced_pipe_whirls_in_step() {
             + (inward * inward - square * (inward * inward - force * force)).sqrt())
             / square;
         let ahead = (mu * normal / force).asin();
-        pipe.lay(0.0, normal, omega * pipe.clearance_m);
+        pipe.place(0.0, normal, omega * pipe.clearance_m);
         let kick = force / MASS_KG * pipe.input.dt;
         let push = |chain: &mut Chain, time: f64| {
             let (sin, cos) = (omega * time + ahead).sin_cos();
@@ -282,7 +282,7 @@ fn an_unbalanced_pipe_whirls_in_step() {
 /// rolls where there is enough, which its rotary inertia makes slower. In mud the weight is less and the
 /// mass more.
 ///
-/// The file asks for 1 %; 5e-4 is held. A swing of 2° is 8e-5 slower than a small one, and the pipe has sunk into
+/// The file requires 1 %; 5e-4 is held. A swing of 2° is 8e-5 slower than a small one, and the pipe has sunk into
 /// the rock, which lengthens the pendulum by as much; found is 2e-4 at either step.
 #[test]
 fn a_pipe_swings_across_the_low_side() {
@@ -309,7 +309,7 @@ fn a_pipe_swings_across_the_low_side() {
                     let weight = MASS_KG * crate::GRAVITY_M_PER_S2 * buoyancy;
                     let across = weight * inclination.to_radians().sin();
                     chain.set_weight(0, Vector(across, 0.0, 0.0));
-                    pipe.lay(2f64.to_radians(), across, 0.0);
+                    pipe.place(2f64.to_radians(), across, 0.0);
                     std::f64::consts::TAU * swings_Hz(&mut pipe)
                 });
                 let way = if rolls { "rolling" } else { "sliding" };
@@ -346,7 +346,7 @@ fn swings_Hz(pipe: &mut Pipe) -> f64 {
 
 /// A blow against the wall: deepest penetration, duration, largest force and the part of the speed that is
 /// given back. `phase` says where in a step it meets the wall.
-fn blow(
+fn impulse(
     mass_kg: f64,
     speed: f64,
     stiffness: f64,
@@ -391,7 +391,8 @@ fn a_node_strikes_the_wall_as_hertz_says() {
     for row in rows("E06_hertz_impact.json") {
         let (mass, speed) = (number(&row["m"]), number(&row["v"]));
         let time = number(&row["contact_time_s"]);
-        let [depth, duration, force, back] = blow(mass, speed, STIFFNESS, time / 2000.0, 0.0, 0.4);
+        let [depth, duration, force, back] =
+            impulse(mass, speed, STIFFNESS, time / 2000.0, 0.0, 0.4);
         for (what, unit, expected, found) in [
             ("depth", ", m", number(&row["alpha_max_m"]), depth),
             ("time of contact", ", s", time, duration),
@@ -412,7 +413,7 @@ fn a_node_strikes_the_wall_as_hertz_says() {
         let back = (0..phases)
             .map(|i| {
                 let phase = (f64::from(i) + 0.5) / f64::from(phases);
-                blow(120.0, speed, STIFFNESS, USUAL_STEP_S, 0.5, phase)[3]
+                impulse(120.0, speed, STIFFNESS, USUAL_STEP_S, 0.5, phase)[3]
             })
             .sum::<f64>()
             / f64::from(phases);
@@ -446,7 +447,7 @@ fn friction_of(
         vector,
         full: true,
     });
-    pipe.lay(0.0, 2000.0, 0.0);
+    pipe.place(0.0, 2000.0, 0.0);
     // Of the spin alone: a node that slides sideways would climb.
     node!(pipe.chain, 0, spin = around / 0.07);
     pipe.chain.set_velocity(0, Vector(0.0, 0.0, along));

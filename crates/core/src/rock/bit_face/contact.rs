@@ -9,7 +9,7 @@ use super::{face::BitFace, pose::Pose};
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ContactLaw {
     /// Pressure per depth of penetration, Pa/m; times a node's area it is the stiffness that holds the node. It stands for the
-    /// rock that is crushed within a brick. Any is stable; more lets less penetrate.
+    /// rock that is crushed within an element. Any is stable; more lets less penetrate.
     pub stiffness_Pa_per_m: f64,
     /// Damping against that of a node on this stiffness that does not swing. Default 0: what it takes grows with the speed and
     /// the density, also where that is scaled. More keeps nodes from bouncing.
@@ -148,21 +148,21 @@ impl<'a> Contact<'a> {
         let sliding = slip + out * closing;
         let speed = sliding.norm();
         let stop = speed / mobility;
-        let rub = if stop <= law.friction * push {
+        let friction = if stop <= law.friction * push {
             -sliding / mobility
         } else {
             sliding * (-law.friction * push / speed)
         };
 
         let normal = out * push;
-        let force = normal + rub;
+        let force = normal + friction;
         let mean = (node.velocity_m_per_s + free + force * mobility) * 0.5;
         let load = &mut self.load;
         load.force_N -= force;
         load.moment_N_m -= arm.cross(&force);
         load.work_on_nodes_J += dt * force.dot(&mean);
         load.work_on_bit_J -= dt * force.dot(&carried);
-        load.friction_loss_J += dt * rub.dot(&(carried - mean));
+        load.friction_loss_J += dt * friction.dot(&(carried - mean));
         load.contact_loss_J += dt * normal.dot(&(carried - mean));
         load.touching += 1;
         load.deepest_m = load.deepest_m.max(touch.depth_m - dt * mobility * push);

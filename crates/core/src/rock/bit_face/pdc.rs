@@ -66,7 +66,7 @@ pub struct PdcBit {
 }
 
 /// Most cutters that a blade may carry.
-const MOST_ON_A_BLADE: usize = 200;
+const MAX_ON_A_BLADE: usize = 200;
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
@@ -125,7 +125,7 @@ impl PdcBit {
     pub fn filled(mut self) -> Self {
         if let (Ok(profile), Ok(())) = (self.profile(), self.check()) {
             let room = profile.length_m() / (1.5 * self.cutter_diameter_m);
-            self.cutters_per_blade = (room as usize).clamp(1, MOST_ON_A_BLADE);
+            self.cutters_per_blade = (room as usize).clamp(1, MAX_ON_A_BLADE);
             while self.cutters_per_blade > 1 && self.layout(&profile).is_err() {
                 self.cutters_per_blade -= 1;
             }
@@ -184,7 +184,7 @@ impl PdcBit {
         let mut cutters = Vec::with_capacity(tracks * self.cutters_per_track);
         for (track, length) in self.spread(tracks, profile.length_m()).enumerate() {
             let point = profile.at(length);
-            // Tracks that neighbour go on blades that do not.
+            // Tracks that neighbour continue blades that do not.
             let turn = track % sets;
             let set = turn / 2 + (turn % 2) * sets.div_ceil(2);
             for blade in (set..self.blades).step_by(sets) {

@@ -7,14 +7,14 @@ use nalgebra::Vector3;
 use super::Drilling;
 use crate::rock::{bit_face::BottomHole, block::Block};
 
-/// Cells of the pattern per brick, across.
+/// Cells of the pattern per element, across.
 const FINER: f64 = 2.0;
 
 impl Drilling {
     /// The bottom of the hole as one looks down it: the upmost rock that stands within the bit's radius, a core left out.
     ///
     /// Radii are those from the bit's reference point, angles those from the x of the block towards y, depths those below the
-    /// reference point, the nose: the wall beside the bit is above it. Cells are half a brick wide at most.
+    /// reference point, the nose: the wall beside the bit is above it. Cells are half an element wide at most.
     pub fn bottom_hole(&self) -> BottomHole {
         let grid = self.block.grid();
         let profile = self.bit.face().profile();
@@ -42,7 +42,7 @@ impl Drilling {
     }
 }
 
-/// Depth of the upmost face of each column of bricks, m, row by row; none of one that is empty. What has come loose, farther from
+/// Depth of the upmost face of each column of elements, m, row by row; none of one that is empty. What has come loose, farther from
 /// where it stood than it is high, is no bottom.
 fn tops_m(block: &Block) -> Vec<Option<f64>> {
     let grid = block.grid();

@@ -51,7 +51,7 @@ impl Driver {
             moment_N_m: Vector3::zeros(),
             inertia: Inertia {
                 mass_kg,
-                ..Inertia::TOLD
+                ..Inertia::PRESCRIBED
             },
         }
     }

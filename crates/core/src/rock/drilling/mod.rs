@@ -18,7 +18,7 @@ pub use self::{
     progress::Progress,
     spec::{DrillingError, DrillingSpec},
 };
-use crate::damage::{Damaged, sound};
+use crate::damage::{Damaged, ensure};
 
 use super::{
     bit_face::{ContactLaw, Pose},
@@ -59,18 +59,18 @@ pub struct Drilling {
     wall_m: f64,
     pose: Pose,
     energies: DrillingEnergies,
-    /// Bricks of the first hole and of the wall that were dropped, not broken.
+    /// Elements of the first hole and of the wall that were dropped, not broken.
     dropped: usize,
 }
 
 impl Drilling {
     /// A bit at rest on the middle of a block, upright: in the hole that it would have drilled, as deep as the wall that is
-    /// kept, or on the flat top. The bricks of that hole count as dropped, not as broken.
+    /// kept, or on the flat top. The elements of that hole count as dropped, not as broken.
     ///
     /// # Errors
     /// Those of [`DrillingSpec::check`].
     pub fn new(spec: &DrillingSpec) -> Result<Self, DrillingError> {
-        let bit = spec.sound_bit()?;
+        let bit = spec.valid_bit()?;
         let block = Block::new(&spec.block)?;
         let ([nx, ny, _], [x, y, _]) = (spec.block.cells, spec.block.size_m);
         let middle = Vector3::new(0.5 * nx as f64 * x, 0.5 * ny as f64 * y, 0.0);
@@ -102,11 +102,11 @@ impl Drilling {
         let fits = *self.bit.shape() == spec.bit
             && self.contact == spec.contact
             && self.wall_m == spec.wall_m;
-        sound(fits, "the bit")?;
+        ensure(fits, "the bit")?;
         self.block.check(&spec.block)?;
-        sound(
+        ensure(
             self.dropped <= self.block.removed().0,
-            "the number of bricks that have gone",
+            "the number of elements that have gone",
         )
     }
 
@@ -129,7 +129,7 @@ impl Drilling {
             .pose
             .moving(motion.velocity_m_per_s, motion.angular_velocity_rad_per_s);
         let from_m = self.pose.position_m;
-        let gone = self.block.removed().0 - self.dropped;
+        let eroded = self.block.removed().0 - self.dropped;
         let mut advance = Advance {
             time_s,
             ..Advance::default()
@@ -138,7 +138,7 @@ impl Drilling {
             self.block.step(stepper, executor);
             advance.turned_rad += self.go(dt) * dt;
             let axis = self.pose.axis();
-            let [came, spun] = [
+            let [velocity_before, spun] = [
                 self.pose.velocity_m_per_s,
                 self.pose.angular_velocity_rad_per_s,
             ];
@@ -150,7 +150,9 @@ impl Drilling {
             self.pose.angular_velocity_rad_per_s += inertia.turned(load.moment_N_m * dt, &axis);
             let work_J = 0.5
                 * dt
-                * (load.force_N.dot(&(came + self.pose.velocity_m_per_s))
+                * (load
+                    .force_N
+                    .dot(&(velocity_before + self.pose.velocity_m_per_s))
                     + load
                         .moment_N_m
                         .dot(&(spun + self.pose.angular_velocity_rad_per_s)));
@@ -168,12 +170,12 @@ impl Drilling {
         advance.velocity_m_per_s = self.pose.velocity_m_per_s;
         advance.angular_velocity_rad_per_s = self.pose.angular_velocity_rad_per_s;
         advance.displacement_m = self.pose.position_m - from_m;
-        advance.broken = self.block.removed().0 - self.dropped - gone;
+        advance.broken = self.block.removed().0 - self.dropped - eroded;
         self.follow();
         advance
     }
 
-    /// The bit goes on and turns; its spin, rad/s. The spin stays with the axis and what tilts the bit goes along: how a spinning
+    /// The bit continues and turns; its spin, rad/s. The spin stays with the axis and what tilts the bit goes along: how a spinning
     /// bit precesses is its string's.
     fn go(&mut self, dt: f64) -> f64 {
         let omega = self.pose.angular_velocity_rad_per_s;
@@ -194,9 +196,9 @@ impl Drilling {
         if passed == 0 {
             return;
         }
-        for brick in grid.each_brick().filter(|brick| brick[2] < passed) {
-            if self.block.intact(brick).is_some() {
-                self.block.remove(brick);
+        for element in grid.each_element().filter(|element| element[2] < passed) {
+            if self.block.intact(element).is_some() {
+                self.block.remove(element);
                 self.dropped += 1;
             }
         }
@@ -228,7 +230,7 @@ impl Drilling {
         self.energies
     }
 
-    /// Bricks that were dropped, not broken: those of the hole that the bit began in, and of its wall as the block followed the
+    /// Elements that were dropped, not broken: those of the hole that the bit began in, and of its wall as the block followed the
     /// bit. They count among those that have gone from the block.
     pub fn dropped(&self) -> usize {
         self.dropped

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
-/// What the bit opposes to a push. An infinite inertia goes as it is told.
+/// What the bit opposes to a push. An infinite inertia goes as prescribed.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Inertia {
     /// Mass along `along`, kg.
@@ -19,8 +19,8 @@ pub struct Inertia {
 }
 
 impl Inertia {
-    /// A bit that goes as it is told.
-    pub const TOLD: Self = Self {
+    /// A bit that goes as prescribed.
+    pub const PRESCRIBED: Self = Self {
         mass_kg: f64::INFINITY,
         lateral_mass_kg: f64::INFINITY,
         along: Vector3::new(0.0, 0.0, 1.0),
@@ -81,12 +81,12 @@ pub struct Advance {
     pub moment_N_m: Vector3<f64>,
     /// Work of the rock on the bit, J; negative while it drills.
     pub work_J: f64,
-    /// Bricks that the bit has broken.
+    /// Elements that the bit has broken.
     pub broken: usize,
 }
 
 impl Advance {
-    /// Goes on with what became of the bit next: forces and moments are those of both times on average.
+    /// Continues with what became of the bit next: forces and moments are those of both times on average.
     pub fn join(&mut self, next: &Self) {
         let time_s = self.time_s + next.time_s;
         let mean = |before: Vector3<f64>, after: Vector3<f64>| {

@@ -4,10 +4,10 @@ use nalgebra::Vector3;
 
 use super::Drilling;
 
-/// How far the bit goes down at a time to find its bottom, as a part of a brick's height.
+/// How far the bit goes down at a time to find its bottom, as a part of an element's height.
 const FINE: f64 = 1.0 / 64.0;
 
-/// How far at most, bricks: no pattern of bricks leaves more room under it.
+/// How far at most, elements: no pattern of elements leaves more room under it.
 const FAR: f64 = 4.0;
 
 impl Drilling {
@@ -19,9 +19,9 @@ impl Drilling {
         let profile = self.bit.face().profile();
         let [core_m, gauge_m] = [profile.core_radius_m(), profile.radius_m()];
         let [dx, dy, dz] = grid.size_m;
-        for brick in grid.each_brick() {
+        for element in grid.each_element() {
             let [x, y] =
-                [(brick[0], dx, nose_m.x), (brick[1], dy, nose_m.y)].map(|(i, d, middle)| {
+                [(element[0], dx, nose_m.x), (element[1], dy, nose_m.y)].map(|(i, d, middle)| {
                     let [from, to] = [i as f64 * d - middle, (i + 1) as f64 * d - middle];
                     [from.max(-to).max(0.0), to.max(-from)]
                 });
@@ -30,8 +30,8 @@ impl Drilling {
                 continue;
             }
             let lowest_m = profile.lowest_between_m(near_m.max(core_m), far_m.min(gauge_m));
-            if nose_m.z + lowest_m > brick[2] as f64 * dz {
-                self.block.remove(brick);
+            if nose_m.z + lowest_m > element[2] as f64 * dz {
+                self.block.remove(element);
                 self.dropped += 1;
             }
         }

@@ -38,7 +38,7 @@ pub enum DrillingError {
     Face(#[from] FaceError),
     /// A block too shallow to follow the bit.
     #[error(
-        "a block {depth_m} m deep under a wall of {wall_m} m: expected three layers of bricks more than the wall"
+        "a block {depth_m} m deep under a wall of {wall_m} m: expected three layers of elements more than the wall"
     )]
     Shallow {
         /// Depth of the block, m.
@@ -57,8 +57,8 @@ const SLABS: usize = 4;
 impl DrillingSpec {
     /// A bit on cubes of this size.
     ///
-    /// The block is two bricks, or an eighth of the diameter, wider than the bit on each side, and as deep as the face from its
-    /// nose to the gauge, and a quarter of the diameter, or four bricks, below. It is held at the bottom, so that the
+    /// The block is two elements, or an eighth of the diameter, wider than the bit on each side, and as deep as the face from its
+    /// nose to the gauge, and a quarter of the diameter, or four elements, below. It is held at the bottom, so that the
     /// weight does not push it away; there is more rock around. Its density is 400 times the rock's: four times as much moves mean
     /// forces by less than 5 % while `ρ v²`, with the scaled density and the speed of the bit's rim, stays below a quarter of the
     /// rock's strength.
@@ -68,10 +68,10 @@ impl DrillingSpec {
     pub fn new(rock: Rock, bit: BitShape, size_m: f64) -> Result<Self, FaceError> {
         let face = bit.face()?;
         let diameter_m = 2.0 * face.profile().radius_m();
-        let bricks = |m: f64| (m / size_m).ceil() as usize;
-        let across = bricks(diameter_m) + 2 * bricks(0.125 * diameter_m).max(2);
-        let wall = bricks(-face.profile().gauge_z_m()) + 1;
-        let below = bricks(0.25 * diameter_m).max(4);
+        let elements = |m: f64| (m / size_m).ceil() as usize;
+        let across = elements(diameter_m) + 2 * elements(0.125 * diameter_m).max(2);
+        let wall = elements(-face.profile().gauge_z_m()) + 1;
+        let below = elements(0.25 * diameter_m).max(4);
         let mut block = BlockSpec::new(rock, [across, across, wall + 1 + below], size_m);
         block.edges[5] = Edge::Held;
         block.layers_per_slab = block.cells[2].div_ceil(SLABS);
@@ -90,11 +90,11 @@ impl DrillingSpec {
     /// # Errors
     /// No rock, no face, or a block that is not three layers deeper than the wall that is kept.
     pub fn check(&self) -> Result<(), DrillingError> {
-        self.sound_bit().map(drop)
+        self.valid_bit().map(drop)
     }
 
     /// The bit, if it can drill the block.
-    pub(super) fn sound_bit(&self) -> Result<Bit, DrillingError> {
+    pub(super) fn valid_bit(&self) -> Result<Bit, DrillingError> {
         self.block.constants()?;
         let bit = Bit::try_from(self.bit)?;
         let (layers, height_m) = (self.block.cells[2] as f64, self.block.size_m[2]);

@@ -1,8 +1,8 @@
 //! One step of a block: the inner loop of the rock.
 //!
-//! Central differences: nodes drift with their velocities, bricks answer to where they got and how fast, nodes are kicked.
-//! The three follow each other layer by layer, so that a layer is still in the cache. A row of bricks along x writes what
-//! its near and its far corners get side by side, in the order of the bricks, and the rows of nodes take it up: nothing
+//! Central differences: nodes drift with their velocities, elements answer to where they got and how fast, nodes are kicked.
+//! The three follow each other layer by layer, so that a layer is still in the cache. A row of elements along x writes what
+//! its near and its far corners get side by side, in the order of the elements, and the rows of nodes take it up: nothing
 //! is gathered or scattered.
 //!
 //! A block is cut into slabs along z. Between two slabs a layer of nodes is shared: it drifts before the slabs are
@@ -109,7 +109,7 @@ impl Stepper {
         unsafe { (self.begin)(fields, grid, dt, slab.from) }
     }
 
-    /// The bricks of a slab answer, and its own nodes move.
+    /// The elements of a slab answer, and its own nodes move.
     ///
     /// # Safety
     /// `fields` point to the state of a block of this grid, of which nothing else uses what is this slab's.

@@ -24,7 +24,7 @@ pub unsafe fn drift<N: Number<Real = f64>>(fields: &Fields, grid: &Grid, dt: f64
     }
 }
 
-/// The nodes of a layer are kicked by what the bricks below and above pull.
+/// The nodes of a layer are kicked by what the elements below and above pull.
 ///
 /// # Safety
 /// As for [`drift`]; each of `pulls` and `more` is as long as a layer.

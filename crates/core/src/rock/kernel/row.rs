@@ -1,16 +1,16 @@
-//! A row of bricks.
+//! A row of elements.
 
 use super::fields::{Fields, RowBook, lanes};
 use crate::{
     rock::{
-        brick::{Modes, Motion, pulls, spread, square, turned},
-        constants::{Constants, MOST_SQUEEZED},
+        constants::{Constants, MAX_SQUEEZED},
+        element::{Modes, Motion, pulls, spread, square, turned},
         grid::{GROUP, Grid},
     },
     simd::number::Number,
 };
 
-/// What a row of bricks pulls at its nodes, N.
+/// What a row of elements pulls at its nodes, N.
 #[derive(Debug, Clone)]
 pub struct Pulls {
     /// One after the other: near and far corners in x of the four edges along x, by component. A group of
@@ -19,25 +19,25 @@ pub struct Pulls {
     length: usize,
 }
 
-/// Edges along x of a brick, near and far ends of them, components.
+/// Edges along x of an element, near and far ends of them, components.
 const STREAMS: usize = 4 * 2 * 3;
 
 impl Pulls {
     pub fn new(grid: &Grid) -> Self {
-        let length = grid.brick_row() + 2 * GROUP;
+        let length = grid.element_row() + 2 * GROUP;
         Self {
             of: vec![0.0; STREAMS * length],
             length,
         }
     }
 
-    /// Where those of a brick stand: corner and component.
+    /// Where those of an element stand: corner and component.
     #[inline(always)]
-    fn place(&self, corner: usize, axis: usize, brick: usize) -> usize {
-        (3 * corner + axis) * self.length + GROUP + brick
+    fn place(&self, corner: usize, axis: usize, element: usize) -> usize {
+        (3 * corner + axis) * self.length + GROUP + element
     }
 
-    /// Nodes take up what the bricks between them pull: the two rows of nodes above the bricks or those below.
+    /// Nodes take up what the elements between them pull: the two rows of nodes above the elements or those below.
     ///
     /// # Safety
     /// `layer` is a layer of nodes of this grid.
@@ -56,7 +56,7 @@ impl Pulls {
                 let (near, far) = (self.place(edge, axis, 0), self.place(edge + 1, axis, 0) - 1);
                 let pulls = pulls[from..from + grid.node_row()].as_mut_ptr();
                 for at in (0..grid.node_row()).step_by(N::WIDTH) {
-                    // SAFETY: a row of nodes is a group longer than one of bricks, as are the pulls.
+                    // SAFETY: a row of nodes is a group longer than one of elements, as are the pulls.
                     unsafe {
                         let sum = N::load(pulls.add(at)) + N::load(self.of.as_ptr().add(near + at));
                         (sum + N::load(self.of.as_ptr().add(far + at))).store(pulls.add(at));
@@ -74,10 +74,10 @@ struct Books<N> {
     least: N,
 }
 
-/// A row of bricks answers. Whether there is a brick left in it.
+/// A row of elements answers. Whether there is an element left in it.
 ///
 /// # Safety
-/// `fields` point to the state of a block of this grid, whose bricks in this row and their book nothing else uses.
+/// `fields` point to the state of a block of this grid, whose elements in this row and their book nothing else uses.
 #[inline(always)]
 pub unsafe fn work<N: Number<Real = f64>>(
     fields: &Fields,
@@ -86,8 +86,8 @@ pub unsafe fn work<N: Number<Real = f64>>(
     [j, k]: [usize; 2],
     out: &mut Pulls,
 ) -> bool {
-    let groups = grid.brick_row() / GROUP;
-    let row = grid.brick([0, j, k]);
+    let groups = grid.element_row() / GROUP;
+    let row = grid.element([0, j, k]);
     // SAFETY: the groups of a row.
     let left = unsafe { std::slice::from_raw_parts(fields.left.add(row / GROUP), groups) };
     if left.iter().all(|&left| left == 0) {
@@ -105,7 +105,7 @@ pub unsafe fn work<N: Number<Real = f64>>(
             // SAFETY: the caller's.
             unsafe {
                 if left > 0 {
-                    bricks::<N>(
+                    elements::<N>(
                         fields,
                         grid,
                         constants,
@@ -131,10 +131,10 @@ pub unsafe fn work<N: Number<Real = f64>>(
         in_lanes(books.least),
     );
     // SAFETY: the book of this row.
-    let book: &mut RowBook = unsafe { &mut *fields.books.add(k * grid.brick_rows() + j) };
+    let book: &mut RowBook = unsafe { &mut *fields.books.add(k * grid.element_rows() + j) };
     book.plastic_J += constants.volume_m3 * plastic.iter().sum::<f64>();
     book.viscous_J += viscous.iter().sum::<f64>();
-    book.least_intact = least.into_iter().take(N::WIDTH).fold(1.0, f64::min);
+    book.min_intact = least.into_iter().take(N::WIDTH).fold(1.0, f64::min);
     true
 }
 
@@ -146,10 +146,10 @@ fn in_lanes<N: Number<Real = f64>>(register: N) -> [f64; GROUP] {
     lanes
 }
 
-/// A field at the corners of bricks.
+/// A field at the corners of elements.
 ///
 /// # Safety
-/// `fields` are over the nodes of this grid, `node` the first corner of the first of the bricks.
+/// `fields` are over the nodes of this grid, `node` the first corner of the first of the elements.
 #[inline(always)]
 unsafe fn corners<N: Number<Real = f64>>(
     grid: &Grid,
@@ -160,7 +160,7 @@ unsafe fn corners<N: Number<Real = f64>>(
     for (axis, field) in fields.into_iter().enumerate() {
         for edge in 0..4 {
             let at = node + (edge & 1) * grid.node_row() + (edge >> 1) * grid.node_layer();
-            // SAFETY: a row of nodes is a group longer than one of bricks.
+            // SAFETY: a row of nodes is a group longer than one of elements.
             unsafe {
                 out[axis][2 * edge] = N::load(field.add(at));
                 out[axis][2 * edge + 1] = N::load(field.add(at + 1));
@@ -170,19 +170,19 @@ unsafe fn corners<N: Number<Real = f64>>(
     out
 }
 
-/// As many bricks as a register holds.
+/// As many elements as a register holds.
 ///
 /// # Safety
 /// As for [`work`].
 #[inline(always)]
 // Indices say which component meets which.
 #[allow(clippy::too_many_arguments, clippy::needless_range_loop)]
-unsafe fn bricks<N: Number<Real = f64>>(
+unsafe fn elements<N: Number<Real = f64>>(
     fields: &Fields,
     grid: &Grid,
     constants: &Constants,
     node: usize,
-    brick: usize,
+    element: usize,
     at: usize,
     out: &mut Pulls,
     books: &mut Books<N>,
@@ -205,27 +205,27 @@ unsafe fn bricks<N: Number<Real = f64>>(
     let motion = Motion::of(displacement.gradient, change);
 
     let mut stress = [zero; 6];
-    // SAFETY: the bricks of this row.
+    // SAFETY: the elements of this row.
     let intact = unsafe {
         for i in 0..6 {
-            stress[i] = N::load(fields.stress[i].add(brick));
+            stress[i] = N::load(fields.stress[i].add(element));
         }
-        N::load(fields.intact.add(brick))
+        N::load(fields.intact.add(element))
     };
-    let answer = constants
+    let update = constants
         .law
-        .answer(turned(motion.turn, stress), motion.strain, intact);
-    let fit = N::splat(MOST_SQUEEZED) - square(motion.inverse);
-    let new_intact = intact.if_positive(fit.if_positive(answer.intact, zero), intact);
+        .return_map(turned(motion.turn, stress), motion.strain, intact);
+    let fit = N::splat(MAX_SQUEEZED) - square(motion.inverse);
+    let new_intact = intact.if_positive(fit.if_positive(update.intact, zero), intact);
     // SAFETY: as above.
     unsafe {
         for i in 0..6 {
-            stress[i] = intact.if_positive(answer.stress[i], zero);
-            stress[i].store(fields.stress[i].add(brick));
+            stress[i] = intact.if_positive(update.stress[i], zero);
+            stress[i].store(fields.stress[i].add(element));
         }
-        new_intact.store(fields.intact.add(brick));
+        new_intact.store(fields.intact.add(element));
     }
-    books.plastic = books.plastic + intact.if_positive(answer.plastic, zero);
+    books.plastic = books.plastic + intact.if_positive(update.plastic, zero);
     books.least = books
         .least
         .min(intact.if_positive(new_intact, N::splat(1.0)));
@@ -256,7 +256,7 @@ unsafe fn bricks<N: Number<Real = f64>>(
         let pull = spread(gradients[axis], hourglass);
         for corner in 0..8 {
             let pull = intact.if_positive(pull[corner], zero);
-            // SAFETY: the pulls are as long as a row of bricks.
+            // SAFETY: the pulls are as long as a row of elements.
             unsafe { pull.store(out.of.as_mut_ptr().add(out.place(corner, axis, at))) };
         }
     }

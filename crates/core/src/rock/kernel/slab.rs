@@ -1,4 +1,4 @@
-//! Layers of bricks that are worked on together.
+//! Layers of elements that are worked on together.
 
 use super::{
     fields::Fields,
@@ -8,10 +8,10 @@ use super::{
 use crate::rock::{constants::Constants, grid::Grid};
 use crate::simd::number::Number;
 
-/// Layers of bricks that are worked on together, and room for what they do to their nodes.
+/// Layers of elements that are worked on together, and room for what they do to their nodes.
 #[derive(Debug, Clone)]
 pub struct Slab {
-    /// First layer of bricks, and the first one below.
+    /// First layer of elements, and the first one below.
     pub from: usize,
     pub to: usize,
     /// Whether the block ends with it: the last layer of nodes is its own.
@@ -22,7 +22,7 @@ pub struct Slab {
 }
 
 impl Slab {
-    /// From a layer of bricks to another.
+    /// From a layer of elements to another.
     pub fn new(grid: &Grid, from: usize, to: usize) -> Self {
         let layer = || [0, 1, 2].map(|_| vec![0.0; grid.node_layer()]);
         Self {
@@ -53,7 +53,7 @@ impl Slab {
     }
 }
 
-/// The bricks of a slab answer, and the nodes between them move.
+/// The elements of a slab answer, and the nodes between them move.
 ///
 /// # Safety
 /// `fields` point to the state of a block of this grid, of which nothing else uses what is this slab's.
@@ -79,7 +79,7 @@ pub unsafe fn work<N: Number<Real = f64>>(
             if own(layer + 1) {
                 drift::<N>(fields, grid, dt, layer + 1);
             }
-            for j in 0..grid.brick_rows() {
+            for j in 0..grid.element_rows() {
                 if row::work::<N>(fields, grid, constants, [j, layer], &mut slab.row) {
                     slab.row.hand_on::<N>(grid, j, 0, &mut slab.pulls[here]);
                     slab.row.hand_on::<N>(grid, j, 1, &mut slab.pulls[below]);

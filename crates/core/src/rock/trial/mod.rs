@@ -14,7 +14,7 @@ pub use self::{
     response::DrillingResponse,
     spec::{TrialError, TrialSpec},
 };
-use crate::damage::{Damaged, sound};
+use crate::damage::{Damaged, ensure};
 
 use super::{
     drilling::{Drilling, DrillingSpec},
@@ -22,13 +22,13 @@ use super::{
     kernel::Stepper,
 };
 
-/// Looks at the rock's energies in a revolution: each costs as much as a few steps.
-const LOOKS_PER_TURN: u64 = 8;
+/// Samples of the rock's energies in a revolution: each costs as much as a few steps.
+const SAMPLES_PER_REVOLUTION: u64 = 8;
 
 /// A trial under way: the bit is held to the hole's axis and turned at a constant speed under a constant weight, first until
 /// it has made its bottom, then for the count.
 ///
-/// It is plain data: one that is stored and taken up again comes to the same bits. It ends after its revolutions,
+/// It is plain data: one that is stored and resumed comes to the same bits. It ends after its revolutions,
 /// whether the bit gets on or not.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Trial {
@@ -59,11 +59,11 @@ impl Trial {
     /// # Errors
     /// What of it does not fit.
     pub fn check(&self, spec: &TrialSpec, drilling: &DrillingSpec) -> Result<(), Damaged> {
-        sound(self.spec == *spec, "the trial")?;
+        ensure(self.spec == *spec, "the trial")?;
         self.drilling.check(drilling)
     }
 
-    /// Goes on by at most so many steps, as far as there are any left. The pieces do not matter: the same steps come to the same bits.
+    /// Continues by at most so many steps, as far as there are any left. The pieces do not matter: the same steps come to the same bits.
     ///
     /// # Errors
     /// Forces that are not finite.
@@ -99,7 +99,9 @@ impl Trial {
             if counted.is_multiple_of(per_turn) {
                 count.turns.push(std::mem::take(&mut count.turn));
             }
-            if counted.is_multiple_of(per_turn.div_ceil(LOOKS_PER_TURN)) || self.steps == all {
+            if counted.is_multiple_of(per_turn.div_ceil(SAMPLES_PER_REVOLUTION))
+                || self.steps == all
+            {
                 let fraction = self.drilling.block().energies().kinetic_fraction();
                 count.kinetic_fraction = count.kinetic_fraction.max(fraction);
             }

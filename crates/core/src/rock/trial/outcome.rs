@@ -47,7 +47,7 @@ pub struct TrialOutcome {
     /// Work of the bit per volume of the hole that it made, its section times its way, Pa: Teale's mechanical specific energy
     /// (*International Journal of Rock Mechanics and Mining Sciences* 2, 1965). None where the bit did not get on.
     pub mechanical_specific_energy_Pa: Option<f64>,
-    /// Bricks that it broke.
+    /// Elements that it broke.
     pub bricks_broken: u64,
     /// Largest kinetic energy of the rock over the work of its deformation.
     #[serde(with = "crate::finite")]

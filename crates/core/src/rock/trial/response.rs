@@ -43,7 +43,7 @@ impl DrillingResponse {
             put_on.fold(f64::NEG_INFINITY, f64::max),
         ];
         let slope = (most - least > 1e-6 * most).then(|| together / spread);
-        // Every brick is as large as the others, so that their number is as good as their volume.
+        // Every element is as large as the others, so that their number is as good as their volume.
         let broken: f64 = outcomes.iter().map(|one| one.bricks_broken as f64).sum();
         let work: f64 = outcomes
             .iter()
@@ -79,7 +79,7 @@ mod tests {
             weight_on_bit_N: 0.9 * weight_borne_N,
             torque_N_m,
             specific_energy_Pa: energy.map(|(energy, _)| energy),
-            bricks_broken: energy.map_or(0, |(_, bricks)| bricks),
+            bricks_broken: energy.map_or(0, |(_, elements)| elements),
             rotary_speed_rad_per_s: 10.0,
             rate_of_penetration_m_per_s: 1e-3,
             rate_of_penetration_error_m_per_s: None,

@@ -56,7 +56,7 @@ pub enum TrialError {
 
 impl TrialSpec {
     /// More steps than this are no trial.
-    const MOST_STEPS: f64 = 1e12;
+    const MAX_STEPS: f64 = 1e12;
 
     pub(super) fn check(&self) -> Result<(), TrialError> {
         let positive = |name, value: f64| match value > 0.0 && value.is_finite() {
@@ -82,7 +82,7 @@ impl TrialSpec {
         }
         let steps = TAU / self.rotary_rad_per_s / self.step_s.min(self.averaging_s)
             * (1.0 + self.settle_revolutions + self.revolutions);
-        if steps > Self::MOST_STEPS {
+        if steps > Self::MAX_STEPS {
             return Err(TrialError::Number {
                 name: "number of steps",
                 value: steps,

@@ -40,7 +40,7 @@ const HALVINGS: usize = 200;
 
 impl Place {
     /// `√(β EI w_n/r)` under a wall load `w_n`, N/m, or what the pipe's weight holds in a vertical
-    /// hole, whichever is more, N: the load that a compression is held against. Infinite where
+    /// hole, whichever is more, N: the load that a compression is compared with. Infinite where
     /// there is no clearance.
     pub fn threshold_N(&self, criterion: Criterion, wall_load_N_per_m: f64) -> f64 {
         if self.clearance_m <= 0.0 {
@@ -96,7 +96,7 @@ impl Place {
             .collect()
     }
 
-    /// The critical load that a compression, N, is held against: the greatest that it has passed,
+    /// The critical load that a compression, N, is compared with: the greatest that it has passed,
     /// or the least where it has passed none; never less than in a vertical hole.
     pub fn critical_load_N(&self, criterion: Criterion, compression_N: f64) -> f64 {
         if self.clearance_m <= 0.0 {

@@ -29,7 +29,7 @@
 //! holds it: a critical load is never less than `1.94 (EI w²)^⅓` for the first bow (Lubinski, *A
 //! study of the buckling of rotary drilling strings*, API Drilling and Production Practice, 1950)
 //! and `5.55 (EI w²)^⅓` for the helix (Wu and Juvkam-Wold). Both are loads at the lower end of a
-//! long string; here they are held against the compression of each place.
+//! long string; here they are compared with the compression of each place.
 //!
 //! The clearance is that of what touches the wall: of the tool joints where a pipe has them, as API
 //! RP 7G counts it, of the body elsewhere.
@@ -40,4 +40,4 @@ mod push;
 
 pub use criteria::Criterion;
 pub use place::Place;
-pub use push::{Pushed, Stretch, push_through, weight_at_bit_N};
+pub use push::{Pushed, Segment, push_through, weight_at_bit_N};

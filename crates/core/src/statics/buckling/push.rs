@@ -20,7 +20,7 @@ const SCALE_N: f64 = 1e5;
 
 /// A stretch of string on which everything but the compression is the same.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stretch {
+pub struct Segment {
     /// Length, m.
     pub length_m: f64,
     /// Pipe and hole.
@@ -40,7 +40,7 @@ pub enum Pushed {
     LocksUp(f64),
 }
 
-impl Stretch {
+impl Segment {
     /// `dF/dx` upwards.
     fn rate_N_per_m(&self, compression_N: f64, helical: bool) -> f64 {
         let mut wall_load = self.place.wall_load_N_per_m(compression_N);
@@ -95,27 +95,27 @@ impl Stretch {
 
 /// Compression at the upper end of stretches, from the bit up, that slide down with a compression
 /// at their lower end, N. A pipe is helical beyond the load of `helix`.
-pub fn push_through(stretches: &[Stretch], at_bit_N: f64, helix: Criterion) -> Pushed {
+pub fn push_through(segments: &[Segment], at_bit_N: f64, helix: Criterion) -> Pushed {
     let mut angle = (at_bit_N / SCALE_N).atan();
     let mut below_m = 0.0;
-    for stretch in stretches {
-        let next = stretch.cross(helix, angle, stretch.length_m);
+    for segment in segments {
+        let next = segment.cross(helix, angle, segment.length_m);
         if next >= FRAC_PI_2 {
             let part = (FRAC_PI_2 - angle) / (next - angle);
-            return Pushed::LocksUp(below_m + part * stretch.length_m);
+            return Pushed::LocksUp(below_m + part * segment.length_m);
         }
         angle = next;
-        below_m += stretch.length_m;
+        below_m += segment.length_m;
     }
     Pushed::Through(SCALE_N * angle.tan())
 }
 
 /// Compression at the lower end of the same stretches under a compression at their upper end, N,
 /// which may be infinite: what of a push arrives at the bit.
-pub fn weight_at_bit_N(stretches: &[Stretch], at_top_N: f64, helix: Criterion) -> f64 {
+pub fn weight_at_bit_N(segments: &[Segment], at_top_N: f64, helix: Criterion) -> f64 {
     let mut angle = (at_top_N / SCALE_N).atan();
-    for stretch in stretches.iter().rev() {
-        angle = stretch.cross(helix, angle, -stretch.length_m);
+    for segment in segments.iter().rev() {
+        angle = segment.cross(helix, angle, -segment.length_m);
     }
     SCALE_N * angle.tan()
 }

@@ -39,10 +39,10 @@ pub(super) struct Circulating {
 pub(super) fn along(
     model: &Model,
     operation: &Operation,
-    stretches: &[Passage],
+    segments: &[Passage],
 ) -> (Vec<Circulating>, Option<Hydraulics>) {
     if model.mud.rheology.is_none() {
-        return (vec![Circulating::default(); stretches.len()], None);
+        return (vec![Circulating::default(); segments.len()], None);
     }
     let flow_m3_per_s = operation.flow_now_m3_per_s();
     let motion = Motion {
@@ -50,11 +50,11 @@ pub(super) fn along(
         spin_rad_per_s: operation.rotation_rad_per_s(),
         flow_m3_per_s,
     };
-    let drags: Vec<_> = stretches
+    let drags: Vec<_> = segments
         .iter()
         .map(|s| Annulus::new(s.od_m, s.hole_diameter_m).drag(&model.mud, &motion))
         .collect();
-    let annulus_loss_Pa: f64 = stretches
+    let annulus_loss_Pa: f64 = segments
         .iter()
         .zip(&drags)
         .map(|(s, drag)| s.length_m * drag.gradient_Pa_per_m)
@@ -71,7 +71,7 @@ pub(super) fn along(
     };
     // From the bit up the pressure falls outside and rises inside.
     let (mut outer_Pa, mut inner_Pa) = (annulus_loss_Pa, annulus_loss_Pa + below_Pa);
-    let circulating = stretches.iter().zip(&drags).map(|(s, drag)| {
+    let circulating = segments.iter().zip(&drags).map(|(s, drag)| {
         let inner_rise_Pa_per_m = bore::gradient_Pa_per_m(&model.mud, s.bore_m2, flow_m3_per_s);
         let rise = s.length_m * inner_rise_Pa_per_m;
         let fall = s.length_m * drag.gradient_Pa_per_m;

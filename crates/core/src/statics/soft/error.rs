@@ -70,7 +70,7 @@ pub(super) fn check(
     let density = model.mud.density_kg_per_m3;
     let weight_on_bit = operation.weight_on_bit_now_N();
     let bit_torque = operation.bit_torque_now_N_m();
-    for (quantity, expected, value, sound) in [
+    for (quantity, expected, value, valid) in [
         (
             "rotary speed",
             "positive (rad/s) where the string rotates",
@@ -102,7 +102,7 @@ pub(super) fn check(
             bit_torque.is_finite(),
         ),
     ] {
-        if !sound {
+        if !valid {
             return Err(SoftError::SetPoint {
                 quantity,
                 expected,

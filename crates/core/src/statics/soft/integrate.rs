@@ -19,7 +19,7 @@ use crate::{
 };
 
 /// A stretch of hole on which everything but the path's direction is constant.
-struct Stretch<'a> {
+struct Segment<'a> {
     /// Upper and lower end, m.
     from_md_m: f64,
     to_md_m: f64,
@@ -50,7 +50,7 @@ pub(super) struct Row {
     pub(super) bearing: Bearing,
 }
 
-impl Stretch<'_> {
+impl Segment<'_> {
     fn load(&self, point: &Point, tension_N: f64) -> Load {
         let down = Vector3::z();
         let across = down - point.tangent * point.tangent.z;
@@ -135,24 +135,24 @@ fn ends(model: &Model, bit_depth_m: f64) -> Vec<f64> {
     let mut ends: Vec<f64> = stations
         .chain(sections)
         .chain(components)
-        .filter(|&md_m| md_m > SHORTEST_STRETCH_M && md_m < bit_depth_m - SHORTEST_STRETCH_M)
+        .filter(|&md_m| md_m > SHORTEST_SEGMENT_M && md_m < bit_depth_m - SHORTEST_SEGMENT_M)
         .chain([0.0, bit_depth_m])
         .collect();
     ends.sort_by(|a, b| b.total_cmp(a));
-    ends.dedup_by(|above, below| *below - *above < SHORTEST_STRETCH_M);
+    ends.dedup_by(|above, below| *below - *above < SHORTEST_SEGMENT_M);
     ends
 }
 
 /// Boundaries that lie closer together than this are one, m.
-const SHORTEST_STRETCH_M: f64 = 1e-6;
+const SHORTEST_SEGMENT_M: f64 = 1e-6;
 
-fn stretch<'a>(
+fn segment<'a>(
     model: &'a Model,
     operation: &Operation,
     sliding: Sliding,
     to_md_m: f64,
     from_md_m: f64,
-) -> Stretch<'a> {
+) -> Segment<'a> {
     let middle_m = 0.5 * (from_md_m + to_md_m);
     let (_, component): (_, &Component) =
         model.string.component_at(operation.bit_depth_m - middle_m);
@@ -161,7 +161,7 @@ fn stretch<'a>(
     let contact_radius_m = component.contact_radius_m();
     let material = &component.material;
     let hole = model.well.hole.at(middle_m);
-    Stretch {
+    Segment {
         from_md_m,
         to_md_m,
         weight_N_per_m: component.buoyed_weight_per_length_N_per_m(mud_density),
@@ -180,7 +180,7 @@ fn stretch<'a>(
     }
 }
 
-impl Stretch<'_> {
+impl Segment<'_> {
     fn passage(&self) -> Passage {
         Passage {
             length_m: self.to_md_m - self.from_md_m,
@@ -193,12 +193,12 @@ impl Stretch<'_> {
 }
 
 /// One step of the classical Runge-Kutta method, up by `step_m`, through three points of the path.
-fn step(stretch: &Stretch<'_>, points: [&Point; 3], step_m: f64, at: Totals) -> Totals {
+fn step(segment: &Segment<'_>, points: [&Point; 3], step_m: f64, at: Totals) -> Totals {
     let [lower, middle, upper] = points;
-    let k1 = stretch.rate(lower, &at);
-    let k2 = stretch.rate(middle, &(at + k1 * (0.5 * step_m)));
-    let k3 = stretch.rate(middle, &(at + k2 * (0.5 * step_m)));
-    let k4 = stretch.rate(upper, &(at + k3 * step_m));
+    let k1 = segment.rate(lower, &at);
+    let k2 = segment.rate(middle, &(at + k1 * (0.5 * step_m)));
+    let k3 = segment.rate(middle, &(at + k2 * (0.5 * step_m)));
+    let k4 = segment.rate(upper, &(at + k3 * step_m));
     at + (k1 + (k2 + k3) * 2.0 + k4) * (step_m / 6.0)
 }
 
@@ -223,14 +223,14 @@ pub(super) fn from_bit(
 ) -> Result<Integral, SoftError> {
     let bit_depth_m = operation.bit_depth_m;
     let path = &model.well.path;
-    let mut stretches: Vec<Stretch<'_>> = ends(model, bit_depth_m)
+    let mut segments: Vec<Segment<'_>> = ends(model, bit_depth_m)
         .windows(2)
-        .map(|pair| stretch(model, operation, sliding, pair[0], pair[1]))
+        .map(|pair| segment(model, operation, sliding, pair[0], pair[1]))
         .collect();
-    let passages: Vec<Passage> = stretches.iter().map(Stretch::passage).collect();
+    let passages: Vec<Passage> = segments.iter().map(Segment::passage).collect();
     let (circulating, hydraulics) = circulation::along(model, operation, &passages);
-    for (stretch, circulating) in stretches.iter_mut().zip(circulating) {
-        stretch.circulating = circulating;
+    for (segment, circulating) in segments.iter_mut().zip(circulating) {
+        segment.circulating = circulating;
     }
     let mut totals = Totals {
         tension_N: -operation.weight_on_bit_now_N()
@@ -245,23 +245,23 @@ pub(super) fn from_bit(
     let rotation_rad_per_s = operation.rotation_rad_per_s();
     let mut hole_W = vec![0.0; hole_steps(bit_depth_m)];
     let mut rows = Vec::new();
-    for stretch in &stretches {
-        let length_m = stretch.to_md_m - stretch.from_md_m;
+    for segment in &segments {
+        let length_m = segment.to_md_m - segment.from_md_m;
         let count = (length_m / settings.step_m).ceil().max(1.0);
         let step_m = length_m / count;
         // The curvature may jump at the stretch's lower end: this is its value just above.
-        let mut lower_md_m = stretch.to_md_m;
+        let mut lower_md_m = segment.to_md_m;
         let mut lower = Point::new(
             path.heading_at(lower_md_m.next_down()),
             path.at(lower_md_m).position_m.z,
         );
         for index in 1..=count as usize {
             let upper_md_m = if index == count as usize {
-                stretch.from_md_m
+                segment.from_md_m
             } else {
-                stretch.to_md_m - index as f64 * step_m
+                segment.to_md_m - index as f64 * step_m
             };
-            rows.push(stretch.row(path, lower_md_m, &lower, &totals));
+            rows.push(segment.row(path, lower_md_m, &lower, &totals));
             let middle = path.heading_at(0.5 * (lower_md_m + upper_md_m));
             let upper = path.heading_at(upper_md_m);
             // Simpson's rule from the stretch's lower end up: `κ⁴ step⁵/2880` a step, for pressures.
@@ -271,7 +271,7 @@ pub(super) fn from_bit(
             let middle = Point::new(middle, middle_tvd_m);
             let upper = Point::new(upper, upper_tvd_m);
             let before = totals;
-            totals = step(stretch, [&lower, &middle, &upper], step_m, totals);
+            totals = step(segment, [&lower, &middle, &upper], step_m, totals);
             if !(totals.tension_N.is_finite()
                 && totals.torque_N_m.is_finite()
                 && totals.stretch_m.is_finite()
@@ -279,15 +279,15 @@ pub(super) fn from_bit(
             {
                 return Err(SoftError::NotFinite { md_m: upper_md_m });
             }
-            let mud_N_m = stretch.circulating.torque_N_m_per_m * step_m;
+            let mud_N_m = segment.circulating.torque_N_m_per_m * step_m;
             let rubbed_N_m = totals.torque_N_m - before.torque_N_m - mud_N_m;
             let rubbed_W = rotation_rad_per_s * rubbed_N_m
                 - axial_m_per_s * (totals.axial_friction_N - before.axial_friction_N);
             spread(&mut hole_W, upper_md_m, lower_md_m, rubbed_W);
             (lower_md_m, lower) = (upper_md_m, upper);
         }
-        if stretch.from_md_m == 0.0 {
-            rows.push(stretch.row(path, 0.0, &lower, &totals));
+        if segment.from_md_m == 0.0 {
+            rows.push(segment.row(path, 0.0, &lower, &totals));
         }
     }
     Ok(Integral {

@@ -10,7 +10,7 @@ const UNITS: [&str; 10] = [
     "in", "inch", "inches", "lb", "lbs", "ft", "ppf", "per", "x", "by",
 ];
 
-/// Whether a description has every word and every number that is asked for.
+/// Whether a description has every word and every number that is requested.
 ///
 /// Words count without capitals, and may be cut short; numbers however they are written.
 ///

@@ -65,7 +65,7 @@ fn lab(linear: Vector) -> Vector {
 }
 
 /// The least difference, of CIEDE2000, that any kind of eye sees.
-pub(super) fn least_difference(a: [u8; 3], b: [u8; 3]) -> f64 {
+pub(super) fn min_difference(a: [u8; 3], b: [u8; 3]) -> f64 {
     let seen = |eye: &Matrix, rgb| lab(times(eye, linear(rgb)));
     let differences = EYES.iter().map(|eye| ciede2000(seen(eye, a), seen(eye, b)));
     differences.fold(f64::INFINITY, f64::min)

@@ -1,6 +1,6 @@
 //! The bottom of the hole as the blades have left it.
 
-use crate::damage::{Damaged, sound};
+use crate::damage::{Damaged, ensure};
 use serde::{Deserialize, Serialize};
 
 /// Points of the surface between one blade and the next.
@@ -9,7 +9,7 @@ const POINTS: usize = 1024;
 /// The cut surface ahead of a blade, up to the next one: measured depth against angle.
 ///
 /// All blades are alike and spaced evenly, so what stands ahead of one of them is what the blade before
-/// it has left, and one such sector tells of the whole bottom. The surface is kept as a ring of points at
+/// it has left, and one such sector reports the whole bottom. The surface is kept as a ring of points at
 /// fixed angles, straight lines between: a blade that passes a point lowers it to where it passed, if it
 /// reached that deep. So the delay between the blades needs no search in the past, holds while the bit
 /// stands or jumps, and does not know of the step.
@@ -30,7 +30,7 @@ impl Bottom {
     /// Whether a stored bottom has all its points, and the blades stand at one of them.
     pub(super) fn check(&self) -> Result<(), Damaged> {
         let fits = self.surface_m.len() == POINTS && self.passed < POINTS;
-        sound(fits && self.spacing_rad > 0.0, "the bottom under the bit")
+        ensure(fits && self.spacing_rad > 0.0, "the bottom under the bit")
     }
 
     /// A bottom that `blades` have left in drilling steadily: at `depth_m` now, each of them cutting

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Cutters, Excitation, SteadyCut, rate_segment::Stretch};
+use super::{Cutters, Excitation, SteadyCut, rate_segment::RateSegment};
 
 /// The law of Detournay and Defourny for drag bits, with the three regimes that Detournay, Richard and Shepherd measured
 /// (*International Journal of Rock Mechanics and Mining Sciences* 45, 2008).
@@ -43,9 +43,9 @@ impl DetournayDefournyLaw {
 
     /// Depth of cut per revolution under a weight on bit, m.
     pub fn depth_of_cut_m(&self, weight_on_bit_N: f64) -> f64 {
-        let depth = |s: &Stretch| s.rate_m_per_s(weight_on_bit_N);
-        let mut stretches = self.stretches(TAU);
-        let found = stretches.find(|s| weight_on_bit_N <= s.to_N);
+        let depth = |s: &RateSegment| s.rate_m_per_s(weight_on_bit_N);
+        let mut segments = self.segments(TAU);
+        let found = segments.find(|s| weight_on_bit_N <= s.to_N);
         found.as_ref().map_or(f64::NAN, depth)
     }
 
@@ -67,14 +67,14 @@ impl DetournayDefournyLaw {
     }
 
     /// The rate of penetration against the weight at a speed, regime by regime.
-    pub(super) fn stretches(&self, speed_rad_per_s: f64) -> impl Iterator<Item = Stretch> {
+    pub(super) fn segments(&self, speed_rad_per_s: f64) -> impl Iterator<Item = RateSegment> {
         let pace = speed_rad_per_s.max(0.0) / TAU;
         let full = self.full_contact_depth_m;
         let full_N = self.weight_on_bit_N(full);
         let limit_N = self
             .cleaning_limit_m
             .map(|limit| self.weight_on_bit_N(limit));
-        let contact = Stretch {
+        let contact = RateSegment {
             from_N: 0.0,
             to_N: full_N,
             from_m_per_s: 0.0,
@@ -84,7 +84,7 @@ impl DetournayDefournyLaw {
                 0.0
             },
         };
-        let cutting = Stretch {
+        let cutting = RateSegment {
             from_N: full_N,
             to_N: limit_N.unwrap_or(f64::INFINITY),
             from_m_per_s: pace * full,
@@ -93,7 +93,7 @@ impl DetournayDefournyLaw {
         let choked = self
             .cleaning_limit_m
             .zip(limit_N)
-            .map(|(limit, limit_N)| Stretch {
+            .map(|(limit, limit_N)| RateSegment {
                 from_N: limit_N,
                 to_N: f64::INFINITY,
                 from_m_per_s: pace * limit,

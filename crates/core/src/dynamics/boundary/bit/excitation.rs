@@ -110,7 +110,7 @@ impl Shaker {
         }
     }
 
-    /// Goes on by a turn and a time.
+    /// Continues by a turn and a time.
     pub(super) fn advance(&mut self, turn_rad: f64, dt: f64) {
         self.angle_rad += turn_rad;
         self.time_s += dt;

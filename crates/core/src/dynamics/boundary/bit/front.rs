@@ -5,12 +5,12 @@ use super::{
     excitation::{Shake, Shaker},
     motor::{Drive, Turned},
     rate::Rate,
-    rate_segment::Stretch,
+    rate_segment::RateSegment,
     settings::BitLaw,
-    step::{Answer, Approach},
+    step::{Approach, RockReaction},
     table::{Counter, TableUse},
 };
-use crate::damage::{Damaged, sound};
+use crate::damage::{Damaged, ensure};
 use serde::{Deserialize, Serialize};
 
 /// The rock front that the bit cuts away.
@@ -60,10 +60,10 @@ struct Press {
 impl Press {
     /// The weight at which the rock is compressed by as much as bit and front leave at the step's end, and the
     /// front's advance.
-    fn on(&self, stretches: impl IntoIterator<Item = Stretch>) -> (f64, f64) {
+    fn on(&self, segments: impl IntoIterator<Item = RateSegment>) -> (f64, f64) {
         let (k, dt) = (self.stiffness_N_per_m, self.dt);
         let mut found = (0.0, 0.0);
-        for s in stretches {
+        for s in segments {
             let yielding = 1.0 + k * dt * (self.mobility_s_per_kg + s.slope_m_per_s_per_N);
             // Where the rate falls so steeply with the weight, more of it compresses the rock less.
             if yielding <= 0.0 {
@@ -92,7 +92,7 @@ impl FrontCut {
             (FrontLaw::Table(ours, _), BitLaw::Table(theirs)) => ours == theirs,
             _ => false,
         };
-        sound(fits, "the law of the bit")
+        ensure(fits, "the law of the bit")
     }
 
     /// The front under a bit that drills steadily.
@@ -141,7 +141,7 @@ impl FrontCut {
         }
     }
 
-    pub(super) fn meet(&mut self, at: &Approach, drive: &mut Drive) -> Answer {
+    pub(super) fn meet(&mut self, at: &Approach, drive: &mut Drive) -> RockReaction {
         // The spin that the step gave without the rock is not the bit's: its torque is to come.
         let turning = at.spin_before_rad_per_s + drive.speed_rad_per_s();
         let shake = self.shake(turning, turning * at.dt, at.dt);
@@ -152,9 +152,9 @@ impl FrontCut {
             dt: at.dt,
         };
         let (weight, advance) = match &self.law {
-            FrontLaw::Rate(law) => press.on([law.stretch(turning)]),
-            FrontLaw::DetournayDefourny(law) => press.on(law.stretches(turning)),
-            FrontLaw::Table(law, _) => press.on(law.table.stretches(turning)),
+            FrontLaw::Rate(law) => press.on([law.segment(turning)]),
+            FrontLaw::DetournayDefourny(law) => press.on(law.segments(turning)),
+            FrontLaw::Table(law, _) => press.on(law.table.segments(turning)),
         };
         self.front_m += advance;
         self.weight_N = weight;
@@ -174,7 +174,7 @@ impl FrontCut {
         if let Some(shaker) = &mut self.shaker {
             shaker.advance(turned.bit_rad_per_s * at.dt, at.dt);
         }
-        Answer {
+        RockReaction {
             weight_N: weight,
             torque_N_m: turned.torque_N_m,
             spin_rad_per_s: turned.string_rad_per_s,

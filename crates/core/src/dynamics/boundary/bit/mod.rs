@@ -26,7 +26,7 @@ pub use self::{
     regenerative::RegenerativeLaw,
     rock::{RockLaw, RunIn, Standing},
     settings::{BitLaw, BitSettings},
-    step::{BitStep, Came},
+    step::{BitStep, StepStart},
     table::{BitTable, TableFault, TableLaw, TablePoint, TableUse},
 };
 use self::{
@@ -37,10 +37,10 @@ use self::{
     regenerative::RegenerativeCut,
     rock::RockCut,
     side::Side,
-    step::{Answer, Approach},
+    step::{Approach, RockReaction},
     table::Counter,
 };
-use super::{anchor::Anchor, crew::Crew};
+use super::{anchor::Anchor, executor::RockExecutor};
 use crate::{
     damage::Damaged,
     dynamics::kernel::chain::{Chain, node},
@@ -191,8 +191,8 @@ impl Bit {
         &mut self,
         chain: &mut Chain<impl Real>,
         anchor: &Anchor,
-        came: Came,
-        crew: &Crew,
+        step_start: StepStart,
+        executor: &RockExecutor,
         dt: f64,
     ) -> BitStep {
         let index = chain.nodes() - 1;
@@ -202,19 +202,21 @@ impl Bit {
             chain.displacement(index),
             tangent,
             dt * node!(chain, index, inv_mass_lateral),
-            came.spin + self.drive.speed_rad_per_s(),
+            step_start.spin + self.drive.speed_rad_per_s(),
             dt,
         );
         if let Some(Cut::Rock(cut)) = &mut self.cut {
             chain.set_velocity(index, held.velocity);
-            let mut step = cut.drill(chain, anchor, came, &mut self.drive, crew, dt);
-            let mean = (came.velocity + chain.velocity(index)).scaled(0.5);
+            let mut step = cut.drill(chain, anchor, step_start, &mut self.drive, executor, dt);
+            let mean = (step_start.velocity + chain.velocity(index)).scaled(0.5);
             step.work_J += held.force_N.dot(mean) * dt;
             step.force_N = step.force_N + held.force_N;
             return step;
         }
         let (mut velocity, mut displacement) = (held.velocity, held.displacement);
-        let mut work = held.force_N.dot((came.velocity + velocity).scaled(0.5));
+        let mut work = held
+            .force_N
+            .dot((step_start.velocity + velocity).scaled(0.5));
 
         let mut step = BitStep {
             force_N: held.force_N,
@@ -224,30 +226,30 @@ impl Bit {
             depth_m: anchor.md_m + displacement.dot(tangent),
             velocity_m_per_s: velocity.dot(tangent),
             axial_mobility_s_per_kg: dt * node!(chain, index, inv_mass_axial),
-            spin_before_rad_per_s: came.spin,
+            spin_before_rad_per_s: step_start.spin,
             spin_rad_per_s: node!(chain, index, spin),
             turning_mobility: dt * node!(chain, index, inv_polar),
             dt,
         };
-        let answer = match &mut self.cut {
+        let reaction = match &mut self.cut {
             Some(Cut::Front(cut)) => Some(cut.meet(&approach, &mut self.drive)),
             Some(Cut::Regenerative(cut)) => Some(cut.meet(&approach, &mut self.drive)),
             Some(Cut::Rock(_)) | None => None,
         };
-        if let Some(Answer {
+        if let Some(RockReaction {
             weight_N: weight,
             torque_N_m: torque,
             spin_rad_per_s: spin,
             depth_of_cut_m,
             rate_m_per_s,
-        }) = answer
+        }) = reaction
         {
             let mobility = approach.axial_mobility_s_per_kg;
             velocity = velocity.minus(tangent, mobility * weight);
             displacement = displacement.minus(tangent, dt * mobility * weight);
             node!(chain, index, spin = spin);
-            work -= weight * tangent.dot((came.velocity + velocity).scaled(0.5))
-                + torque * 0.5 * (came.spin + spin);
+            work -= weight * tangent.dot((step_start.velocity + velocity).scaled(0.5))
+                + torque * 0.5 * (step_start.spin + spin);
             step = BitStep {
                 weight_on_bit_N: weight,
                 torque_N_m: torque,

@@ -57,13 +57,13 @@ impl MudMotor {
     }
 
     fn leak_m3_per_s(&self, torque_N_m: f64) -> f64 {
-        let [from, to] = self.stretch(torque_N_m <= self.max_torque_N_m());
+        let [from, to] = self.segment(torque_N_m <= self.max_torque_N_m());
         let part = (torque_N_m.max(0.0) - from.0) / (to.0 - from.0);
         from.1 + part * (to.1 - from.1)
     }
 
     /// The ends of a straight part of the leak, torque and flow: below the largest pressure, or above.
-    fn stretch(&self, below: bool) -> [(f64, f64); 2] {
+    fn segment(&self, below: bool) -> [(f64, f64); 2] {
         let rated = (self.max_torque_N_m(), self.slip * self.rated_flow_m3_per_s);
         if below {
             [(0.0, 0.0), rated]
@@ -79,7 +79,7 @@ impl MudMotor {
             spin_rad_per_s - mobility * torque + self.speed_rad_per_s(flow_m3_per_s, torque)
         };
         for below in [true, false] {
-            let [(from, _), (to, _)] = self.stretch(below);
+            let [(from, _), (to, _)] = self.segment(below);
             let (fast, slow) = (turning(from), turning(to));
             if fast <= 0.0 {
                 return from;
@@ -128,7 +128,7 @@ impl Motor {
     }
 
     /// Torque that it turns the bit with at the most, N·m.
-    pub fn most_torque_N_m(&self) -> f64 {
+    pub fn max_torque_N_m(&self) -> f64 {
         match self {
             Self::Speed(_) => f64::INFINITY,
             Self::Displacement(motor) => motor.stall_torque_N_m,

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Excitation, motor::Drive, rate_segment::Stretch};
+use super::{Excitation, motor::Drive, rate_segment::RateSegment};
 use crate::operation::{Operation, OperationKind};
 
 /// The rate law: on rock that lies where the bit has cut to, pressed with the force `W`, the bit advances
@@ -42,13 +42,13 @@ impl Rate {
         }
     }
 
-    pub(super) fn stretch(&self, speed_rad_per_s: f64) -> Stretch {
+    pub(super) fn segment(&self, speed_rad_per_s: f64) -> RateSegment {
         let pace = if self.slides || self.nominal_rad_per_s == 0.0 {
             1.0
         } else {
             (speed_rad_per_s / self.nominal_rad_per_s).max(0.0)
         };
-        Stretch {
+        RateSegment {
             from_N: 0.0,
             to_N: f64::INFINITY,
             from_m_per_s: 0.0,

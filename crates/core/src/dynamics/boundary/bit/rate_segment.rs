@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 /// A straight part of the rate at which a bit advances against its weight.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Stretch {
+pub(super) struct RateSegment {
     pub(super) from_N: f64,
     pub(super) to_N: f64,
     /// Rate at its beginning, m/s.
@@ -13,7 +13,7 @@ pub(super) struct Stretch {
     pub(super) slope_m_per_s_per_N: f64,
 }
 
-impl Stretch {
+impl RateSegment {
     pub(super) fn rate_m_per_s(&self, weight_N: f64) -> f64 {
         self.from_m_per_s + self.slope_m_per_s_per_N * (weight_N - self.from_N)
     }

@@ -6,7 +6,7 @@ use super::{
     Cutters, SteadyCut,
     bottom::Bottom,
     motor::Drive,
-    step::{Answer, Approach},
+    step::{Approach, RockReaction},
 };
 use crate::{damage::Damaged, operation::Operation};
 
@@ -73,7 +73,7 @@ impl RegenerativeCut {
         }
     }
 
-    pub(super) fn meet(&mut self, at: &Approach, drive: &mut Drive) -> Answer {
+    pub(super) fn meet(&mut self, at: &Approach, drive: &mut Drive) -> RockReaction {
         let law = &self.law;
         let mobility = at.axial_mobility_s_per_kg;
         // A torque bends the angle by dt², and the rock ahead slopes by a thousandth: the turn can be
@@ -115,7 +115,7 @@ impl RegenerativeCut {
         }
         self.back_rad = (-turn).max(0.0);
         self.depth_m = depth_m;
-        Answer {
+        RockReaction {
             weight_N: weight,
             torque_N_m: turned.torque_N_m,
             spin_rad_per_s: turned.string_rad_per_s,

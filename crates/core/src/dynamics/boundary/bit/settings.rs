@@ -10,7 +10,7 @@ use crate::operation::Operation;
 pub struct BitSettings {
     /// How the rock answers.
     pub law: BitLaw,
-    /// Lateral stiffness that holds the bit to the hole's axis, N/m. On solid rock the bricks that it meets hold it besides.
+    /// Lateral stiffness that holds the bit to the hole's axis, N/m. On solid rock the elements that it meets hold it besides.
     pub lateral_stiffness_N_per_m: f64,
     /// What the bit cuts sideways per force, over what it cuts along the hole per weight: its steerability. Zero of one
     /// that does not cut sideways.
@@ -63,7 +63,7 @@ impl BitSettings {
     pub fn drilling_steadily(&self, mut operation: Operation) -> Operation {
         let speed = self.drilling_speed_rad_per_s(&operation);
         if let Some(steady) = self.law.steady(operation.weight_on_bit_N, speed) {
-            operation.bit_torque_N_m = steady.torque_N_m.min(self.motor.most_torque_N_m());
+            operation.bit_torque_N_m = steady.torque_N_m.min(self.motor.max_torque_N_m());
             operation.rate_of_penetration_m_per_s = steady.rate_of_penetration_m_per_s;
         }
         let pressure_Pa = self.motor.pressure_Pa(operation.bit_torque_N_m);

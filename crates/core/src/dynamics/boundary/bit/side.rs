@@ -54,7 +54,7 @@ impl Side {
         let rate = self.cut_m_per_N * turning_rad_per_s.abs();
         let hold = k / (1.0 + k * (mobility + rate) * dt);
         let pressed = if rate > 0.0 {
-            // The hole goes on with the bit: what it was cut by lies across wherever the bit gets to.
+            // The hole continues with the bit: what it was cut by lies across wherever the bit gets to.
             let axis = self.axis_m.minus(tangent, self.axis_m.dot(tangent));
             let pressed = across.minus(axis, 1.0);
             self.axis_m = axis.plus(pressed, dt * rate * hold);

@@ -4,7 +4,7 @@ use crate::simd::vector::Vector;
 
 /// How the bit's node came into a step.
 #[derive(Debug, Clone, Copy)]
-pub struct Came {
+pub struct StepStart {
     /// Its velocity, m/s.
     pub velocity: Vector<f64>,
     /// Its spin, rad/s.
@@ -32,7 +32,7 @@ pub(super) struct Approach {
 
 /// What the rock answers.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Answer {
+pub(super) struct RockReaction {
     pub(super) weight_N: f64,
     /// Against the string's rotation.
     pub(super) torque_N_m: f64,

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::{
     Excitation, SteadyCut,
     excitation::Spread,
-    rate_segment::{Stretch, depth_of_cut_m},
+    rate_segment::{RateSegment, depth_of_cut_m},
 };
 
 /// The table and what goes with it.
@@ -104,7 +104,7 @@ pub enum TableFault {
 /// Between the points it is bilinear. Nothing is cut without weight or without rotation, so that below the least weight the
 /// rate and the torque go evenly to zero with the weight, and below the least speed the rate goes to zero with the speed,
 /// while the torque stays. Above the largest weight and the largest speed the values are those of the edge. All of this is
-/// outside, and [`TableUse`] tells of it.
+/// outside, and [`TableUse`] reports it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BitTable {
     weights_N: Vec<f64>,
@@ -135,7 +135,7 @@ impl BitTable {
         if points.is_empty() {
             return Err(TableFault::Empty);
         }
-        let sound = |p: &TablePoint| {
+        let valid = |p: &TablePoint| {
             let positive = [p.weight_on_bit_N, p.rotary_speed_rad_per_s];
             let others = [p.rate_of_penetration_m_per_s, p.torque_N_m];
             let spread = p.torque_std_N_m.iter().chain(&p.weight_on_bit_std_N);
@@ -145,7 +145,7 @@ impl BitTable {
                     .chain(spread)
                     .all(|x| x.is_finite() && *x >= 0.0)
         };
-        if let Some(at) = points.iter().position(|p| !sound(p)) {
+        if let Some(at) = points.iter().position(|p| !valid(p)) {
             return Err(TableFault::Number { line: at + 1 });
         }
         let spreads =
@@ -251,7 +251,7 @@ impl BitTable {
     }
 
     /// The rate of penetration against the weight at a speed, from point to point.
-    pub(super) fn stretches(&self, speed_rad_per_s: f64) -> impl Iterator<Item = Stretch> {
+    pub(super) fn segments(&self, speed_rad_per_s: f64) -> impl Iterator<Item = RateSegment> {
         let column = self.column(speed_rad_per_s);
         let rate = move |i: usize| column.pace * self.across(&self.rate_m_per_s, i, column);
         let last = self.weights_N.len() - 1;
@@ -261,14 +261,14 @@ impl BitTable {
                 _ => (self.weights_N[i - 1], rate(i - 1)),
             };
             let to_N = self.weights_N[i];
-            Stretch {
+            RateSegment {
                 from_N,
                 to_N,
                 from_m_per_s,
                 slope_m_per_s_per_N: (rate(i) - from_m_per_s) / (to_N - from_N),
             }
         });
-        let edge = Stretch {
+        let edge = RateSegment {
             from_N: self.weights_N[last],
             to_N: f64::INFINITY,
             from_m_per_s: rate(last),

@@ -15,11 +15,11 @@ use serde::{Deserialize, Serialize};
 
 use super::flow_pressures::FlowPressures;
 use crate::{
-    damage::{Damaged, sound},
+    damage::{Damaged, ensure},
     dynamics::{
         boundary::{
             anchor::{Anchor, middle_m},
-            hole::Surroundings,
+            hole::Borehole,
         },
         kernel::chain::{Chain, node},
     },
@@ -42,7 +42,7 @@ const REACH_M: f64 = 1.0;
 
 /// Largest part γ of a node's velocity that drag takes in a step. Taken at the step's beginning, it makes
 /// `(ω dt)² < 4 − 2γ` of the leapfrog's limit `(ω dt)² < 4`, and the step uses 0.99² of that: 0.040 would be
-/// unstable. A mud below its yield point asks for more; the force itself stays what it is.
+/// unstable. A mud below its yield point requires more; the force itself stays what it is.
 const STRONGEST: f64 = 0.025;
 
 /// An element in its annulus.
@@ -101,7 +101,7 @@ impl Viscous {
             && [&self.pressures, &self.sum_pressures]
                 .iter()
                 .all(|of| of.outside_Pa.len() == nodes && of.inside_Pa.len() == nodes);
-        sound(fits, "the mud")
+        ensure(fits, "the mud")
     }
 
     /// The mud around a string that moves as `operation` has it, its bit at `bit_md_m`; none without a
@@ -161,7 +161,7 @@ impl Viscous {
         -passage.length_m * passage.drag.torque_N(passage.motion.spin_rad_per_s)
     }
 
-    /// Takes hold of a chain that has been laid.
+    /// Takes hold of a chain that has been initialised.
     pub fn attach(&mut self, chain: &mut Chain<impl Real>, anchors: &[Anchor], dt: f64) {
         let nodes = 0..chain.nodes();
         self.weight_N = nodes
@@ -184,7 +184,7 @@ impl Viscous {
         &mut self,
         chain: &mut Chain<impl Real>,
         anchors: &[Anchor],
-        surroundings: &Surroundings,
+        borehole: &Borehole,
         dt: f64,
     ) {
         let mut above = (axial_m_per_s(chain, 0), node!(chain, 0, spin));
@@ -205,7 +205,7 @@ impl Viscous {
             let changed = passage.is_stale(&motion, md_m);
             if changed {
                 passage.md_m = md_m;
-                passage.find(&self.mud, motion, surroundings.hole_diameter_m(md_m));
+                passage.find(&self.mud, motion, borehole.hole_diameter_m(md_m));
             }
             if changed || changed_above {
                 self.load(chain, anchors, index, dt);

@@ -66,7 +66,7 @@ fn a_turning_pipe_is_laid_where_it_climbs_to() {
             at_rest: false,
             settings: &settings,
             mesh: &basis.mesh,
-            surroundings: &basis.surroundings,
+            borehole: &basis.borehole,
             viscous: None,
             stepper: &basis.stepper,
             input: &StepInput {

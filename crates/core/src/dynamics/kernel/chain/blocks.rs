@@ -80,7 +80,7 @@ impl<R: Real> StateBlock<R> {
 }
 
 block! {
-    /// A row of nodes: what they are, what is summed up between samples, and last what a plain step does not ask for.
+    /// A row of nodes: what they are, what is summed up between samples, and last what a plain step does not require.
     pub struct NodeBlock<R> {
         /// Tangent of the hole's axis at the anchor.
         pub tangent: Rows<R>,

@@ -33,7 +33,7 @@ impl<R: Real> Pull<R> {
         }
     }
 
-    /// What the last row does to the first, where the strands go on: each in the lane above.
+    /// What the last row does to the first, where the pieces continue: each in the lane above.
     pub(super) fn go_on(&mut self) {
         let Self {
             force,

@@ -14,13 +14,13 @@
 //! Directors move on the sphere by Cayley's rotation, which keeps their length and the right angle
 //! to their angular velocity to rounding.
 
-mod calm;
+mod contact;
+mod damping;
 mod elements;
 mod input;
 mod lane;
 mod losses;
 mod nodes;
-mod touch;
 
 use super::chain::{Chain, ElementBlock, Row, StateBlock};
 use crate::simd::{
@@ -30,14 +30,14 @@ use crate::simd::{
     peak,
     wide::{Pair, Registers},
 };
-pub use calm::Calming;
+use contact::normal_contact;
+pub use damping::MassDamping;
 use elements::{Pull, Strains, bend, chord, strain, twist};
 pub use input::StepInput;
 use lane::lanes;
 use losses::Losses;
 pub use losses::StepLosses;
-use nodes::{Flight, fly, land, reach, rub, turn};
-use touch::push;
+use nodes::{Prediction, correct, friction, gap, predict, rotate_directors};
 
 /// What the stepper must be able to do; less is faster.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,7 +55,7 @@ pub struct Abilities {
 #[derive(Clone, Copy)]
 pub struct Stepper<R: Real = f64> {
     step: unsafe fn(&mut Chain<R>, &StepInput) -> StepLosses,
-    calm: unsafe fn(&mut Chain<R>, &Calming) -> f64,
+    damp: unsafe fn(&mut Chain<R>, &MassDamping) -> f64,
     peak: unsafe fn(usize) -> u64,
     /// Name of the instruction set in use.
     pub instructions: &'static str,
@@ -84,8 +84,8 @@ macro_rules! compiled_for {
             }
 
             $(#[target_feature(enable = $features)])?
-            pub(super) fn calm<R: Registers>(chain: &mut Chain<R>, calming: &Calming) -> f64 {
-                super::calm::calm::<$number<R>>(chain, calming)
+            pub(super) fn damp<R: Registers>(chain: &mut Chain<R>, mass_damping: &MassDamping) -> f64 {
+                super::damping::damp::<$number<R>>(chain, mass_damping)
             }
 
             $(#[target_feature(enable = $features)])?
@@ -108,7 +108,7 @@ fn counting<R: Real, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
     sweep::<Counted<R>, HERTZ, VECTOR, FULL>(chain, input)
 }
 
-/// A function of the step, compiled for the laws that are asked for.
+/// A function of the step, compiled for the laws that are requested.
 macro_rules! with_laws {
     ($($function:ident)::+, $abilities:expr) => {
         match ($abilities.hertz, $abilities.vector, $abilities.full) {
@@ -125,7 +125,7 @@ macro_rules! with_laws {
 }
 
 impl<R: Registers> Stepper<R> {
-    /// The fastest code for this processor that does what is asked for.
+    /// The fastest code for this processor that does what is requested.
     pub fn new(abilities: Abilities) -> Self {
         Self::all(abilities)[0]
     }
@@ -136,7 +136,7 @@ impl<R: Registers> Stepper<R> {
             ($set:ident, $name:literal) => {
                 Self {
                     step: with_laws!($set::step, abilities),
-                    calm: $set::calm::<R>,
+                    damp: $set::damp::<R>,
                     peak: $set::peak::<R>,
                     instructions: $name,
                 }
@@ -163,9 +163,9 @@ impl<R: Real> Stepper<R> {
     }
 
     /// Takes what mass-proportional damping takes; how much, J.
-    pub fn calm(&self, chain: &mut Chain<R>, calming: &Calming) -> f64 {
+    pub fn damp(&self, chain: &mut Chain<R>, mass_damping: &MassDamping) -> f64 {
         // SAFETY: as for a step.
-        unsafe { (self.calm)(chain, calming) }
+        unsafe { (self.damp)(chain, mass_damping) }
     }
 
     /// Advances the chain by one step.
@@ -187,13 +187,13 @@ pub fn met(chain: &Chain, index: usize) -> (crate::simd::vector::Vector<f64>, f6
         dissipation: 0.0,
         stribeck_speed: 1.0,
     };
-    let mut flight = Flight::none();
+    let mut prediction = Prediction::none();
     let (n, state) = (&chain.node_blocks[row], &chain.states[row]);
-    reach::<f64, true>(&mut flight, n, state, &input, lane);
-    let [x, y, z] = &flight.offset;
+    gap::<f64, true>(&mut prediction, n, state, &input, lane);
+    let [x, y, z] = &prediction.offset;
     (
         Vector(x.0[lane], y.0[lane], z.0[lane]),
-        flight.clearance.0[lane],
+        prediction.clearance.0[lane],
     )
 }
 
@@ -211,7 +211,7 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
     } = chain;
     let rows = node_blocks.len();
     let mut losses = Losses::none();
-    let (mut strains, mut flight) = (Strains::none(), Flight::none());
+    let (mut strains, mut prediction) = (Strains::none(), Prediction::none());
     let mut pulls = [Pull::none(); 3];
     // The last row of elements pulls at the first row of nodes, too: it and the first come before all nodes.
     let (e, below) = (&mut element_blocks[rows - 1], ends(states, rows - 1));
@@ -241,15 +241,15 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
             None
         };
         for lane in lanes::<N>() {
-            fly::<N, FULL>(&mut flight, n, state, above, below, input, lane);
+            predict::<N, FULL>(&mut prediction, n, state, above, below, input, lane);
         }
         let mut touches = false;
         for lane in lanes::<N>() {
-            touches |= reach::<N, FULL>(&mut flight, n, state, input, lane);
+            touches |= gap::<N, FULL>(&mut prediction, n, state, input, lane);
         }
         if touches {
             for lane in lanes::<Pair<N>>() {
-                push::<Pair<N>, HERTZ>(&mut flight, n, input, lane);
+                normal_contact::<Pair<N>, HERTZ>(&mut prediction, n, input, lane);
             }
         }
         if let Some((e, ends)) = &mut elements {
@@ -262,7 +262,7 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
         }
         if touches {
             for lane in lanes::<Pair<N>>() {
-                rub::<Pair<N>, VECTOR, FULL>(&mut flight, n, input, lane);
+                friction::<Pair<N>, VECTOR, FULL>(&mut prediction, n, input, lane);
             }
         }
         if let Some((e, ends)) = &mut elements {
@@ -275,15 +275,15 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
         }
         if touches {
             for lane in lanes::<N>() {
-                land::<N, FULL, true>(&flight, n, state, input, &mut losses, lane);
+                correct::<N, FULL, true>(&prediction, n, state, input, &mut losses, lane);
             }
         } else {
             for lane in lanes::<N>() {
-                land::<N, FULL, false>(&flight, n, state, input, &mut losses, lane);
+                correct::<N, FULL, false>(&prediction, n, state, input, &mut losses, lane);
             }
         }
         for lane in lanes::<N>() {
-            turn::<N>(n, state, above, below, input, lane);
+            rotate_directors::<N>(n, state, above, below, input, lane);
         }
     }
     let sum = |row: Row<N::Real>| row.0.as_ref().iter().map(|x| x.to_f64()).sum::<f64>();

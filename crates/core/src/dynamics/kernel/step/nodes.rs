@@ -17,11 +17,11 @@ use crate::{
 /// has its say, and what the wall says. Made and used in short loops over the row, so that the processor
 /// works on several lanes while it waits for a root or a division.
 #[derive(Clone, Copy)]
-pub(super) struct Flight<R: Real> {
+pub(super) struct Prediction<R: Real> {
     /// What one newton gives across the hole and along it, m/s, and one newton metre about the director, rad/s.
-    pub(super) give: Row<R>,
-    give_axial: Row<R>,
-    give_spin: Row<R>,
+    pub(super) mobility: Row<R>,
+    mobility_axial: Row<R>,
+    mobility_spin: Row<R>,
     /// Velocity along the hole at the step's beginning.
     axial0: Row<R>,
     /// What viscous mud takes on the way of the velocity along the hole, and of the spin.
@@ -39,20 +39,20 @@ pub(super) struct Flight<R: Real> {
     /// The direction of the offset.
     pub(super) normal: Rows<R>,
     /// Contact force, N.
-    pub(super) push: Row<R>,
+    pub(super) normal_force: Row<R>,
     /// Direction around the hole, and friction along and around it.
     around: Rows<R>,
-    rub_along: Row<R>,
-    rub_around: Row<R>,
+    friction_along: Row<R>,
+    friction_around: Row<R>,
 }
 
-impl<R: Real> Flight<R> {
+impl<R: Real> Prediction<R> {
     pub(super) fn none() -> Self {
         let zero = Row::filled(0.0);
         Self {
-            give: zero,
-            give_axial: zero,
-            give_spin: zero,
+            mobility: zero,
+            mobility_axial: zero,
+            mobility_spin: zero,
             axial0: zero,
             slowed_axial: zero,
             slowed_spin: zero,
@@ -63,18 +63,18 @@ impl<R: Real> Flight<R> {
             clearance: zero,
             inward: zero,
             normal: [zero; 3],
-            push: zero,
+            normal_force: zero,
             around: [zero; 3],
-            rub_along: zero,
-            rub_around: zero,
+            friction_along: zero,
+            friction_around: zero,
         }
     }
 }
 
-/// Kicks a row of nodes: how they would fly without a wall.
+/// Kicks a row of nodes: how they would move without a wall.
 #[inline(always)]
-pub(super) fn fly<N: Number, const FULL: bool>(
-    flight: &mut Flight<N::Real>,
+pub(super) fn predict<N: Number, const FULL: bool>(
+    prediction: &mut Prediction<N::Real>,
     n: &NodeBlock<N::Real>,
     state: &StateBlock<N::Real>,
     above: &Pull<N::Real>,
@@ -84,46 +84,46 @@ pub(super) fn fly<N: Number, const FULL: bool>(
 ) {
     let dt = N::splat(input.dt);
     let th = at3::<N>(&n.tangent, lane);
-    let give = dt * at(&n.inv_mass_lateral, lane);
-    let give_axial = dt * at(&n.inv_mass_axial, lane);
-    let give_spin = dt * at(&n.inv_polar, lane);
+    let mobility = dt * at(&n.inv_mass_lateral, lane);
+    let mobility_axial = dt * at(&n.inv_mass_axial, lane);
+    let mobility_spin = dt * at(&n.inv_polar, lane);
     let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));
     let axial0 = th.dot(v0);
     let force = at3::<N>(&above.force, lane) - at3(&below.force, lane) + at3(&n.weight, lane);
     let along = th.dot(force);
     let torque = at::<N>(&below.torque, lane) - at(&above.torque, lane);
-    let gained = give_axial * along;
+    let gained = mobility_axial * along;
     // Drag acts on the velocity that the node came with. The kick of rod and gravity is left whole: a wall or a
     // hoist that takes it back within the step must feel all of it.
     let slowed = at::<N>(&n.slowed, lane);
     let kept = N::splat(1.0) - slowed;
     // What drag and the mass across the hole make of the part along it is replaced.
-    let mut instead = slowed.mul_add(axial0, give.neg_mul_add(along, gained));
+    let mut instead = slowed.mul_add(axial0, mobility.neg_mul_add(along, gained));
     let mut axial = axial0 + gained;
-    let mut spin = give_spin.mul_add(torque, s0);
+    let mut spin = mobility_spin.mul_add(torque, s0);
     if FULL {
         let half = N::splat(0.5);
-        let slowed_axial = (give_axial * at(&n.mud_axial, lane)).min(half) * axial0;
-        let slowed_spin = (give_spin * at(&n.mud_spin, lane)).min(half) * s0;
+        let slowed_axial = (mobility_axial * at(&n.mud_axial, lane)).min(half) * axial0;
+        let slowed_spin = (mobility_spin * at(&n.mud_spin, lane)).min(half) * s0;
         (instead, axial) = (instead - slowed_axial, axial - slowed_axial);
         spin = spin - slowed_spin;
-        put(&mut flight.slowed_axial, lane, slowed_axial);
-        put(&mut flight.slowed_spin, lane, slowed_spin);
+        put(&mut prediction.slowed_axial, lane, slowed_axial);
+        put(&mut prediction.slowed_spin, lane, slowed_spin);
     }
-    let v = v0.scaled(kept).plus(force, give).plus(th, instead);
-    put(&mut flight.give, lane, give);
-    put(&mut flight.give_axial, lane, give_axial);
-    put(&mut flight.give_spin, lane, give_spin);
-    put(&mut flight.axial0, lane, axial0);
-    put3(&mut flight.v, lane, v);
-    put(&mut flight.axial, lane, axial);
-    put(&mut flight.spin, lane, spin);
+    let v = v0.scaled(kept).plus(force, mobility).plus(th, instead);
+    put(&mut prediction.mobility, lane, mobility);
+    put(&mut prediction.mobility_axial, lane, mobility_axial);
+    put(&mut prediction.mobility_spin, lane, mobility_spin);
+    put(&mut prediction.axial0, lane, axial0);
+    put3(&mut prediction.v, lane, v);
+    put(&mut prediction.axial, lane, axial);
+    put(&mut prediction.spin, lane, spin);
 }
 
 /// Where a row of nodes would end, against the curved wall; whether one of them would be in it.
 #[inline(always)]
-pub(super) fn reach<N: Number, const FULL: bool>(
-    flight: &mut Flight<N::Real>,
+pub(super) fn gap<N: Number, const FULL: bool>(
+    prediction: &mut Prediction<N::Real>,
     n: &NodeBlock<N::Real>,
     state: &StateBlock<N::Real>,
     input: &StepInput,
@@ -131,7 +131,7 @@ pub(super) fn reach<N: Number, const FULL: bool>(
 ) -> bool {
     let (half, dt) = (N::splat(0.5), N::splat(input.dt));
     let th = at3::<N>(&n.tangent, lane);
-    let v = at3::<N>(&flight.v, lane);
+    let v = at3::<N>(&prediction.v, lane);
     let u = at3::<N>(&state.u, lane).plus(v, dt);
     let z = th.dot(u);
     let offset = u
@@ -142,9 +142,9 @@ pub(super) fn reach<N: Number, const FULL: bool>(
     } else {
         at(&n.clearance, lane)
     };
-    put3(&mut flight.offset, lane, offset);
-    put(&mut flight.clearance, lane, clearance);
-    put(&mut flight.inward, lane, v.dot(offset));
+    put3(&mut prediction.offset, lane, offset);
+    put(&mut prediction.clearance, lane, clearance);
+    put(&mut prediction.inward, lane, v.dot(offset));
     clearance
         .neg_mul_add(clearance, offset.dot(offset))
         .any_positive()
@@ -152,19 +152,22 @@ pub(super) fn reach<N: Number, const FULL: bool>(
 
 /// Rubs a row of nodes that are pushed on the wall.
 #[inline(always)]
-pub(super) fn rub<N: Number, const VECTOR: bool, const FULL: bool>(
-    flight: &mut Flight<N::Real>,
+pub(super) fn friction<N: Number, const VECTOR: bool, const FULL: bool>(
+    prediction: &mut Prediction<N::Real>,
     n: &NodeBlock<N::Real>,
     input: &StepInput,
     lane: usize,
 ) {
     let splat = N::splat;
     let per_stribeck2 = splat(1.0 / (input.stribeck_speed * input.stribeck_speed));
-    let v = at3::<N>(&flight.v, lane);
-    let (axial, spin) = (at::<N>(&flight.axial, lane), at::<N>(&flight.spin, lane));
-    let force = at::<N>(&flight.push, lane);
+    let v = at3::<N>(&prediction.v, lane);
+    let (axial, spin) = (
+        at::<N>(&prediction.axial, lane),
+        at::<N>(&prediction.spin, lane),
+    );
+    let force = at::<N>(&prediction.normal_force, lane);
     let radius = at::<N>(&n.radius, lane);
-    let around = at3::<N>(&n.tangent, lane).cross(at3(&flight.normal, lane));
+    let around = at3::<N>(&n.tangent, lane).cross(at3(&prediction.normal, lane));
     // At the surface that touches.
     let slip = radius.mul_add(spin, v.dot(around));
     let mu = if FULL {
@@ -177,16 +180,16 @@ pub(super) fn rub<N: Number, const VECTOR: bool, const FULL: bool>(
     let limit = force * mu;
     // One newton always takes some speed away: a node that is held everywhere keeps its friction.
     let least = splat(1e-30);
-    let g_axial = at::<N>(&flight.give_axial, lane).max(least);
-    let g_around = (radius * at(&flight.give_spin, lane))
-        .mul_add(radius, at(&flight.give, lane))
+    let g_axial = at::<N>(&prediction.mobility_axial, lane).max(least);
+    let g_around = (radius * at(&prediction.mobility_spin, lane))
+        .mul_add(radius, at(&prediction.mobility, lane))
         .max(least);
     let limit_around = if FULL {
         limit * at(&n.friction_around, lane)
     } else {
         limit
     };
-    let (rub_along, rub_around) = match (VECTOR, FULL) {
+    let (friction_along, friction_around) = match (VECTOR, FULL) {
         (true, false) => friction::vector(limit, axial, slip, g_axial, g_around),
         // In the forces' parts of their limits the law is that of one limit, 1.
         (true, true) => {
@@ -200,15 +203,15 @@ pub(super) fn rub<N: Number, const VECTOR: bool, const FULL: bool>(
             friction::independent(limit_around, slip, g_around),
         ),
     };
-    put3(&mut flight.around, lane, around);
-    put(&mut flight.rub_along, lane, rub_along);
-    put(&mut flight.rub_around, lane, rub_around);
+    put3(&mut prediction.around, lane, around);
+    put(&mut prediction.friction_along, lane, friction_along);
+    put(&mut prediction.friction_around, lane, friction_around);
 }
 
-/// Moves a row of nodes to where the step ends. Where none of them touches the wall, nothing of it is asked for.
+/// Moves a row of nodes to where the step ends. Where none of them touches the wall, nothing of it is requested.
 #[inline(always)]
-pub(super) fn land<N: Number, const FULL: bool, const TOUCHES: bool>(
-    flight: &Flight<N::Real>,
+pub(super) fn correct<N: Number, const FULL: bool, const TOUCHES: bool>(
+    prediction: &Prediction<N::Real>,
     n: &mut NodeBlock<N::Real>,
     state: &mut StateBlock<N::Real>,
     input: &StepInput,
@@ -219,11 +222,14 @@ pub(super) fn land<N: Number, const FULL: bool, const TOUCHES: bool>(
     let dt = splat(input.dt);
     let half_dt = splat(0.5 * input.dt);
     let th = at3::<N>(&n.tangent, lane);
-    let give = at::<N>(&flight.give, lane);
+    let mobility = at::<N>(&prediction.mobility, lane);
     let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));
-    let (mut v3, mut s3) = (at3::<N>(&flight.v, lane), at::<N>(&flight.spin, lane));
-    let mut axial3 = at::<N>(&flight.axial, lane);
-    let axial0 = at::<N>(&flight.axial0, lane);
+    let (mut v3, mut s3) = (
+        at3::<N>(&prediction.v, lane),
+        at::<N>(&prediction.spin, lane),
+    );
+    let mut axial3 = at::<N>(&prediction.axial, lane);
+    let axial0 = at::<N>(&prediction.axial0, lane);
     let mut both = v0 + v3;
 
     // Energy that left the string: every impulse but the rod's and gravity's works on the mean of
@@ -231,20 +237,20 @@ pub(super) fn land<N: Number, const FULL: bool, const TOUCHES: bool>(
     if TOUCHES {
         let radius = at::<N>(&n.radius, lane);
         let (normal, around) = (
-            at3::<N>(&flight.normal, lane),
-            at3::<N>(&flight.around, lane),
+            at3::<N>(&prediction.normal, lane),
+            at3::<N>(&prediction.around, lane),
         );
-        let force = at::<N>(&flight.push, lane);
-        let along = at::<N>(&flight.rub_along, lane);
-        let across = at::<N>(&flight.rub_around, lane);
+        let force = at::<N>(&prediction.normal_force, lane);
+        let along = at::<N>(&prediction.friction_along, lane);
+        let across = at::<N>(&prediction.friction_around, lane);
         let torque = across * radius;
-        let stopped = at::<N>(&flight.give_axial, lane) * along;
+        let stopped = at::<N>(&prediction.mobility_axial, lane) * along;
         axial3 = axial3 - stopped;
         v3 = v3
-            .minus(normal, give * force)
-            .minus(around, give * across)
+            .minus(normal, mobility * force)
+            .minus(around, mobility * across)
             .minus(th, stopped);
-        s3 = at::<N>(&flight.give_spin, lane).neg_mul_add(torque, s3);
+        s3 = at::<N>(&prediction.mobility_spin, lane).neg_mul_add(torque, s3);
         both = v0 + v3;
         let contact = force * normal.dot(both);
         let slid = radius.mul_add(s0 + s3, around.dot(both));
@@ -259,8 +265,8 @@ pub(super) fn land<N: Number, const FULL: bool, const TOUCHES: bool>(
     let drag = at::<N>(&n.mass_lateral, lane) * at(&n.slowed, lane);
     let mut slowed = drag * axial0.neg_mul_add(both_axial, v0.dot(both));
     if FULL {
-        let drag_axial = at::<N>(&n.mass_axial, lane) * at(&flight.slowed_axial, lane);
-        let drag_spin = at::<N>(&n.polar, lane) * at(&flight.slowed_spin, lane);
+        let drag_axial = at::<N>(&n.mass_axial, lane) * at(&prediction.slowed_axial, lane);
+        let drag_spin = at::<N>(&n.polar, lane) * at(&prediction.slowed_spin, lane);
         slowed = drag_axial.mul_add(both_axial, drag_spin.mul_add(s0 + s3, slowed));
     }
     add(&mut losses.mud, lane, slowed);
@@ -272,7 +278,7 @@ pub(super) fn land<N: Number, const FULL: bool, const TOUCHES: bool>(
 
 /// Turns the directors of nodes.
 #[inline(always)]
-pub(super) fn turn<N: Number>(
+pub(super) fn rotate_directors<N: Number>(
     n: &NodeBlock<N::Real>,
     state: &mut StateBlock<N::Real>,
     above: &Pull<N::Real>,
@@ -291,7 +297,7 @@ pub(super) fn turn<N: Number>(
     );
     let kick = moment.scaled(half_dt * at(&n.inv_rotary, lane));
     let halfway = w0 + kick;
-    // By the tangent of the precession, which lengthens by half its square: `calm` takes that out.
+    // By the tangent of the precession, which lengthens by half its square: `damp` takes that out.
     let precession = dt * at(&n.gyroscopic, lane) * at(&state.spin, lane);
     // Half of the kick precesses, half does not: turned by all of it, the kick would feed whirl, by a
     // quarter of the precession times the angle by which the step advances the whirl.

@@ -3,24 +3,24 @@
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    damage::{Damaged, sound},
+    damage::{Damaged, ensure},
     dynamics::{
         boundary::anchor::Anchor,
-        output::carry::{Reach, reaches},
+        output::contact_length::{ContactLength, contact_lengths},
     },
     outcome::ContactMap,
     rod::mesh::Mesh,
 };
 
 /// Rows in time, at most one more where the window begins between two.
-const MOST_ROWS: u64 = 200;
+const MAX_ROWS: u64 = 200;
 
 /// Stretches of string in a row, at most.
-const MOST_STRETCHES: usize = 200;
+const MAX_INTERVALS: usize = 200;
 
 /// Neighbouring nodes and the string that they stand for.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-struct Stretch {
+struct MapInterval {
     first: usize,
     last: usize,
     /// Distances of its ends from the bit, m.
@@ -31,7 +31,7 @@ struct Stretch {
 /// The map so far, and what the sums were when its last row was closed.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct MapKeeper {
-    stretches: Vec<Stretch>,
+    intervals: Vec<MapInterval>,
     /// Distance of each node from the bit, m.
     from_bit_m: Vec<f64>,
     /// Of each node, sums of the signed contact force over the samples, N, and of its magnitude.
@@ -52,28 +52,28 @@ impl MapKeeper {
         let rows = time_s.len();
         let fits = self.from_bit_m.len() == nodes
             && self.before.len() == nodes
-            && self.stretches.len() <= nodes
+            && self.intervals.len() <= nodes
             && self
-                .stretches
+                .intervals
                 .iter()
                 .all(|of| of.first < nodes && of.last < nodes)
             && [md_m, side_force_N_per_m, contact_force_N_per_m]
                 .iter()
                 .all(|column| column.len() == rows);
-        sound(fits, "the map of contact")
+        ensure(fits, "the map of contact")
     }
 
     pub(super) fn new(mesh: &Mesh) -> Self {
         let nodes = mesh.nodes.len();
-        let many = nodes.div_ceil(MOST_STRETCHES);
+        let many = nodes.div_ceil(MAX_INTERVALS);
         let border = |upper: usize, lower: usize| {
             0.5 * (mesh.nodes[upper].from_bit_m + mesh.nodes[lower].from_bit_m)
         };
-        let stretches: Vec<Stretch> = (0..nodes)
+        let intervals: Vec<MapInterval> = (0..nodes)
             .step_by(many)
             .map(|first| {
                 let last = (first + many).min(nodes) - 1;
-                Stretch {
+                MapInterval {
                     first,
                     last,
                     top_m: border(first.saturating_sub(1), first),
@@ -84,7 +84,7 @@ impl MapKeeper {
         Self {
             before: vec![[0.0; 2]; nodes],
             from_bit_m: mesh.nodes.iter().map(|node| node.from_bit_m).collect(),
-            stretches,
+            intervals,
             samples: 0,
             map: ContactMap::default(),
         }
@@ -98,7 +98,7 @@ impl MapKeeper {
     /// Counts a sample of a run that takes `run_samples`; whether a row of the map is full.
     pub(super) fn count(&mut self, run_samples: u64) -> bool {
         self.samples += 1;
-        self.samples >= run_samples.div_ceil(MOST_ROWS).max(1)
+        self.samples >= run_samples.div_ceil(MAX_ROWS).max(1)
     }
 
     /// Closes a row of the map with the samples since the last one, if there are any. `sums` are those of a node's signed
@@ -119,7 +119,7 @@ impl MapKeeper {
         let per_metre = self.per_metre(&since.collect::<Vec<_>>());
         self.before = sums;
         let map = &mut self.map;
-        for (of, [side, contact]) in self.stretches.iter().zip(per_metre) {
+        for (of, [side, contact]) in self.intervals.iter().zip(per_metre) {
             let ends_m = anchors[of.first].md_m + anchors[of.last].md_m;
             map.time_s.push(time_s);
             map.md_m.push(0.5 * ends_m);
@@ -137,9 +137,9 @@ impl MapKeeper {
     /// so few joints that one has two of them and the next has three, the map would have stripes.
     fn per_metre(&self, forces: &[[f64; 2]]) -> Vec<[f64; 2]> {
         let top_m = self.from_bit_m.first().copied().unwrap_or(0.0);
-        let mut shares = vec![[0.0; 2]; self.stretches.len()];
-        for reach in reaches(&self.from_bit_m, |i| forces[i][1] > 0.0) {
-            let Reach {
+        let mut shares = vec![[0.0; 2]; self.intervals.len()];
+        for reach in contact_lengths(&self.from_bit_m, |i| forces[i][1] > 0.0) {
+            let ContactLength {
                 contact,
                 above_m,
                 below_m,
@@ -147,9 +147,9 @@ impl MapKeeper {
             let at_m = self.from_bit_m[contact];
             let (high_m, low_m) = ((at_m + above_m).min(top_m), (at_m - below_m).max(0.0));
             // Stretches follow each other from the surface down.
-            let first = self.stretches.partition_point(|of| of.bottom_m >= high_m);
-            let stretches = self.stretches[first..].iter().zip(&mut shares[first..]);
-            for (of, share) in stretches.take_while(|(of, _)| of.top_m > low_m) {
+            let first = self.intervals.partition_point(|of| of.bottom_m >= high_m);
+            let intervals = self.intervals[first..].iter().zip(&mut shares[first..]);
+            for (of, share) in intervals.take_while(|(of, _)| of.top_m > low_m) {
                 let both_m = of.top_m.min(high_m) - of.bottom_m.max(low_m);
                 let part = both_m / ((high_m - low_m) * (of.top_m - of.bottom_m));
                 for (share, force) in share.iter_mut().zip(forces[contact]) {
@@ -174,14 +174,14 @@ mod tests {
         const FORCE_N: f64 = 300.0;
         let from_bit_m: Vec<f64> = (0..NODES).rev().map(|i| ELEMENT_M * i as f64).collect();
         let deep = from_bit_m[0];
-        let stretches = (0..NODES).step_by(2).map(|first| Stretch {
+        let intervals = (0..NODES).step_by(2).map(|first| MapInterval {
             first,
             last: (first + 1).min(NODES - 1),
             top_m: (from_bit_m[first] + 0.5 * ELEMENT_M).min(deep),
             bottom_m: (from_bit_m[first] - 1.5 * ELEMENT_M).max(0.0),
         });
         let keeper = MapKeeper {
-            stretches: stretches.collect(),
+            intervals: intervals.collect(),
             before: vec![[0.0; 2]; NODES],
             from_bit_m,
             samples: 0,
@@ -198,7 +198,7 @@ mod tests {
             assert!((contact / expected - 1.0).abs() < 1e-12, "{contact} N/m");
             assert_eq!(*side, -contact);
         }
-        let lengths = keeper.stretches.iter().map(|of| of.top_m - of.bottom_m);
+        let lengths = keeper.intervals.iter().map(|of| of.top_m - of.bottom_m);
         let total: f64 = found.iter().zip(lengths).map(|([_, of], m)| of * m).sum();
         assert!((total / (100.0 * FORCE_N) - 1.0).abs() < 1e-12, "{total} N");
     }

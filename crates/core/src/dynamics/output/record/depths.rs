@@ -4,7 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    dynamics::{boundary::anchor::Anchor, kernel::chain::Chain, output::carry},
+    dynamics::{boundary::anchor::Anchor, kernel::chain::Chain, output::contact_length},
     outcome,
     rod::mesh::Mesh,
     simd::number::Real,
@@ -14,7 +14,7 @@ use crate::{
 /// Time over which the side of the contacts is averaged, s. A shorter one sees impacts.
 const SIDE_S: f64 = 1.0;
 
-/// The sides on which the nodes lay since the last look.
+/// The sides on which the nodes lay since the last sample.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Sides {
     /// Sums of the signed contact forces at that look, N.
@@ -41,7 +41,7 @@ impl Sides {
         self.samples = 0;
     }
 
-    /// Counts a sample; whether a second has passed since the last look.
+    /// Counts a sample; whether a second has passed since the last sample.
     pub(super) fn is_due(&mut self, sample_interval_s: f64) -> bool {
         self.samples += 1;
         let due = (self.samples as f64 + 0.5) * sample_interval_s >= SIDE_S;
@@ -51,7 +51,7 @@ impl Sides {
         due
     }
 
-    /// Where the side force changed from the high to the low side since the last look, m. `sum` is that of a node's signed
+    /// Where the side force changed from the high to the low side since the last sample, m. `sum` is that of a node's signed
     /// contact force, N.
     pub(super) fn cutoff_depth_m(
         &mut self,
@@ -66,8 +66,8 @@ impl Sides {
                 sum - std::mem::replace(&mut self.before[i], sum)
             })
             .collect();
-        let carries = carry::carried(mesh, |i| signed[i] != 0.0);
-        let side_force = carry::spread(&carries, signed.len(), |i| signed[i]);
+        let contact_spans = contact_length::contact_spans(mesh, |i| signed[i] != 0.0);
+        let side_force = contact_length::spread(&contact_spans, signed.len(), |i| signed[i]);
         let md_m: Vec<f64> = anchors.iter().map(|a| a.md_m).collect();
         let bit_depth_m = anchors.last()?.md_m;
         outcome::cutoff_in_build_m(path, bit_depth_m, &md_m, &side_force)
@@ -85,7 +85,7 @@ pub fn neutral_point_m(
         let along = |i: usize| chain.displacement(i).dot(chain.tangent(i));
         0.5 * (anchors[i].md_m + along(i) + anchors[i + 1].md_m + along(i + 1))
     };
-    // Strands that hang from the top have none; the last of them may end just above it.
+    // Pieces that hang from the top have none; the last of them may end just above it.
     let hanging = chain.strands_above_N(outcome::SLACK * largest_N);
     let tensions_N = chain.tensions_N(hanging.saturating_sub(1));
     outcome::neutral_point_among(tensions_N, largest_N, md_m)

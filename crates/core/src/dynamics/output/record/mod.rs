@@ -1,17 +1,17 @@
-//! What is kept of a run while it goes on: sums per node, samples of the scalars.
+//! What is kept of a run while it continues: sums per node, samples of the scalars.
 
+mod block_sample;
 mod contact_map;
 mod depths;
-mod kept;
 mod lane;
-mod look;
+mod reservoir;
 mod strength;
 mod sums;
 #[cfg(test)]
 mod tests;
 
 use crate::{
-    damage::{Damaged, sound},
+    damage::{Damaged, ensure},
     dynamics::{
         body::Body,
         boundary::anchor::Anchor,
@@ -30,13 +30,13 @@ use serde::{Deserialize, Serialize};
 
 use contact_map::MapKeeper;
 use depths::Sides;
-use kept::Kept;
 use lane::Lane;
+use reservoir::Reservoir;
 use sums::{Pass, SumBlock, TotalBlock};
 
+pub use block_sample::BlockSample;
 pub use depths::neutral_point_m;
-pub use kept::Quantity;
-pub use look::Look;
+pub use reservoir::Quantity;
 pub use strength::Strength;
 pub use sums::Totals;
 
@@ -68,7 +68,7 @@ pub struct Record {
     sums: Vec<SumBlock>,
     /// Sums of what the pressure of the mud at rest shortens each element by, m.
     squeezed_m: Vec<f64>,
-    kept: Kept,
+    reservoir: Reservoir,
     sides: Sides,
     contact: MapKeeper,
     samples: u64,
@@ -81,7 +81,7 @@ pub struct Record {
 }
 
 impl Record {
-    /// Whether a stored record is one of so many nodes: what it sums and keeps is as long as its layout asks for.
+    /// Whether a stored record is one of so many nodes: what it sums and keeps is as long as its layout requires.
     pub(in crate::dynamics) fn check(&self, nodes: usize) -> Result<(), Damaged> {
         let rows = self.series.check(nodes)?;
         let fits = self.sums.len() == self.layout.blocks()
@@ -89,9 +89,9 @@ impl Record {
             && self.squeezed_m.len() + 1 == nodes
             && self.window_row <= rows
             && (rows > 0 || self.samples == 0);
-        sound(fits, "the record")?;
+        ensure(fits, "the record")?;
         self.strength.check(nodes, self.layout)?;
-        self.kept.check(self.layout.blocks())?;
+        self.reservoir.check(self.layout.blocks())?;
         self.contact.check(nodes)
     }
 
@@ -102,7 +102,7 @@ impl Record {
             strength: Strength::new(model, mesh, layout),
             sums: vec![SumBlock::EMPTY; layout.blocks()],
             squeezed_m: vec![0.0; mesh.elements.len()],
-            kept: Kept::new(layout.blocks(), samples),
+            reservoir: Reservoir::new(layout.blocks(), samples),
             sides: Sides::new(mesh.nodes.len()),
             contact: MapKeeper::new(mesh),
             samples: 0,
@@ -116,7 +116,7 @@ impl Record {
     pub fn open_window(&mut self) {
         self.sums.fill(SumBlock::EMPTY);
         self.squeezed_m.fill(0.0);
-        self.kept.clear();
+        self.reservoir.clear();
         self.sides.restart();
         self.contact.restart();
         self.samples = 0;
@@ -142,7 +142,7 @@ impl Record {
             strength: &self.strength,
             per_step: 1.0 / steps as f64,
             first: self.samples == 0,
-            kept: self.kept.next(),
+            reservoir: self.reservoir.next(),
             totals: &mut totals,
         }
         .add();
@@ -294,8 +294,8 @@ impl Record {
         self.mean_of(index, |s| &s.axial)
     }
     /// Mean friction torque of a node, N·m.
-    pub fn rub(&self, index: usize) -> f64 {
-        self.mean_of(index, |s| &s.rub)
+    pub fn friction_torque(&self, index: usize) -> f64 {
+        self.mean_of(index, |s| &s.friction_torque)
     }
     /// Mean distance of a node from the hole's axis, m.
     pub fn offset(&self, index: usize) -> f64 {
@@ -334,6 +334,7 @@ impl Record {
     }
     /// 5th, 50th and 95th percentile of a quantity at a node, or of its element below.
     pub fn percentiles(&self, quantity: Quantity, index: usize) -> [f64; 3] {
-        self.kept.percentiles(quantity, self.layout.place(index))
+        self.reservoir
+            .percentiles(quantity, self.layout.place(index))
     }
 }

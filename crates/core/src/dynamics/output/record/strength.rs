@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::lane::Lane;
 use crate::{
-    damage::{Damaged, sound},
+    damage::{Damaged, ensure},
     dynamics::kernel::layout::Layout,
     model::Model,
     rod::mesh::Mesh,
@@ -60,7 +60,7 @@ impl Strength {
         let fits = self.layout == layout
             && self.blocks.len() == layout.blocks()
             && self.yield_Pa.len() == nodes;
-        sound(fits, "the bodies of the string")
+        ensure(fits, "the bodies of the string")
     }
 
     /// The bodies of a string.

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{kept::KeptRow, lane::Lane, look::Look, strength::Strength};
+use super::{block_sample::BlockSample, lane::Lane, reservoir::ReservoirRow, strength::Strength};
 use crate::{
     dynamics::{
         body::Body,
@@ -27,7 +27,7 @@ pub struct SumBlock {
     pub up: Lane,
     pub right: Lane,
     pub axial: Lane,
-    pub rub: Lane,
+    pub friction_torque: Lane,
     pub offset: Lane,
     pub offset_square: Lane,
     pub circling: Lane,
@@ -53,7 +53,7 @@ impl SumBlock {
         up: NONE,
         right: NONE,
         axial: NONE,
-        rub: NONE,
+        friction_torque: NONE,
         offset: NONE,
         offset_square: NONE,
         circling: NONE,
@@ -66,14 +66,14 @@ impl SumBlock {
     };
 
     #[inline(always)]
-    fn add(&mut self, look: &Look, first: bool) {
+    fn add(&mut self, sample: &BlockSample, first: bool) {
         if first {
-            self.about = [look.tension, look.torque];
+            self.about = [sample.tension, sample.torque];
         }
         for lane in 0..DOUBLES {
-            let tension = look.tension[lane] - self.about[0][lane];
-            let torque = look.torque[lane] - self.about[1][lane];
-            let normal = look.normal[lane];
+            let tension = sample.tension[lane] - self.about[0][lane];
+            let torque = sample.torque[lane] - self.about[1][lane];
+            let normal = sample.normal[lane];
             self.tension[0][lane] += tension;
             self.tension[1][lane] += tension * tension;
             self.torque[0][lane] += torque;
@@ -82,25 +82,29 @@ impl SumBlock {
             self.normal[1][lane] += normal * normal;
             self.normal_max[lane] = larger(self.normal_max[lane], normal);
             self.touched[lane] += if normal > 0.0 { 1.0 } else { 0.0 };
-            self.signed[lane] += if look.up[lane] < 0.0 { -normal } else { normal };
-            self.up[lane] += normal * look.up[lane];
-            self.right[lane] += normal * look.right[lane];
-            self.axial[lane] += look.axial[lane];
-            self.rub[lane] += look.rub[lane];
-            self.offset[lane] += look.offset[lane];
-            self.offset_square[lane] += look.offset[lane] * look.offset[lane];
-            self.circling[lane] += look.circling[lane];
-            self.speed_square[lane] += look.speed_square[lane];
-            self.bending[lane] += look.bending[lane];
-            self.bending_max[lane] = larger(self.bending_max[lane], look.bending[lane]);
-            self.stress[lane] += look.stress[lane];
-            self.stress_max[lane] = larger(self.stress_max[lane], look.stress[lane]);
-            self.twist[lane] += look.twist[lane];
+            self.signed[lane] += if sample.up[lane] < 0.0 {
+                -normal
+            } else {
+                normal
+            };
+            self.up[lane] += normal * sample.up[lane];
+            self.right[lane] += normal * sample.right[lane];
+            self.axial[lane] += sample.axial[lane];
+            self.friction_torque[lane] += sample.friction_torque[lane];
+            self.offset[lane] += sample.offset[lane];
+            self.offset_square[lane] += sample.offset[lane] * sample.offset[lane];
+            self.circling[lane] += sample.circling[lane];
+            self.speed_square[lane] += sample.speed_square[lane];
+            self.bending[lane] += sample.bending[lane];
+            self.bending_max[lane] = larger(self.bending_max[lane], sample.bending[lane]);
+            self.stress[lane] += sample.stress[lane];
+            self.stress_max[lane] = larger(self.stress_max[lane], sample.stress[lane]);
+            self.twist[lane] += sample.twist[lane];
         }
     }
 }
 
-/// One instruction, where `f64::max` asks for not-a-number too.
+/// One instruction, where `f64::max` requires not-a-number too.
 #[inline(always)]
 fn larger(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
@@ -149,15 +153,15 @@ impl TotalBlock {
     };
 
     #[inline(always)]
-    fn add(&mut self, look: &Look) {
+    fn add(&mut self, sample: &BlockSample) {
         for lane in 0..DOUBLES {
-            self.normal[lane] += look.normal[lane];
-            self.axial[lane] += look.axial[lane];
-            self.torque[lane] += look.rub[lane];
-            self.twist[lane] += look.twist[lane];
-            self.longer[lane] += look.longer[lane];
-            self.penetration[lane] = larger(self.penetration[lane], look.penetration[lane]);
-            self.tension[lane] = larger(self.tension[lane], look.tension[lane].abs());
+            self.normal[lane] += sample.normal[lane];
+            self.axial[lane] += sample.axial[lane];
+            self.torque[lane] += sample.friction_torque[lane];
+            self.twist[lane] += sample.twist[lane];
+            self.longer[lane] += sample.longer[lane];
+            self.penetration[lane] = larger(self.penetration[lane], sample.penetration[lane]);
+            self.tension[lane] = larger(self.tension[lane], sample.tension[lane].abs());
         }
     }
 
@@ -186,7 +190,7 @@ pub struct Pass<'a, R: Real> {
     /// Whether it is the first sample of the window.
     pub first: bool,
     /// Where its values are kept, if they are.
-    pub kept: Option<KeptRow<'a>>,
+    pub reservoir: Option<ReservoirRow<'a>>,
     /// Sums over the blocks.
     pub totals: &'a mut TotalBlock,
 }
@@ -212,7 +216,7 @@ impl<R: Real> Pass<'_, R> {
     #[inline(always)]
     fn add_all(mut self) {
         for (block, sums) in self.sums.iter_mut().enumerate() {
-            let look = Look::at(
+            let sample = BlockSample::at(
                 self.chain,
                 self.high,
                 self.body,
@@ -220,10 +224,10 @@ impl<R: Real> Pass<'_, R> {
                 block,
                 self.per_step,
             );
-            self.totals.add(&look);
-            sums.add(&look, self.first);
-            if let Some(kept) = &mut self.kept {
-                kept.put(block, &look);
+            self.totals.add(&sample);
+            sums.add(&sample, self.first);
+            if let Some(reservoir) = &mut self.reservoir {
+                reservoir.put(block, &sample);
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::{kept::Kept, *};
+use super::{reservoir::Reservoir, *};
 use crate::{
     dynamics::{
         assemble::chain,
@@ -269,7 +269,7 @@ fn contact_is_averaged_and_signed() {
         close(record.normal_max(index), 30.0);
         close(record.touched(index), 2.0 / 3.0);
         close(record.signed(index), sign * 40.0 / 3.0);
-        close(record.rub(index), 4.0 / 3.0);
+        close(record.friction_torque(index), 4.0 / 3.0);
         assert_eq!(
             record.percentiles(Quantity::Contact, index)[1],
             10.0,
@@ -292,24 +292,24 @@ fn contact_is_averaged_and_signed() {
     }
 }
 
-fn filled(samples: u32, value: impl Fn(u32) -> f64) -> Kept {
-    let mut kept = Kept::new(1, 0);
+fn filled(samples: u32, value: impl Fn(u32) -> f64) -> Reservoir {
+    let mut reservoir = Reservoir::new(1, 0);
     for sample in 0..samples {
-        if let Some(mut row) = kept.next() {
+        if let Some(mut row) = reservoir.next() {
             row.fill(value(sample) as f32);
         }
     }
-    kept
+    reservoir
 }
 
 /// While all samples are kept the percentiles are exact but for the rounding of single precision.
 #[test]
 fn percentiles_of_few_samples_are_exact() {
-    let kept = filled(4001, |sample| f64::from((sample * 1234) % 4001));
-    let found = kept.percentiles(Quantity::Bending, (0, 5));
+    let reservoir = filled(4001, |sample| f64::from((sample * 1234) % 4001));
+    let found = reservoir.percentiles(Quantity::Bending, (0, 5));
     assert_eq!(found, [200.0, 2000.0, 3800.0]);
     assert_eq!(
-        Kept::new(1, 0).percentiles(Quantity::Torque, (0, 0)),
+        Reservoir::new(1, 0).percentiles(Quantity::Torque, (0, 0)),
         [0.0; 3]
     );
 }

@@ -2,12 +2,12 @@
 
 mod body;
 mod contact_map;
-mod laying;
+mod initialise;
 mod top;
 
 use super::*;
 use crate::{
-    dynamics::{boundary::crew::Crew, settings::FrictionLaw},
+    dynamics::{boundary::executor::RockExecutor, settings::FrictionLaw},
     mud::Mud,
     operation::OperationKind,
     rig::Rig,
@@ -104,7 +104,7 @@ fn every_instruction_set_moves_the_string_alike() {
                 damping_ratio: 0.05,
             };
         }
-        let laid = Run::<f64>::new(&model, &REAM, &settings, Crew::default()).unwrap();
+        let initial = Run::<f64>::new(&model, &REAM, &settings, RockExecutor::default()).unwrap();
         let vector = friction_law == FrictionLaw::Vector;
         let outcomes: Vec<_> = Stepper::all(Abilities {
             hertz,
@@ -115,14 +115,14 @@ fn every_instruction_set_moves_the_string_alike() {
         .map(|stepper| {
             let mut simulation = Run {
                 stepper,
-                ..laid.clone()
+                ..initial.clone()
             };
             simulation.advance(5.0).unwrap();
             (stepper.instructions, simulation.outcome())
         })
         .collect();
         let (_, first) = &outcomes[0];
-        assert_eq!(first.numerics.instructions, laid.stepper.instructions);
+        assert_eq!(first.numerics.instructions, initial.stepper.instructions);
         for (name, outcome) in &outcomes[1..] {
             let gap = |of: fn(&DynamicOutcome) -> f64| (of(outcome) / of(first) - 1.0).abs();
             let hook = gap(|o| o.scalars.hook_load_N);
@@ -136,15 +136,15 @@ fn every_instruction_set_moves_the_string_alike() {
     }
 }
 
-/// A row that does not reach the wall leaves contact and friction out. Which nodes share a row is a matter of the strands'
-/// length, and it makes no difference to any of them: with strands of other lengths all bits are the same, those of the sums too.
+/// A row that does not reach the wall leaves contact and friction out. Which nodes share a row is a matter of the pieces'
+/// length, and it makes no difference to any of them: with pieces of other lengths all bits are the same, those of the sums too.
 #[test]
 fn no_node_knows_who_shares_its_row() {
     let mut run = Run::<f64>::new(
         &model(0.3),
         &REAM,
         &DynamicsSettings::default(),
-        Crew::default(),
+        RockExecutor::default(),
     )
     .unwrap();
     run.advance(1.0).unwrap();
@@ -190,7 +190,8 @@ fn wear_is_laid_on_the_hole() {
             friction_law,
             ..Default::default()
         };
-        let mut run = Run::<f64>::new(&model(0.3), &REAM, &settings, Crew::default()).unwrap();
+        let mut run =
+            Run::<f64>::new(&model(0.3), &REAM, &settings, RockExecutor::default()).unwrap();
         let input = run.step_input();
         run.chain.clear_sums();
         for _ in 0..2000 {
@@ -225,7 +226,7 @@ fn counting_leaves_the_step_as_it_is() {
     for at_rest in [0.25, 0.3] {
         let settings = DynamicsSettings::default();
         let mut plain =
-            Run::<f64>::new(&model(at_rest), &REAM, &settings, Crew::default()).unwrap();
+            Run::<f64>::new(&model(at_rest), &REAM, &settings, RockExecutor::default()).unwrap();
         let mut counted = plain.clone();
         plain.use_instructions("baseline");
         const STEPS: usize = 300;

@@ -9,8 +9,8 @@ const HOOK_LOAD_N: f64 = 300e3;
 
 const SETTLING: Settling = Settling::UntilSteady {
     stretch_s: 5.0,
-    least_s: 10.0,
-    most_s: 120.0,
+    min_s: 10.0,
+    max_s: 120.0,
 };
 
 /// How the settling of a string ends whose hook load is that against time, on a noise of 100 N; the bit goes down at a speed, m/s.
@@ -154,7 +154,7 @@ fn small_scalars_have_a_least_scale() {
 #[test]
 fn a_fixed_time_ends_by_no_test() {
     let fixed = Settling::Fixed(3.0);
-    assert_eq!([fixed.least_s(), fixed.most_s()], [3.0; 2]);
+    assert_eq!([fixed.min_s(), fixed.max_s()], [3.0; 2]);
     assert_eq!(
         fixed.ends(&TimeSeries::default(), INTERVAL_S, 5.0, LENGTH_M),
         None

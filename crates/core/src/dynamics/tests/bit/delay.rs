@@ -235,7 +235,7 @@ impl Run {
         seen
     }
 
-    /// The mode that goes on from here.
+    /// The mode that continues from here.
     fn switch(&mut self, lead: f64, seen: &mut Seen) {
         let mut s = self.state;
         self.mode.touches = self.cut(&s) > 0.0;

@@ -97,7 +97,7 @@ fn the_identities_hold_in_full_contact() {
 /// 3.888 MN/m, the flats bear 71.28 kN, full contact comes with 79.056 kN and the cleaning limit with 149.04 kN.
 #[test]
 fn each_regime_drills_by_its_closed_form() {
-    let (arm, zeta, rub) = (0.5 * 0.108, 0.6, 0.6);
+    let (arm, zeta, friction_torque) = (0.5 * 0.108, 0.6, 0.6);
     let (cutting, flats, full, limit) = (3.888e6, 71.28e3, 2e-3, 20e-3);
     for (regime, weight, depth) in [
         ("I", 30e3, 30e3 / (cutting + flats / full)),
@@ -105,7 +105,7 @@ fn each_regime_drills_by_its_closed_form() {
         ("III", 200e3, limit),
     ] {
         let cuts = cutting * depth;
-        let torque = arm * (cuts / zeta + rub * (weight - cuts));
+        let torque = arm * (cuts / zeta + friction_torque * (weight - cuts));
         let speed = 7.0;
         let mut rig = turned(law(), 100e3, speed);
         rig.push = Vector(0.0, 0.0, weight);
@@ -211,7 +211,7 @@ fn the_weight_follows_a_change_of_rate_in_first_order() {
     assert!(errors[1] < 0.01 * (end - start).abs(), "{errors:?}");
 }
 
-/// A bit that less turns than its torque stands, and cuts nothing however long it is pushed; turned with more it goes on
+/// A bit that less turns than its torque stands, and cuts nothing however long it is pushed; turned with more it continues
 /// from where it was.
 #[test]
 fn a_stalled_bit_waits_and_goes_on() {

@@ -77,7 +77,7 @@ fn lobes_show_at_their_multiple_of_the_speed() {
 }
 
 /// On rock that hardly yields a rough bottom's weight has the roughness' rms times the stiffness, and the
-/// torque fluctuates by the fraction that was asked for.
+/// torque fluctuates by the fraction that was requested.
 #[test]
 fn roughness_shows_in_weight_and_torque() {
     let operation = Operation {
@@ -147,8 +147,8 @@ fn the_step_does_not_change_the_bottom() {
         let mut weights = Vec::new();
         for i in 0..5000 * steps_per_ms {
             // What pushes is a weight and a dashpot: nothing rings for long.
-            let gone = rig.chain.velocity(0).2 - 0.003;
-            rig.push = Vector(0.0, 0.0, (60e3 - 2e5 * gone) * 1e-4 * MASS_KG);
+            let damped = rig.chain.velocity(0).2 - 0.003;
+            rig.push = Vector(0.0, 0.0, (60e3 - 2e5 * damped) * 1e-4 * MASS_KG);
             let step = rig.step(1e-3 / steps_per_ms as f64);
             if (i + 1) % steps_per_ms == 0 {
                 weights.push(step.weight_on_bit_N);

@@ -17,8 +17,8 @@ use crate::{
     dynamics::{
         boundary::{
             anchor::Anchor,
-            bit::{Bit, BitSettings, BitStep, Came},
-            crew::Crew,
+            bit::{Bit, BitSettings, BitStep, StepStart},
+            executor::RockExecutor,
         },
         kernel::chain::{Chain, node},
     },
@@ -99,12 +99,17 @@ impl Rig {
             position_m: Vector3::new(0.0, 0.0, DEPTH_M),
             high_side: Vector3::x(),
         };
-        let came = Came {
+        let step_start = StepStart {
             velocity: before,
             spin,
         };
-        self.bit
-            .act(&mut self.chain, &anchor, came, &Crew::default(), dt)
+        self.bit.act(
+            &mut self.chain,
+            &anchor,
+            step_start,
+            &RockExecutor::default(),
+            dt,
+        )
     }
 }
 

@@ -119,7 +119,7 @@ fn the_bit_turns_on_the_curve() {
 }
 
 /// Too much weight stalls the motor: the bit stands under its stall torque and cuts nothing. Lifted to a bearable
-/// weight it goes on at once.
+/// weight it continues at once.
 #[test]
 fn the_motor_stalls_and_recovers() {
     let mut rig = sliding(150e3);

@@ -209,7 +209,7 @@ fn wear_flats_bear_on_the_way_down() {
     }
 }
 
-/// Turned back, only the wear flats rub; the cut goes on where it was left.
+/// Turned back, only the wear flats rub; the cut continues where it was left.
 #[test]
 fn a_bit_turned_back_cuts_where_it_left() {
     let mut rig = Rig::with(pressed(80e3), settings(LAW));

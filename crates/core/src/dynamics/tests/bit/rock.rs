@@ -8,9 +8,10 @@ use crate::{
         boundary::{
             anchor::Anchor,
             bit::{
-                Bit, BitLaw, BitSettings, BitStep, Came, Motor, MudMotor, RockLaw, RunIn, Standing,
+                Bit, BitLaw, BitSettings, BitStep, Motor, MudMotor, RockLaw, RunIn, Standing,
+                StepStart,
             },
-            crew::Crew,
+            executor::RockExecutor,
         },
         kernel::chain::{Chain, node},
         output::energy::kinetic_J,
@@ -27,7 +28,7 @@ const ROTARY_KG_M2: f64 = 5.0;
 /// A string's step, s.
 const DT_S: f64 = 0.5e-3;
 
-/// A bit of 60 mm on bricks of 6 mm of sound rock, which does not break.
+/// A bit of 60 mm on elements of 6 mm of intact rock, which does not break.
 fn spec() -> DrillingSpec {
     let rock = Rock {
         cohesion_Pa: 1e9,
@@ -49,7 +50,7 @@ struct Slant {
     anchor: Anchor,
     /// High side, right, down the hole.
     frame: Matrix3<f64>,
-    crew: Crew,
+    executor: RockExecutor,
 }
 
 impl Slant {
@@ -80,7 +81,7 @@ impl Slant {
             position_m: Vector3::new(100.0, 200.0, 300.0),
             high_side,
         };
-        let crew = Crew::default();
+        let executor = RockExecutor::default();
         let mut bit = Bit::new(&settings, &OPERATION, 100.0, 1);
         bit.set_flow(30e-3);
         let standing = Standing {
@@ -89,27 +90,32 @@ impl Slant {
             string_rad_per_s: 0.0,
             mass_kg: MASS_KG,
         };
-        let run_in = RunIn::new(&settings, &OPERATION, standing, &crew).expect("a sound bit");
+        let run_in = RunIn::new(&settings, &OPERATION, standing, &executor).expect("a sound bit");
         bit.stand(run_in.expect("rock"), &chain, &anchor);
         Self {
             chain,
             bit,
             anchor,
             frame: Pose::new(Vector3::zeros(), along, high_side, 0.0).rotation,
-            crew,
+            executor,
         }
     }
 
     /// A step in which a force along the hole pushes the node.
     fn step(&mut self, push_N: f64) -> BitStep {
-        let came = Came {
+        let step_start = StepStart {
             velocity: self.chain.velocity(0),
             spin: node!(self.chain, 0, spin),
         };
         let along = self.chain.tangent(0).scaled(DT_S * push_N / MASS_KG);
-        self.chain.set_velocity(0, came.velocity + along);
-        self.bit
-            .act(&mut self.chain, &self.anchor, came, &self.crew, DT_S)
+        self.chain.set_velocity(0, step_start.velocity + along);
+        self.bit.act(
+            &mut self.chain,
+            &self.anchor,
+            step_start,
+            &self.executor,
+            DT_S,
+        )
     }
 
     /// Momentum of the bit and of the rock, N·s.

@@ -78,7 +78,7 @@ fn between_its_points_the_table_is_bilinear() {
     edge(80e3, -1.0, (80e3, 4.0), 0.0, 1.0);
 }
 
-/// Pushed with a weight and turned at a speed, the bit drills as the table says, also where it is outside, and tells
+/// Pushed with a weight and turned at a speed, the bit drills as the table says, also where it is outside, and shows
 /// how often and how far that was.
 #[test]
 fn the_bit_drills_as_the_table_says() {

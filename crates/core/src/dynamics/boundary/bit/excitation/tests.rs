@@ -21,7 +21,7 @@ fn rms(values: &[f64]) -> f64 {
     (values.iter().map(|v| v * v).sum::<f64>() / values.len() as f64).sqrt()
 }
 
-/// Over 10 000 revolutions, 350 000 knots, the front's rms is the one that was asked for. The mean square of
+/// Over 10 000 revolutions, 350 000 knots, the front's rms is the one that was requested. The mean square of
 /// so many knots scatters by `√(2·1.4/350 000)`, 0.3 % of itself: the rms is within 0.5 % three times over.
 #[test]
 fn roughness_has_the_rms_that_was_asked_for() {
@@ -129,7 +129,7 @@ fn a_seed_is_a_bottom() {
     assert!(correlation(&front, &|x| here.next(x, 0.0).torque).abs() < 0.02);
 }
 
-/// In time, the noise goes on while the bit stands, and turning does not matter.
+/// In time, the noise continues while the bit stands, and turning does not matter.
 #[test]
 fn noise_in_time_needs_no_rotation() {
     let shaker = Shaker::new(

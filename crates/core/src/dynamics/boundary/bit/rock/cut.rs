@@ -13,9 +13,9 @@ use crate::{
             anchor::Anchor,
             bit::{
                 motor::Drive,
-                step::{BitStep, Came},
+                step::{BitStep, StepStart},
             },
-            crew::Crew,
+            executor::RockExecutor,
         },
         kernel::chain::{Chain, element, node},
     },
@@ -86,9 +86,9 @@ impl RockCut {
         &mut self,
         chain: &mut Chain<impl Real>,
         anchor: &Anchor,
-        came: Came,
+        step_start: StepStart,
         drive: &mut Drive,
-        crew: &Crew,
+        executor: &RockExecutor,
         dt: f64,
     ) -> BitStep {
         let index = chain.nodes() - 1;
@@ -100,12 +100,16 @@ impl RockCut {
             about_axis_kg_m2: 1.0 / node!(chain, index, inv_polar),
             across_axis_kg_m2: 1.0 / node!(chain, index, inv_rotary),
         };
-        let [before, velocity, tilting] =
-            [came.velocity, chain.velocity(index), chain.turning(index)].map(into);
+        let [before, velocity, tilting] = [
+            step_start.velocity,
+            chain.velocity(index),
+            chain.turning(index),
+        ]
+        .map(into);
         let part = dt / (EVEN_S + dt);
         let push_N = inertia.impulse_N_s(velocity - before) / dt;
         let spin = node!(chain, index, spin);
-        let turn_N_m = (spin - came.spin) * inertia.about_axis_kg_m2 / dt;
+        let turn_N_m = (spin - step_start.spin) * inertia.about_axis_kg_m2 / dt;
         self.even_N += (push_N - self.even_N) * part;
         self.even_N_m += (turn_N_m - self.even_N_m) * part;
 
@@ -122,7 +126,7 @@ impl RockCut {
         };
         let advance = self
             .drilling
-            .advance(dt, &motion, &crew.stepper, &crew.lent);
+            .advance(dt, &motion, &executor.stepper, &executor.shared);
         let axis = self.drilling.pose().axis();
         let omega = advance.angular_velocity_rad_per_s;
         let turned = omega.dot(&axis);

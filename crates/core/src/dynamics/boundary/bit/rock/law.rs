@@ -9,15 +9,15 @@ use crate::{
     rock::{BitShape, DrillingSpec},
 };
 
-/// Part of the nodes of the bottom that a bit touches at the most: twice what bits of 60 and 216 mm on bricks of 3 to 12 mm did.
+/// Part of the nodes of the bottom that a bit touches at the most: twice what bits of 60 and 216 mm on elements of 3 to 12 mm did.
 const TOUCHED: f64 = 0.125;
 
 /// Inclination of the force on an insert that scrapes, over that around: a face raked back by 45°.
 const INSERT_RAKE_RAD: f64 = std::f64::consts::FRAC_PI_4;
 
-/// Solid rock: the face of the bit breaks bricks, and feels what they answer in all six components.
+/// Solid rock: the face of the bit breaks elements, and feels what they answer in all six components.
 ///
-/// Sideways the bit's own spring holds it besides: a wall of bricks leaves its gauge room to bang about.
+/// Sideways the bit's own spring holds it besides: a wall of elements leaves its gauge room to bang about.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RockLaw {
     /// The bit and its rock.
@@ -66,14 +66,14 @@ impl RockLaw {
         let block = &self.drilling.block;
         let cutters = self.estimate();
         let [outer, inner] = [cutters.radius_m, cutters.core_radius_m].map(|r| r * r);
-        // A node of the bottom has half a brick below it.
+        // A node of the bottom has half an element below it.
         let thick_m = 0.5 * block.size_m[2];
         let density = block.rock.density_kg_per_m3 * block.numerics.density_factor;
         let mass_kg = TOUCHED * density * thick_m * std::f64::consts::PI * (outer - inner);
         [mass_kg, 0.5 * mass_kg * (outer + inner)]
     }
 
-    /// Stiffness of the sound rock under a stamp as wide as the bit, `2 E a/(1 − ν²)`, N/m.
+    /// Stiffness of the intact rock under a stamp as wide as the bit, `2 E a/(1 − ν²)`, N/m.
     pub fn stiffness_N_per_m(&self) -> f64 {
         let rock = &self.drilling.block.rock;
         let radius_m = self.estimate().radius_m;

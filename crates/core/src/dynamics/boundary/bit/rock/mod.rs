@@ -1,4 +1,4 @@
-//! Solid rock under the bit: bricks that the face of the bit breaks.
+//! Solid rock under the bit: elements that the face of the bit breaks.
 
 mod cut;
 mod law;

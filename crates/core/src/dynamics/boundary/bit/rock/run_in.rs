@@ -11,18 +11,18 @@ use crate::{
         assemble::error::SetupError,
         boundary::{
             bit::{BitLaw, BitSettings, motor::Drive},
-            crew::Crew,
+            executor::RockExecutor,
         },
     },
     operation::Operation,
     rock::{Advance, BitMotion, Drilling, Driver, Executor, Inertia},
 };
 
-/// Revolutions on its bottom before the start: one in which each blade meets what it has left itself and the bricks begin to go, and
+/// Revolutions on its bottom before the start: one in which each blade meets what it has left itself and the elements begin to go, and
 /// one that is typical.
 const REVOLUTIONS: usize = 2;
 
-/// How long the weight on a bit that does not turn grows before the start, s, how long it presses at the most, and what calms it,
+/// How long the weight on a bit that does not turn grows before the start, s, how long it presses at the most, and what damps it,
 /// 1/s.
 const GROWING_S: f64 = 0.015;
 const PRESSING_S: f64 = 0.3;
@@ -68,7 +68,7 @@ impl RunIn {
         settings: &BitSettings,
         first: &Operation,
         standing: Standing,
-        crew: &Crew,
+        executor: &RockExecutor,
     ) -> Result<Option<Self>, SetupError> {
         let BitLaw::Rock(law) = &settings.law else {
             return Ok(None);
@@ -84,11 +84,11 @@ impl RunIn {
             let motor = Drive::new(settings.motor, flow, first.bit_torque_now_N_m());
             let turning_rad_per_s = standing.string_rad_per_s + motor.speed_rad_per_s();
             if turning_rad_per_s >= SLOWEST_RAD_PER_S {
-                let last = turn(&mut run_in.drilling, standing, turning_rad_per_s, crew)?;
-                run_in.torque_N_m = (-last.moment_N_m.z).min(settings.motor.most_torque_N_m());
+                let last = turn(&mut run_in.drilling, standing, turning_rad_per_s, executor)?;
+                run_in.torque_N_m = (-last.moment_N_m.z).min(settings.motor.max_torque_N_m());
                 run_in.depth_of_cut_m = standing.rate_m_per_s * TAU / turning_rad_per_s;
             } else {
-                press(&mut run_in.drilling, standing, crew)?;
+                press(&mut run_in.drilling, standing, executor)?;
             }
         }
         Ok(Some(run_in))
@@ -117,7 +117,7 @@ fn turn(
     drilling: &mut Drilling,
     standing: Standing,
     rotary_rad_per_s: f64,
-    crew: &Crew,
+    executor: &RockExecutor,
 ) -> Result<Advance, SetupError> {
     let driver = Driver::Weight {
         weight_N: standing.weight_N,
@@ -133,26 +133,35 @@ fn turn(
     for _ in 0..REVOLUTIONS {
         last = Advance::default();
         for _ in 0..steps as usize {
-            go_on(crew)?;
-            last.join(&driver.drive(drilling, turn_s / steps, &crew.stepper, &crew.lent));
+            go_on(executor)?;
+            last.join(&driver.drive(
+                drilling,
+                turn_s / steps,
+                &executor.stepper,
+                &executor.shared,
+            ));
         }
     }
     Ok(last)
 }
 
-/// Refuses to go on where the executor asks to stop.
-fn go_on(crew: &Crew) -> Result<(), SetupError> {
-    if crew.lent.stopped() {
+/// Refuses to continue where the executor asks to stop.
+fn go_on(executor: &RockExecutor) -> Result<(), SetupError> {
+    if executor.shared.stopped() {
         return Err(SetupError::Stopped);
     }
     Ok(())
 }
 
 /// Lets a bit that only goes along the hole sink until the rock bears it.
-fn press(drilling: &mut Drilling, standing: Standing, crew: &Crew) -> Result<(), SetupError> {
+fn press(
+    drilling: &mut Drilling,
+    standing: Standing,
+    executor: &RockExecutor,
+) -> Result<(), SetupError> {
     let left = (-PRESSING_DAMPING_PER_S * STEP_S).exp();
     for step in 1..=(PRESSING_S / STEP_S) as usize {
-        go_on(crew)?;
+        go_on(executor)?;
         let weight_N = standing.weight_N * (step as f64 * STEP_S / GROWING_S).min(1.0);
         let motion = BitMotion {
             velocity_m_per_s: Vector3::z() * (left * drilling.pose().velocity_m_per_s.z),
@@ -161,10 +170,10 @@ fn press(drilling: &mut Drilling, standing: Standing, crew: &Crew) -> Result<(),
             moment_N_m: Vector3::zeros(),
             inertia: Inertia {
                 mass_kg: standing.mass_kg,
-                ..Inertia::TOLD
+                ..Inertia::PRESCRIBED
             },
         };
-        let advance = drilling.advance(STEP_S, &motion, &crew.stepper, &crew.lent);
+        let advance = drilling.advance(STEP_S, &motion, &executor.stepper, &executor.shared);
         if (-advance.force_N.z / standing.weight_N - 1.0).abs() < RESTS {
             break;
         }

@@ -57,14 +57,20 @@ fn start(kind: OperationKind, rpm: f64) -> Run<f64> {
         duration_s: 10.0,
         ..DynamicsSettings::default()
     };
-    Run::new(&bent_model(), &operation, &settings, Crew::default()).unwrap()
+    Run::new(
+        &bent_model(),
+        &operation,
+        &settings,
+        RockExecutor::default(),
+    )
+    .unwrap()
 }
 
 /// A string that hangs still with a bend and an eccentric collar loses nothing, neither to the damping of its steel nor to
 /// friction nor to the mud, and its residual is that of rounding.
 ///
 /// The kicks that the bend and the collar give the spin in each step are taken back by the twist and the wall in the
-/// same step: booked as turning they were 0.01 to 0.5 W. What is left after 15 time constants of a strong calming is below
+/// same step: booked as turning they were 0.01 to 0.5 W. What is left after 15 time constants of a strong damping is below
 /// 1e-9 W.
 #[test]
 fn a_bent_string_at_rest_loses_nothing() {
@@ -87,7 +93,7 @@ fn a_bent_string_at_rest_loses_nothing() {
         };
         settings.damping.mass_per_s = 10.0;
         let mut simulation =
-            Run::<f64>::new(&model, &operation, &settings, Crew::default()).unwrap();
+            Run::<f64>::new(&model, &operation, &settings, RockExecutor::default()).unwrap();
         simulation.advance(10.0).unwrap();
         let numerics = simulation.outcome().numerics;
         let energy = numerics.energy.unwrap();
@@ -130,8 +136,8 @@ fn bends_and_eccentric_masses_find_their_nodes() {
     assert!((sum / expected - 1.0).abs() < 1e-12, "{sum} {expected}");
 }
 
-/// Lays the string straight in space, along the hole at the bend, and all below the bend along `below`.
-fn lay_along(simulation: &mut Run<f64>, below: impl Fn(Vector<f64>, Vector<f64>) -> Vector<f64>) {
+/// Initialises the string straight in space, along the hole at the bend, and all below the bend along `below`.
+fn place_along(simulation: &mut Run<f64>, below: impl Fn(Vector<f64>, Vector<f64>) -> Vector<f64>) {
     let bend = simulation.state.body.bends[0].index;
     let axis = simulation.chain.tangent(bend);
     let toward = simulation.state.body.bends[0].toward;
@@ -162,7 +168,7 @@ fn a_bend_bears_no_stress_of_its_own() {
         element!(simulation.chain, i, torque = 0.0);
         element!(simulation.chain, i, tension = TENSION_N);
     }
-    lay_along(&mut simulation, |axis, toward| {
+    place_along(&mut simulation, |axis, toward| {
         axis.scaled(angle.cos()).plus(toward, angle.sin())
     });
     let free = simulation.frame();
@@ -176,7 +182,7 @@ fn a_bend_bears_no_stress_of_its_own() {
     for i in 0..simulation.chain.elements() {
         element!(simulation.chain, i, tension = 0.0);
     }
-    lay_along(&mut simulation, |axis, _| axis);
+    place_along(&mut simulation, |axis, _| axis);
     let element = &simulation.mesh.elements[bend];
     let section = &element.section;
     let per_turn = section.bending_stiffness_N_m2 / element.length_m;
@@ -217,10 +223,10 @@ fn a_bent_string_turns() {
     for step in 0..(15.0 / dt) as usize {
         simulation.step();
         if step % 16 == 0 {
-            simulation.calm(16);
+            simulation.damp(16);
             let (chain, anchors) = (&mut simulation.chain, &mut simulation.state.anchors);
             simulation
-                .surroundings
+                .borehole
                 .follow(chain, anchors, &mut simulation.state.high);
         }
         if (step as u64).is_multiple_of(simulation.steps_per_sample) {

@@ -15,9 +15,10 @@ fn rows_of_the_map_hold_what_the_samples_hold() {
         ..Default::default()
     };
     // The window begins with the second sample of a row.
-    let laid = Run::<f64>::new(&model, &REAM, &settings, Crew::default()).unwrap();
-    settings.settle_s = 281.5 * laid.sample_interval_s();
-    let mut simulation = Run::<f64>::new(&model, &REAM, &settings, Crew::default()).unwrap();
+    let initial = Run::<f64>::new(&model, &REAM, &settings, RockExecutor::default()).unwrap();
+    settings.settle_s = 281.5 * initial.sample_interval_s();
+    let mut simulation =
+        Run::<f64>::new(&model, &REAM, &settings, RockExecutor::default()).unwrap();
     simulation.advance(simulation.end_time_s()).unwrap();
     let outcome = simulation.outcome();
     let (map, series) = (&outcome.contact, &outcome.series);
@@ -35,7 +36,7 @@ fn rows_of_the_map_hold_what_the_samples_hold() {
     assert!((150..=201).contains(&rows), "{rows} rows");
     let mut begin_s = 0.0;
     let mut parts = 0;
-    for (row, stretches) in map
+    for (row, intervals) in map
         .contact_force_N_per_m
         .chunks(lengths_m.len())
         .enumerate()
@@ -56,7 +57,7 @@ fn rows_of_the_map_hold_what_the_samples_hold() {
         );
         parts += usize::from(samples.len() < 4);
         let expected = samples.iter().sum::<f64>() / samples.len() as f64;
-        let found: f64 = stretches.iter().zip(&lengths_m).map(|(f, l)| f * l).sum();
+        let found: f64 = intervals.iter().zip(&lengths_m).map(|(f, l)| f * l).sum();
         // Each row is a difference of sums over the window: their rounding grows with it.
         assert!(
             (found / expected - 1.0).abs() < 1e-9,

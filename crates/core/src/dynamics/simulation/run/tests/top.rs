@@ -14,11 +14,11 @@ fn the_top_is_clamped_to_a_curved_axis() {
         &model(0.25),
         &REAM,
         &DynamicsSettings::default(),
-        Crew::default(),
+        RockExecutor::default(),
     )
     .unwrap();
     let path = run.model.well.path.clone();
-    run.surroundings
+    run.borehole
         .place(&mut run.chain, &mut run.state.anchors, 0, 150.0);
     let anchor = run.state.anchors[0];
     let tangent = run.chain.tangent(0);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use wholestring::{
-    dynamics::{FrictionLaw, HoistControl, LIFT_TOLERANCE, LiftError, Start, tune_lift},
+    dynamics::{FrictionLaw, HoistControl, Start, TuningError, WEIGHT_TOLERANCE, tune_hook_load},
     operation::{Operation, OperationKind},
     rock::{Alone, Executor},
 };
@@ -40,7 +40,7 @@ fn drilling(mu: f64) -> Case {
 #[test]
 fn without_friction_it_is_the_weight_that_the_bit_does_not_bear() {
     let case = drilling(0.0);
-    let (lift, _) = tune_lift(
+    let (lift, _) = tune_hook_load(
         &case.model,
         &case.operation,
         &case.settings,
@@ -62,7 +62,7 @@ fn without_friction_it_is_the_weight_that_the_bit_does_not_bear() {
         "weight on bit",
         lift.weight_on_bit_N,
         WEIGHT_N,
-        LIFT_TOLERANCE,
+        WEIGHT_TOLERANCE,
     );
 }
 
@@ -75,7 +75,7 @@ fn with_friction_it_is_found_and_holds() {
     case.settings.settle_s = 0.0;
     case.settings.friction_law = FrictionLaw::Independent;
     let mut tries = Vec::new();
-    let (lift, simulation) = tune_lift(
+    let (lift, simulation) = tune_hook_load(
         &case.model,
         &case.operation,
         &case.settings,
@@ -92,7 +92,7 @@ fn with_friction_it_is_found_and_holds() {
         "weight on bit",
         lift.weight_on_bit_N,
         WEIGHT_N,
-        LIFT_TOLERANCE,
+        WEIGHT_TOLERANCE,
     );
     assert_eq!(tries, (1..=lift.runs).collect::<Vec<_>>());
     case.settings.hoist_control = Some(HoistControl::HookLoad(lift.hook_load_N));
@@ -113,25 +113,25 @@ fn what_cannot_be_tuned_says_so() {
     let case = drilling(0.0);
     let off = operation(OperationKind::RotateOffBottom, LENGTH_M);
     let tuned = |operation: &Operation, goes_on: bool| {
-        tune_lift(&case.model, operation, &case.settings, &alone(), |_, _| {
+        tune_hook_load(&case.model, operation, &case.settings, &alone(), |_, _| {
             goes_on
         })
         .map(|(lift, _)| lift)
     };
     assert!(matches!(
         tuned(&off, true),
-        Err(LiftError::NoWeight("rotate_off_bottom"))
+        Err(TuningError::NoWeight("rotate_off_bottom"))
     ));
     assert!(matches!(
         tuned(&case.operation, false),
-        Err(LiftError::Stopped)
+        Err(TuningError::Stopped)
     ));
     let heavy = Operation {
         weight_on_bit_N: 1e6,
         ..case.operation
     };
     match tuned(&heavy, true) {
-        Err(error @ LiftError::NotFound { .. }) => {
+        Err(error @ TuningError::NotFound { .. }) => {
             let told = error.to_string();
             assert!(
                 told.contains("1000.0 kN") && told.contains("20 runs"),

@@ -1,17 +1,17 @@
-//! How curves of a study look, and what tells them apart.
+//! How curves of a study look, and what distinguishes them.
 
 use wholestring_report::figure::{Ink, Key, Mark, Sample, Stroke};
 use wholestring_study::{Figure, FigureData, Level, Source};
 use wholestring_units::{Dimension, UnitSet};
 
 use super::{
-    answers::{Series, names},
     columns::title,
     curve::{Curve, rank},
+    results::{Series, names},
 };
 
 /// Curves differ by colour in what they show, and by stroke in who says it.
-pub(super) struct Looks {
+pub(super) struct CurveStyles {
     series: Vec<Series>,
     series_names: Vec<String>,
     /// What curves show, by colour.
@@ -19,7 +19,7 @@ pub(super) struct Looks {
     shown_of: Box<dyn Fn(&Curve) -> String>,
 }
 
-impl Looks {
+impl CurveStyles {
     pub(super) fn of(curves: &[Curve], sweeps: &[String], units: UnitSet, figure: &Figure) -> Self {
         let mut series: Vec<Series> = Vec::new();
         for curve in curves {
@@ -74,7 +74,7 @@ impl Looks {
         }
     }
 
-    /// Whether strokes are enough to tell the series apart.
+    /// Whether strokes are enough to distinguish the series.
     fn by_stroke(&self) -> bool {
         self.series.len() <= 2 && self.shown.len() > 1
     }

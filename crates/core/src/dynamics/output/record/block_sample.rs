@@ -20,7 +20,7 @@ const NONE: Lane = [0.0; DOUBLES];
 
 /// A block of nodes as they are; contact quantities are averages over the steps since the last sample.
 #[derive(Debug, Clone, Copy)]
-pub struct Look {
+pub struct BlockSample {
     /// Effective tension of the element below, N.
     pub tension: Lane,
     /// Torque of the element below, N·m, in the sign of the chain.
@@ -38,7 +38,7 @@ pub struct Look {
     /// Axial friction on the wall, N, along the hole.
     pub axial: Lane,
     /// Friction torque, N·m.
-    pub rub: Lane,
+    pub friction_torque: Lane,
     /// Distance from the hole's axis, m.
     pub offset: Lane,
     /// Cosine of the direction of the offset with the high side.
@@ -54,7 +54,7 @@ pub struct Look {
 }
 
 /// A block of elements: how their ends stand, what is in them, and the metal at their upper ends.
-struct Stretch<'a, R> {
+struct ElementSample<'a, R> {
     u1: [&'a [R; DOUBLES]; 3],
     u2: [&'a [R; DOUBLES]; 3],
     d2: [&'a [R; DOUBLES]; 3],
@@ -69,7 +69,7 @@ struct Stretch<'a, R> {
     metal: &'a Metal,
 }
 
-impl Look {
+impl BlockSample {
     const EMPTY: Self = Self {
         tension: NONE,
         torque: NONE,
@@ -79,7 +79,7 @@ impl Look {
         stress: NONE,
         normal: NONE,
         axial: NONE,
-        rub: NONE,
+        friction_torque: NONE,
         offset: NONE,
         up: NONE,
         right: NONE,
@@ -99,10 +99,10 @@ impl Look {
         block: usize,
         per_step: f64,
     ) -> Self {
-        let mut look = Self::EMPTY;
-        look.across_the_hole(chain, high, block, per_step);
-        look.along_the_string(chain, body, strength, block);
-        look
+        let mut sample = Self::EMPTY;
+        sample.across_the_hole(chain, high, block, per_step);
+        sample.along_the_string(chain, body, strength, block);
+        sample
     }
 
     /// How the nodes lie and move in the hole, and what the wall does to them.
@@ -147,7 +147,7 @@ impl Look {
             self.speed_square[lane] = lateral.dot(lateral);
             self.normal[lane] = sum_normal[lane].to_f64() * per_step;
             self.axial[lane] = sum_axial[lane].to_f64() * per_step;
-            self.rub[lane] = sum_torque[lane].to_f64() * per_step;
+            self.friction_torque[lane] = sum_torque[lane].to_f64() * per_step;
         }
     }
 
@@ -163,7 +163,7 @@ impl Look {
         let (row, part) = Layout::row_of::<R>(block);
         let (elements, state) = (&chain.element_blocks[row], &chain.states[row]);
         let ends = chain.ends(row);
-        let stretch = Stretch {
+        let element = ElementSample {
             u1: parts(&state.u, part),
             u2: parts(&ends.u, part),
             d2: parts(&ends.d, part),
@@ -179,13 +179,13 @@ impl Look {
         };
         let d1 = parts(&state.d, part);
         for lane in 0..DOUBLES {
-            self.bear(&stretch, lane, of(d1, lane));
+            self.bear(&element, lane, of(d1, lane));
         }
         // The element below a bend stands on another face of the body: what is bent without stress bears none.
         for bend in &body.bends {
             let (block_of_bend, lane) = chain.layout().place(bend.index);
             if block_of_bend == block {
-                self.bear(&stretch, lane, bend.pose(chain).d1);
+                self.bear(&element, lane, bend.pose(chain).d1);
             }
         }
     }
@@ -193,36 +193,36 @@ impl Look {
     /// What the string carries at a node whose element below sees the director `d1` there. The bending moment is
     /// the elastic one that this element has at its upper end; the bit, below which there is none, carries none.
     #[inline(always)]
-    fn bear<R: Real>(&mut self, stretch: &Stretch<'_, R>, lane: usize, d1: Vector<f64>) {
+    fn bear<R: Real>(&mut self, element: &ElementSample<'_, R>, lane: usize, d1: Vector<f64>) {
         let number = |of: &[R; DOUBLES]| of[lane].to_f64();
-        let (u1, u2) = (of(stretch.u1, lane), of(stretch.u2, lane));
-        let d2 = of(stretch.d2, lane);
-        let chord = of(stretch.chord, lane) + (u2 - u1);
+        let (u1, u2) = (of(element.u1, lane), of(element.u2, lane));
+        let d2 = of(element.d2, lane);
+        let chord = of(element.chord, lane) + (u2 - u1);
         // Newton's step from the rest length to the inverse of the chord's: a stretch of 1e-3 leaves
         // 1.5e-6, and no root is drawn.
-        let rest = stretch.metal.per_length[lane];
+        let rest = element.metal.per_length[lane];
         let t = chord.scaled(rest * (1.5 - 0.5 * chord.dot(chord) * rest * rest));
-        let (tension, torque) = (number(stretch.tension), number(stretch.torque));
+        let (tension, torque) = (number(element.tension), number(element.torque));
         // The gradient of the element's energy on its upper director: `rod::element`.
-        let bending_far = number(stretch.bending_far);
-        let bending_near = bending_far + 2.0 * number(stretch.bending);
-        let near = bending_near + 2.0 * number(stretch.half_bow_near) * tension;
-        let far = bending_far - number(stretch.bow_far) * tension;
+        let bending_far = number(element.bending_far);
+        let bending_near = bending_far + 2.0 * number(element.bending);
+        let near = bending_near + 2.0 * number(element.half_bow_near) * tension;
+        let far = bending_far - number(element.bow_far) * tension;
         let pull = near * t.dot(d1) + far * t.dot(d2);
         let moment = d2.scaled(far).minus(t, pull).cross(d1);
         let bending = moment.dot(moment).sqrt();
         self.tension[lane] = tension;
         self.torque[lane] = torque;
         // Below the bit there is no element, whatever its rows hold.
-        let compliance = stretch.metal.compliance[lane];
+        let compliance = element.metal.compliance[lane];
         self.twist[lane] = if compliance > 0.0 {
-            number(stretch.twist)
+            number(element.twist)
         } else {
             0.0
         };
         self.longer[lane] = tension * compliance;
         self.bending[lane] = bending;
-        self.stress[lane] = stretch.metal.stress_Pa(lane, tension, bending, torque);
+        self.stress[lane] = element.metal.stress_Pa(lane, tension, bending, torque);
     }
 }
 

@@ -16,7 +16,7 @@ use crate::{
 };
 
 /// One operation of one case, as one model solved it to its end.
-pub(super) struct Answer {
+pub(super) struct CaseResult {
     /// Index of the sweep.
     pub(super) sweep: usize,
     /// Varied keys and their values, as written.
@@ -30,7 +30,7 @@ pub(super) struct Answer {
 /// Whose answer it is, whatever the case: a column of a table, a stroke of a figure.
 pub(super) type Series = (usize, ModelKind, String);
 
-impl Answer {
+impl CaseResult {
     pub(super) fn series(&self) -> Series {
         (self.sweep, self.solved.model, self.solved.operation.clone())
     }
@@ -126,7 +126,7 @@ impl Answer {
             Source::Contact => "contact.parquet",
         };
         let path = self.folder.join(file);
-        // Only a method in time tells of it, and frames are kept where they are asked for.
+        // Only a method in time reports it, and frames are kept where they are requested.
         let timeless = matches!(source, Source::Nodes | Source::Wear);
         if !timeless && !self.solved.model.in_time() || !path.is_file() {
             return Ok(());
@@ -144,7 +144,7 @@ impl Answer {
         let columns = names.map(|name| numbers(piece, name));
         let models = words(piece, "model");
         for (row, operation) in words(piece, "operation").iter().enumerate() {
-            // A table that does not tell models apart is that of the one in time.
+            // A table that does not distinguish models is that of the one in time.
             let model = models
                 .get(row)
                 .map_or(self.solved.model.in_time(), |model| {
@@ -176,9 +176,9 @@ impl Answer {
 }
 
 /// All answers of a study, sweep by sweep.
-pub(super) struct Answers(pub(super) Vec<Answer>);
+pub(super) struct CaseResults(pub(super) Vec<CaseResult>);
 
-impl Answers {
+impl CaseResults {
     /// Adds what was solved of a case to its end.
     pub(super) fn add(
         &mut self,
@@ -188,7 +188,7 @@ impl Answers {
         folder: &Path,
     ) {
         let complete = solved.iter().filter(|of| of.status == Status::Complete);
-        self.0.extend(complete.map(|solved| Answer {
+        self.0.extend(complete.map(|solved| CaseResult {
             sweep,
             keys: keys.to_vec(),
             values: values.to_vec(),
@@ -198,8 +198,8 @@ impl Answers {
     }
 
     /// Those that a figure shows.
-    pub(super) fn chosen<'a>(&'a self, chosen: &'a Chosen) -> impl Iterator<Item = &'a Answer> {
-        let is = |of: &&Answer| of.is_of(chosen) && chosen.only.has(&of.keys, &of.values);
+    pub(super) fn chosen<'a>(&'a self, chosen: &'a Chosen) -> impl Iterator<Item = &'a CaseResult> {
+        let is = |of: &&CaseResult| of.is_of(chosen) && chosen.only.has(&of.keys, &of.values);
         self.0.iter().filter(is)
     }
 
@@ -208,8 +208,8 @@ impl Answers {
         &'a self,
         series: &'a Series,
         only: &'a Selection,
-    ) -> impl Iterator<Item = &'a Answer> {
-        let is = |of: &&Answer| of.series() == *series && only.has(&of.keys, &of.values);
+    ) -> impl Iterator<Item = &'a CaseResult> {
+        let is = |of: &&CaseResult| of.series() == *series && only.has(&of.keys, &of.values);
         self.0.iter().filter(is)
     }
 
@@ -226,7 +226,7 @@ impl Answers {
     }
 }
 
-/// What series are called: by what tells them apart.
+/// What series are called: by what distinguishes them.
 pub(super) fn names(series: &[Series], sweeps: &[String]) -> Vec<String> {
     let differ = |of: &dyn Fn(&Series) -> String| {
         let mut all: Vec<String> = series.iter().map(of).collect();
@@ -253,7 +253,7 @@ pub(super) fn names(series: &[Series], sweeps: &[String]) -> Vec<String> {
 }
 
 /// Unordered names of columns with their values, for data files.
-pub(super) fn keys_of<'a>(answers: impl Iterator<Item = &'a Answer>) -> Vec<String> {
+pub(super) fn keys_of<'a>(answers: impl Iterator<Item = &'a CaseResult>) -> Vec<String> {
     let mut keys: BTreeMap<usize, Vec<String>> = BTreeMap::new();
     for answer in answers {
         keys.entry(answer.sweep)

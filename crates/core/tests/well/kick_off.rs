@@ -6,14 +6,14 @@ use crate::surveys::{
     extra_data, iscwsa, kick_off_at_300_m, minimum_curvature, shipped, spline, station, stations,
 };
 
-fn landmarks(survey: &[Station]) -> (Option<f64>, Option<f64>) {
+fn kick_off(survey: &[Station]) -> (Option<f64>, Option<f64>) {
     let path = minimum_curvature(survey);
     (path.kick_off_md_m(), path.build_end_md_m())
 }
 
 #[test]
 fn constant_build() {
-    assert_eq!(landmarks(&kick_off_at_300_m()), (Some(300.0), Some(900.0)));
+    assert_eq!(kick_off(&kick_off_at_300_m()), (Some(300.0), Some(900.0)));
     assert_eq!(spline(&kick_off_at_300_m()).kick_off_md_m(), Some(300.0));
 }
 
@@ -23,7 +23,7 @@ fn constant_build() {
 #[test]
 fn the_articles_well() {
     let survey = shipped("np13-x1042-survey.csv");
-    assert_eq!(landmarks(&survey), (Some(322.9), Some(1075.0)));
+    assert_eq!(kick_off(&survey), (Some(322.9), Some(1075.0)));
     let inclination = 65.0_f64.to_radians();
     let radius_m = 752.1 / inclination;
     let tvd_m = 322.9 + radius_m * inclination.sin() + 3230.0 * inclination.cos();
@@ -54,7 +54,7 @@ fn corners_between_even_stations() {
     for md_m in depths {
         survey.push(station(md_m, (0.1 * (md_m - 310.0)).clamp(0.0, 60.2), 45.0));
     }
-    assert_eq!(landmarks(&survey), (Some(310.0), Some(912.0)));
+    assert_eq!(kick_off(&survey), (Some(310.0), Some(912.0)));
 }
 
 /// A plan with its corner points only.
@@ -66,13 +66,13 @@ fn sparse_plan() {
         station(1075.0, 65.0, 45.0),
         station(4305.0, 65.0, 45.0),
     ];
-    assert_eq!(landmarks(&survey), (Some(322.9), Some(1075.0)));
+    assert_eq!(kick_off(&survey), (Some(322.9), Some(1075.0)));
 }
 
 #[test]
 fn straight_wells_have_none() {
     assert_eq!(
-        landmarks(&[station(0.0, 0.0, 0.0), station(1500.0, 0.0, 0.0)]),
+        kick_off(&[station(0.0, 0.0, 0.0), station(1500.0, 0.0, 0.0)]),
         (None, None)
     );
     let slant: Vec<_> = (0..50)
@@ -85,7 +85,7 @@ fn straight_wells_have_none() {
             )
         })
         .collect();
-    assert_eq!(landmarks(&slant), (None, None));
+    assert_eq!(kick_off(&slant), (None, None));
 }
 
 /// A hole that begins inclined and turns without building has a kick-off and no build.
@@ -97,7 +97,7 @@ fn turn_without_build() {
         station(600.0, 30.0, 60.0),
         station(900.0, 30.0, 60.0),
     ];
-    assert_eq!(landmarks(&survey), (Some(300.0), None));
+    assert_eq!(kick_off(&survey), (Some(300.0), None));
 }
 
 /// The build may last to the end of the survey.
@@ -106,7 +106,7 @@ fn build_to_the_end() {
     let survey: Vec<_> = (0..=30)
         .map(|index| station(30.0 * f64::from(index), 3.0 * f64::from(index), 0.0))
         .collect();
-    assert_eq!(landmarks(&survey), (Some(0.0), Some(900.0)));
+    assert_eq!(kick_off(&survey), (Some(0.0), Some(900.0)));
 }
 
 /// The same well with the scatter of a real survey (0.3° and more, in inclination and azimuth) and
@@ -134,7 +134,7 @@ fn scatter_does_not_move_them_far() {
                 station(smooth.md_m, inclination.abs(), 45.0 + spread * random())
             })
             .collect();
-        let (kick_off, build_end) = landmarks(&survey);
+        let (kick_off, build_end) = kick_off(&survey);
         assert!((kick_off.unwrap() - 300.0).abs() <= 30.0, "{kick_off:?}");
         assert!((build_end.unwrap() - 900.0).abs() <= 30.0, "{build_end:?}");
     }
@@ -161,7 +161,7 @@ fn iscwsa_standard_wellpaths() {
     ];
     for ((name, well), (expected_name, expected)) in iscwsa().iter().zip(expected) {
         assert_eq!(name, expected_name);
-        assert_eq!(landmarks(&stations(well)), expected, "{name}");
+        assert_eq!(kick_off(&stations(well)), expected, "{name}");
     }
 }
 
@@ -175,5 +175,5 @@ fn real_survey() {
         .iter()
         .map(|row| station(row[0], row[1], row[2]))
         .collect();
-    assert_eq!(landmarks(&survey), (Some(188.6), Some(705.7)));
+    assert_eq!(kick_off(&survey), (Some(188.6), Some(705.7)));
 }

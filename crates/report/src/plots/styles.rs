@@ -12,14 +12,14 @@ use crate::{
 ///
 /// Of one run, operations differ by colour, of two runs the runs do; by stroke too where one model solved them. Where two did,
 /// models differ by stroke, and by colour too where nothing else does.
-pub(super) struct Looks<'a> {
+pub(super) struct CurveStyles<'a> {
     runs: &'a [Run<'a>],
     operations: &'a [&'a str],
     /// The models that solved them, the most detailed first.
     models: Vec<&'static Method>,
 }
 
-impl<'a> Looks<'a> {
+impl<'a> CurveStyles<'a> {
     pub(super) fn new(runs: &'a [Run<'a>], operations: &'a [&'a str]) -> Self {
         let has = |model: &str| {
             runs.iter()
@@ -46,7 +46,7 @@ impl<'a> Looks<'a> {
             .filter(|(_, of)| self.operations.contains(&of.operation.as_str()))
     }
 
-    /// Whether nothing but the model tells curves apart.
+    /// Whether nothing but the model distinguishes curves.
     pub(super) fn alone(&self) -> bool {
         self.runs.len() == 1 && self.operations.len() == 1
     }

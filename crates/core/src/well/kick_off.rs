@@ -11,7 +11,7 @@ const LEFT_RAD: f64 = 3.0 * std::f64::consts::PI / 180.0;
 /// Share of the rate of turning below which a hole counts as not turning any more.
 const SHARE: f64 = 0.25;
 
-/// How far below a station the build must have gone on, m: three stands of range-2 joints.
+/// How far below a station the build must have continued, m: three stands of range-2 joints.
 const LOOK_AHEAD_M: f64 = 90.0;
 
 /// See [`super::Path::kick_off_md_m`].

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 /// Simulated over real time, as a reader has it at a glance.
-pub(crate) fn pace(times: f64) -> String {
+pub(crate) fn real_time_factor(times: f64) -> String {
     if times >= 100.0 {
         format!("{times:.0} × real time")
     } else if times > 0.0 && times < 0.1 {
@@ -50,7 +50,7 @@ mod tests {
             (1.0 / 125.8, "1/126 of real time"),
             (0.0, "0.0 × real time"),
         ] {
-            assert_eq!(pace(times), words);
+            assert_eq!(real_time_factor(times), words);
         }
     }
 }

@@ -12,7 +12,7 @@ use crate::{
         body::Body,
         boundary::{
             bit::{Bit, RunIn, Standing},
-            crew::Crew,
+            executor::RockExecutor,
             hoist::{Hoist, Target},
             hole,
             mud::{squeezed::Squeezed, viscous::Viscous},
@@ -33,12 +33,12 @@ use crate::{
 };
 
 impl<R: Registers> Run<R> {
-    /// Lays the string in its hole, ready to run.
+    /// Initialises the string in its hole, ready to run.
     ///
     /// The bit is placed so that it passes the operation's depth in the middle of the window: a string
     /// that trips at 0.3 m/s for a minute is then, on average, where a static calculation has it.
     ///
-    /// `crew` runs the bit in, where there is solid rock, and works on it from then on.
+    /// `executor` runs the bit in, where there is solid rock, and works on it from then on.
     ///
     /// # Errors
     /// A setting out of range, or a soft string without solution.
@@ -46,7 +46,7 @@ impl<R: Registers> Run<R> {
         model: &Model,
         operation: &Operation,
         settings: &DynamicsSettings,
-        crew: Crew,
+        executor: RockExecutor,
     ) -> Result<Self, SetupError> {
         let basis = Basis::<R>::new(model, operation, settings)?;
         let (mesh, dt) = (&basis.mesh, basis.plan.dt_s);
@@ -80,7 +80,7 @@ impl<R: Registers> Run<R> {
             mass_kg: node!(chain, last, mass_axial),
         };
         let run_in = if operation.weight_on_bit_now_N() > 0.0 {
-            RunIn::new(&settings.bit, &first, standing, &crew)?
+            RunIn::new(&settings.bit, &first, standing, &executor)?
         } else {
             None
         };
@@ -88,26 +88,26 @@ impl<R: Registers> Run<R> {
             first.bit_torque_N_m = run_in.torque_N_m();
         }
         let (moving, at_rest) = initial_state::scene::motion(&first, velocity, settings);
-        // Whatever the run is made with, the string is laid in double precision.
-        let laying = Stepper::new(basis.abilities);
+        // Whatever the run is made with, the string is initialised in double precision.
+        let initial_stepper = Stepper::new(basis.abilities);
         let scene = Scene {
             model,
             operation: &moving,
             at_rest,
             settings,
             mesh,
-            surroundings: &basis.surroundings,
+            borehole: &basis.borehole,
             viscous: viscous.as_ref(),
-            stepper: &laying,
+            stepper: &initial_stepper,
             input: &input,
             velocity_m_per_s: velocity,
         };
-        let initial = initial_state::lay(&scene, chain, Body::new(model, mesh), bit_md_m)?;
+        let initial = initial_state::initialise(&scene, chain, Body::new(model, mesh), bit_md_m)?;
         let (mut chain, anchors) = (initial.chain.converted(), initial.anchors);
         chain.find_drag(dt);
         if let Some(mud) = &mut viscous {
             mud.attach(&mut chain, &anchors, dt);
-            mud.update(&mut chain, &anchors, &basis.surroundings, dt);
+            mud.update(&mut chain, &anchors, &basis.borehole, dt);
         }
         let top = anchors[0].md_m + chain.displacement(0).dot(chain.tangent(0));
         let bottom = anchors[last].md_m + chain.displacement(last).dot(chain.tangent(last));
@@ -177,7 +177,7 @@ impl<R: Registers> Run<R> {
             settled: None,
         };
         Ok(Self {
-            crew,
+            executor,
             ..Self::of(model, operation, settings, basis, chain, state)
         })
     }

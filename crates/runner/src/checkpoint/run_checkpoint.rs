@@ -1,4 +1,4 @@
-//! A run that was laid aside.
+//! A run that was written to a checkpoint.
 //!
 //! A checkpoint holds all that a run knows: what it has solved, and the operation under way as it
 //! stands. The results in the folder are not read, so that it does not matter what was being
@@ -10,7 +10,7 @@ use std::time::Duration;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use wholestring::{
-    dynamics::{Checkpoint, TunedLift},
+    dynamics::{Checkpoint, TunedHookLoad},
     operation::Operation,
 };
 use wholestring_case::Case;
@@ -27,7 +27,7 @@ pub(crate) struct UnderWay<'a> {
     /// What it had taken until then, s.
     pub(crate) wall_time_s: f64,
     /// The lift that was found for it, where it hangs on one.
-    pub(crate) lift: Option<TunedLift>,
+    pub(crate) lift: Option<TunedHookLoad>,
     pub(crate) simulation: Checkpoint<'a>,
 }
 
@@ -35,7 +35,7 @@ impl<'a> UnderWay<'a> {
     pub(crate) fn new(
         operation: &Operation,
         took: Duration,
-        lift: Option<TunedLift>,
+        lift: Option<TunedHookLoad>,
         simulation: Checkpoint<'a>,
     ) -> Self {
         Self {
@@ -51,9 +51,9 @@ impl<'a> UnderWay<'a> {
     }
 }
 
-/// A run that was laid aside.
+/// A run that was written to a checkpoint.
 #[derive(Serialize, Deserialize)]
-pub(crate) struct Laid<'a> {
+pub(crate) struct RunCheckpoint<'a> {
     /// All that the case's answers depend on, as JSON.
     identity: String,
     /// The case's settings, as JSON: the same in words that people know.
@@ -62,7 +62,7 @@ pub(crate) struct Laid<'a> {
     pub(crate) under_way: Option<UnderWay<'a>>,
 }
 
-impl<'a> Laid<'a> {
+impl<'a> RunCheckpoint<'a> {
     /// What a run knows.
     pub(crate) fn new(record: &'a Record, under_way: Option<UnderWay<'a>>) -> Self {
         Self {
@@ -76,14 +76,17 @@ impl<'a> Laid<'a> {
     /// The checkpoint in the folder, if there is one.
     ///
     /// # Errors
-    /// Why the case cannot go on from it.
+    /// Why the case cannot continue from it.
     pub(crate) fn read(folder: &ResultsFolder, case: &Case) -> Result<Option<Self>, String> {
-        let laid: Option<Self> = folder.read_checkpoint().map_err(|e| e.to_string())?;
-        let Some(laid) = laid else { return Ok(None) };
+        let stored: Option<Self> = folder.read_checkpoint().map_err(|e| e.to_string())?;
+        let Some(stored) = stored else {
+            return Ok(None);
+        };
         let read = |text: &str| serde_json::from_str(text).map_err(|e| e.to_string());
-        let (identity, settings): (Value, Value) = (read(&laid.identity)?, read(&laid.settings)?);
+        let (identity, settings): (Value, Value) =
+            (read(&stored.identity)?, read(&stored.settings)?);
         let here = case.identity();
-        if let Some(under_way) = &laid.under_way
+        if let Some(under_way) = &stored.under_way
             && Duration::try_from_secs_f64(under_way.wall_time_s).is_err()
         {
             let place = folder.path().display();
@@ -92,7 +95,7 @@ impl<'a> Laid<'a> {
             ));
         }
         if identity == here {
-            return Ok(Some(laid));
+            return Ok(Some(stored));
         }
         // In the words of the settings where they tell it.
         let difference = difference(&settings, &case.settings);

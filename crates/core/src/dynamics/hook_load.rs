@@ -1,4 +1,4 @@
-//! A constant lift on the top of the string, found so that the mean weight on bit is what the operation asks for.
+//! A constant lift on the top of the string, found so that the mean weight on bit is what the operation requires.
 
 use std::sync::Arc;
 
@@ -17,11 +17,11 @@ use crate::{
 };
 
 /// Runs after which the search gives up.
-pub const MOST_LIFT_RUNS: usize = 20;
+pub const MAX_TUNING_RUNS: usize = 20;
 
 /// A constant lift and what it gives.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct TunedLift {
+pub struct TunedHookLoad {
     /// Lifting force on the top of the string, block excluded, N.
     #[serde(with = "crate::finite")]
     pub hook_load_N: f64,
@@ -34,14 +34,14 @@ pub struct TunedLift {
 
 /// Why no lift was found.
 #[derive(Debug, thiserror::Error)]
-pub enum LiftError {
+pub enum TuningError {
     /// The run cannot begin.
     #[error(transparent)]
     Setup(#[from] SetupError),
     /// The soft string, which says where to look, has no solution.
     #[error("no lift can be guessed: {0}")]
     Guess(#[from] SoftError),
-    /// An operation that asks for no weight on bit.
+    /// An operation that requires no weight on bit.
     #[error("{0} puts no weight on the bit that a lift could be tuned for")]
     NoWeight(&'static str),
     /// A run diverged.
@@ -59,10 +59,10 @@ pub enum LiftError {
         .target_N * 1e-3, .nearest.runs, .nearest.weight_on_bit_N * 1e-3, .nearest.hook_load_N * 1e-3
     )]
     NotFound {
-        /// Weight on bit that was asked for, N.
+        /// Weight on bit that was requested, N.
         target_N: f64,
         /// The lift that comes nearest, after all runs.
-        nearest: TunedLift,
+        nearest: TunedHookLoad,
     },
     /// Whoever watched asked to stop.
     #[error("stopped")]
@@ -73,8 +73,8 @@ pub enum LiftError {
 /// [`DynamicsSettings::lift_tolerance`], and gives back the run with it, finished.
 ///
 /// Each try is the whole run, from its start to the end of its window. The first is the hook load of the soft string
-/// (for [`FrictionLaw::Independent`] that of a string which slides, as that law drags). From there the lift goes on by the
-/// weight that is missing or too much, in growing steps, until it has tried too much and too little; between those it goes on
+/// (for [`FrictionLaw::Independent`] that of a string which slides, as that law drags). From there the lift continues by the
+/// weight that is missing or too much, in growing steps, until it has tried too much and too little; between those it continues
 /// by the secant, the side that stays halved each time (the Illinois rule). Where several lifts give the weight, it
 /// is the one that this finds: the same on every run.
 ///
@@ -85,28 +85,28 @@ pub enum LiftError {
 ///
 /// # Errors
 /// An operation without weight on bit, a run that cannot begin or diverges, and a weight that no lift gives.
-pub fn tune_lift(
+pub fn tune_hook_load(
     model: &Model,
     operation: &Operation,
     settings: &DynamicsSettings,
     executor: &Arc<dyn Executor + Send + Sync>,
     mut watch: impl FnMut(usize, &Simulation) -> bool,
-) -> Result<(TunedLift, Simulation), LiftError> {
+) -> Result<(TunedHookLoad, Simulation), TuningError> {
     let target_N = operation.weight_on_bit_now_N();
     if target_N <= 0.0 {
-        return Err(LiftError::NoWeight(operation.kind.name()));
+        return Err(TuningError::NoWeight(operation.kind.name()));
     }
     let mut search = Search::new(target_N, guess_N(model, operation, settings)?);
-    let mut nearest: Option<TunedLift> = None;
-    for run in 1..=MOST_LIFT_RUNS {
+    let mut nearest: Option<TunedHookLoad> = None;
+    for run in 1..=MAX_TUNING_RUNS {
         let settings = DynamicsSettings {
             hoist_control: Some(HoistControl::HookLoad(search.lift_N)),
             ..settings.clone()
         };
         let mut simulation =
-            match Simulation::lent(model, operation, &settings, Arc::clone(executor)) {
-                Err(SetupError::Stopped) => return Err(LiftError::Stopped),
-                laid => laid?,
+            match Simulation::with_executor(model, operation, &settings, Arc::clone(executor)) {
+                Err(SetupError::Stopped) => return Err(TuningError::Stopped),
+                initial => initial?,
             };
         let half_sample_s = 0.5 * simulation.sample_interval_s();
         loop {
@@ -115,16 +115,16 @@ pub fn tune_lift(
                 break;
             }
             if !watch(run, &simulation) {
-                return Err(LiftError::Stopped);
+                return Err(TuningError::Stopped);
             }
             simulation
                 .advance(left_s.min(WATCH_INTERVAL_S))
-                .map_err(|diverged| LiftError::Diverged {
+                .map_err(|diverged| TuningError::Diverged {
                     hook_load_N: search.lift_N,
                     diverged,
                 })?;
         }
-        let found = TunedLift {
+        let found = TunedHookLoad {
             hook_load_N: search.lift_N,
             weight_on_bit_N: simulation.mean_weight_on_bit_N(),
             runs: run,
@@ -138,16 +138,16 @@ pub fn tune_lift(
         }
         search.learn(excess_N);
     }
-    let mut nearest = nearest.unwrap_or(TunedLift {
+    let mut nearest = nearest.unwrap_or(TunedHookLoad {
         hook_load_N: search.lift_N,
         weight_on_bit_N: f64::NAN,
         runs: 0,
     });
-    nearest.runs = MOST_LIFT_RUNS;
-    Err(LiftError::NotFound { target_N, nearest })
+    nearest.runs = MAX_TUNING_RUNS;
+    Err(TuningError::NotFound { target_N, nearest })
 }
 
-/// Simulated time between two looks at who watches, s.
+/// Simulated time between two checks of who watches, s.
 const WATCH_INTERVAL_S: f64 = 0.2;
 
 /// The hook load of the soft string, N.
@@ -165,7 +165,7 @@ fn guess_N(
 }
 
 /// Least part of the way from one side to the other that a secant goes: it does not creep along a bend.
-const LEAST_PART: f64 = 0.08;
+const MIN_PART: f64 = 0.08;
 
 /// By what the steps grow as long as one side has not been found.
 const GROWTH: f64 = 1.6;
@@ -222,7 +222,7 @@ impl Search {
         self.lift_N = match (self.heavy, self.light) {
             (Some(heavy), Some(light)) => {
                 let part = heavy.excess_N / (heavy.excess_N - light.excess_N);
-                let part = part.clamp(LEAST_PART, 1.0 - LEAST_PART);
+                let part = part.clamp(MIN_PART, 1.0 - MIN_PART);
                 heavy.lift_N + part * (light.lift_N - heavy.lift_N)
             }
             _ => {
@@ -237,14 +237,14 @@ impl Search {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dynamics::settings::LIFT_TOLERANCE;
+    use crate::dynamics::settings::WEIGHT_TOLERANCE;
 
     /// Tries until a lift is within a hundredth of the target; how many it took.
     fn tries(target_N: f64, first_N: f64, weight_N: impl Fn(f64) -> f64) -> Option<usize> {
         let mut search = Search::new(target_N, first_N);
-        (1..=MOST_LIFT_RUNS).find(|_| {
+        (1..=MAX_TUNING_RUNS).find(|_| {
             let excess_N = weight_N(search.lift_N) - target_N;
-            if excess_N.abs() <= LIFT_TOLERANCE * target_N {
+            if excess_N.abs() <= WEIGHT_TOLERANCE * target_N {
                 return true;
             }
             search.learn(excess_N);

@@ -12,7 +12,7 @@ use crate::{
     wells::{Case, STRAIGHT_DEG, each, go, mean_between, model, moderate, section, straight, tool},
 };
 
-/// A block velocity that is asked for as a setting is the string's speed: reaming 500 m at 0.5 m/s drags and
+/// A block velocity that is requested as a setting is the string's speed: reaming 500 m at 0.5 m/s drags and
 /// rubs and pulls alike, whatever speed the operation names.
 ///
 /// The two runs are the same problem but for the twist of their starts, which the named speed has a part in; 1e-5 of it

@@ -6,7 +6,7 @@ use wholestring_report::{Cell, Fact};
 use wholestring_results::{Friction, Summary};
 
 /// The question in a few facts: what is done, how deep, with what.
-pub(crate) fn asked(summary: &Summary) -> Vec<Fact> {
+pub(crate) fn facts(summary: &Summary) -> Vec<Fact> {
     let settings = &summary.settings;
     let operation = &settings["operation"];
     let kinds: Vec<OperationKind> = texts(&operation["kind"])

@@ -1,11 +1,11 @@
-//! Samples of every node that are kept for its percentiles: as many as memory allows, spread evenly
+//! Reservoir sampling of every node, for its percentiles: as many as memory allows, spread evenly
 //! over the window however long it gets.
 
 use serde::{Deserialize, Serialize};
 
-use super::{lane::Lane, look::Look};
+use super::{block_sample::BlockSample, lane::Lane};
 use crate::{
-    damage::{Damaged, sound},
+    damage::{Damaged, ensure},
     dynamics::output::statistic::percentile,
     simd::lanes::DOUBLES,
 };
@@ -28,7 +28,7 @@ pub enum Quantity {
 const QUANTITIES: usize = 4;
 
 /// Numbers kept of one quantity: 3 MB.
-const MOST_NUMBERS: usize = 3 << 18;
+const MAX_NUMBERS: usize = 3 << 18;
 
 /// Samples kept at least, and at most.
 const ROWS: [usize; 2] = [64, 4096];
@@ -39,10 +39,10 @@ const ROWS: [usize; 2] = [64, 4096];
 /// chooses, so that nothing periodic hides between. The stride is such that what a window is expected to
 /// take fits. When memory is full nevertheless, one of each pair of kept samples stays and the stride doubles.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub struct Kept {
+pub struct Reservoir {
     /// Numbers in a row: the lanes of all blocks.
     width: usize,
-    most_rows: usize,
+    max_rows: usize,
     /// Samples that the window is expected to take.
     expected: u64,
     rows: usize,
@@ -56,22 +56,22 @@ pub struct Kept {
 }
 
 /// A row that waits for its values, one slice a quantity.
-pub struct KeptRow<'a>([&'a mut [f32]; QUANTITIES]);
+pub struct ReservoirRow<'a>([&'a mut [f32]; QUANTITIES]);
 
-impl KeptRow<'_> {
+impl ReservoirRow<'_> {
     /// Puts the values of a block.
     #[inline(always)]
-    pub fn put(&mut self, block: usize, look: &Look) {
+    pub fn put(&mut self, block: usize, sample: &BlockSample) {
         // By the side on which the node lies, as the sums count it; what does not touch is +0.
         let side: Lane = std::array::from_fn(|lane| {
-            let normal = look.normal[lane];
-            if look.up[lane] < 0.0 {
+            let normal = sample.normal[lane];
+            if sample.up[lane] < 0.0 {
                 0.0 - normal
             } else {
                 normal
             }
         });
-        let values = [&look.tension, &look.torque, &side, &look.bending];
+        let values = [&sample.tension, &sample.torque, &side, &sample.bending];
         for (row, values) in self.0.iter_mut().zip(values) {
             let lanes = &mut row[block * DOUBLES..(block + 1) * DOUBLES];
             for lane in 0..DOUBLES {
@@ -81,52 +81,52 @@ impl KeptRow<'_> {
     }
 }
 
-impl Kept {
+impl Reservoir {
     /// Whether stored samples are those of a chain of so many blocks.
     pub(super) fn check(&self, blocks: usize) -> Result<(), Damaged> {
         let fresh = Self::new(blocks, self.expected);
-        let fits = (self.width, self.most_rows) == (fresh.width, fresh.most_rows)
-            && self.rows <= self.most_rows
+        let fits = (self.width, self.max_rows) == (fresh.width, fresh.max_rows)
+            && self.rows <= self.max_rows
             && self.stride > 0
             && self.place < self.stride
             && self
                 .values
                 .iter()
                 .all(|all| all.len() == self.rows * self.width);
-        sound(fits, "the samples that are kept")
+        ensure(fits, "the samples that are kept")
     }
 
     /// None yet of a chain of so many blocks, of which so many samples are expected.
     pub fn new(blocks: usize, expected: u64) -> Self {
         let width = blocks * DOUBLES;
-        let most_rows = (MOST_NUMBERS / width).clamp(ROWS[0], ROWS[1]) / 2 * 2;
+        let max_rows = (MAX_NUMBERS / width).clamp(ROWS[0], ROWS[1]) / 2 * 2;
         Self {
             width,
-            most_rows,
+            max_rows,
             expected,
             rows: 0,
-            stride: first_stride(expected, most_rows),
+            stride: first_stride(expected, max_rows),
             place: 0,
             chosen: 0,
             random: 0,
             // Memory that is not used yet costs nothing.
-            values: std::array::from_fn(|_| Vec::with_capacity(most_rows * width)),
+            values: std::array::from_fn(|_| Vec::with_capacity(max_rows * width)),
         }
     }
 
     /// Forgets all.
     pub fn clear(&mut self) {
         self.rows = 0;
-        self.stride = first_stride(self.expected, self.most_rows);
+        self.stride = first_stride(self.expected, self.max_rows);
         self.place = 0;
         self.chosen = 0;
         self.values.iter_mut().for_each(Vec::clear);
     }
 
     /// Counts a sample; the row for it if it is kept.
-    pub fn next(&mut self) -> Option<KeptRow<'_>> {
+    pub fn next(&mut self) -> Option<ReservoirRow<'_>> {
         if self.place == 0 {
-            if self.rows == self.most_rows {
+            if self.rows == self.max_rows {
                 self.halve();
             }
             self.chosen = self.draw() % self.stride;
@@ -139,7 +139,7 @@ impl Kept {
         let from = self.rows * self.width;
         self.rows += 1;
         let to = self.rows * self.width;
-        Some(KeptRow(self.values.each_mut().map(|values| {
+        Some(ReservoirRow(self.values.each_mut().map(|values| {
             values.resize(to, 0.0);
             &mut values[from..to]
         })))
@@ -176,27 +176,27 @@ impl Kept {
             other => (other, false),
         };
         let values = &self.values[of as usize];
-        let mut kept: Vec<f32> = (0..self.rows)
+        let mut reservoir: Vec<f32> = (0..self.rows)
             .map(|row| values[row * self.width + block * DOUBLES + lane])
             .map(|value| if magnitude { value.abs() } else { value })
             .collect();
-        if kept.is_empty() {
+        if reservoir.is_empty() {
             return [0.0; 3];
         }
-        [0.05, 0.5, 0.95].map(|part| percentile(&mut kept, part))
+        [0.05, 0.5, 0.95].map(|part| percentile(&mut reservoir, part))
     }
 }
 
 /// The smallest power of two of which so many samples fill no more rows than there are.
-fn first_stride(expected: u64, most_rows: usize) -> u64 {
+fn first_stride(expected: u64, max_rows: usize) -> u64 {
     expected
-        .div_ceil(most_rows as u64)
+        .div_ceil(max_rows as u64)
         .max(1)
         .next_power_of_two()
 }
 
 #[cfg(test)]
-impl KeptRow<'_> {
+impl ReservoirRow<'_> {
     /// The same value for every quantity and node.
     pub fn fill(&mut self, value: f32) {
         self.0.iter_mut().for_each(|row| row.fill(value));

@@ -13,9 +13,9 @@ use crate::checkpoint::difference;
 /// Name of the file of a finished point.
 const FILE: &str = "point.json";
 
-/// A trial that was laid aside: the content of its checkpoint.
+/// A trial that was written to a checkpoint: the content of its checkpoint.
 #[derive(Serialize, Deserialize)]
-pub(super) struct Laid<'a> {
+pub(super) struct PointCheckpoint<'a> {
     /// The point's settings, as JSON.
     settings: String,
     /// Instruction set that the trial was computed with.
@@ -23,7 +23,7 @@ pub(super) struct Laid<'a> {
     pub(super) trial: Cow<'a, Trial>,
 }
 
-impl<'a> Laid<'a> {
+impl<'a> PointCheckpoint<'a> {
     pub(super) fn new(point: &Point, stepper: &Stepper, trial: &'a Trial) -> Self {
         Self {
             settings: point.settings.to_string(),
@@ -33,30 +33,30 @@ impl<'a> Laid<'a> {
     }
 }
 
-impl Laid<'static> {
+impl PointCheckpoint<'static> {
     /// The checkpoint in the point's folder, if there is one.
     ///
     /// # Errors
-    /// Why the point cannot go on from it.
+    /// Why the point cannot continue from it.
     pub(super) fn read(
         folder: &ResultsFolder,
         point: &Point,
         drilling: &DrillingSpec,
     ) -> Result<Option<Self>, String> {
-        let laid: Option<Self> = folder.read_checkpoint().map_err(|e| e.to_string())?;
-        let Some(laid) = laid else { return Ok(None) };
-        let settings: Value = serde_json::from_str(&laid.settings).map_err(|e| e.to_string())?;
+        let stored: Option<Self> = folder.read_checkpoint().map_err(|e| e.to_string())?;
+        let Some(stored) = stored else {
+            return Ok(None);
+        };
+        let settings: Value = serde_json::from_str(&stored.settings).map_err(|e| e.to_string())?;
         let place = folder.path().display();
         if let Some(difference) = difference(&settings, &point.settings) {
             return Err(format!(
                 "the checkpoint in {place} is of another test: {difference}"
             ));
         }
-        let sound = laid.trial.check(&point.spec, drilling);
-        sound.map_err(|error| {
-            format!("the checkpoint in {place} cannot be gone on with: {error}")
-        })?;
-        Ok(Some(laid))
+        let valid = stored.trial.check(&point.spec, drilling);
+        valid.map_err(|error| format!("the checkpoint in {place} cannot be continued: {error}"))?;
+        Ok(Some(stored))
     }
 }
 

@@ -38,12 +38,12 @@ fn drill(kind: OperationKind) -> Operation {
     }
 }
 
-/// The wall does not reach the bit, and no spring holds it while the string is laid: it begins on the hole's axis all the same, and the
+/// The wall does not reach the bit, and no spring holds it while the string is initialised: it begins on the hole's axis all the same, and the
 /// string hangs over it in balance. Let go meanwhile it fell by six centimetres, and was torn back with 600 kN.
 #[test]
 fn the_bit_begins_on_the_axis() {
     let settings = DynamicsSettings::default();
-    let mut run = Run::<f64>::new(&model(0.25), &REAM, &settings, Crew::default()).unwrap();
+    let mut run = Run::<f64>::new(&model(0.25), &REAM, &settings, RockExecutor::default()).unwrap();
     let last = run.chain.nodes() - 1;
     let across_m = |run: &Run<f64>| {
         let (at, along) = (run.chain.displacement(last), run.chain.tangent(last));
@@ -64,7 +64,7 @@ fn the_bit_begins_on_the_axis() {
 #[test]
 fn the_rock_winds_the_string_up() {
     let (settings, drill) = (on_rock(), drill(OperationKind::Drill));
-    let run = Run::<f64>::new(&model(0.25), &drill, &settings, Crew::default()).unwrap();
+    let run = Run::<f64>::new(&model(0.25), &drill, &settings, RockExecutor::default()).unwrap();
     let last = run.chain.nodes() - 1;
     let standing = Standing {
         weight_N: WEIGHT_N,
@@ -72,7 +72,7 @@ fn the_rock_winds_the_string_up() {
         string_rad_per_s: drill.rotary_speed_rad_per_s,
         mass_kg: node!(run.chain, last, mass_axial),
     };
-    let run_in = RunIn::new(&settings.bit, &drill, standing, &Crew::default());
+    let run_in = RunIn::new(&settings.bit, &drill, standing, &RockExecutor::default());
     let expected_N_m = run_in.unwrap().expect("rock").torque_N_m();
     assert!((10.0..100.0).contains(&expected_N_m), "{expected_N_m}");
     // Half of what the lowest node rubs off is above the bit.
@@ -98,7 +98,8 @@ fn a_bit_that_does_not_turn_rests_on_its_rock() {
             rate_of_penetration_m_per_s: 0.0,
             ..drill(kind)
         };
-        let mut run = Run::<f64>::new(&model(0.25), &still, &settings, Crew::default()).unwrap();
+        let mut run =
+            Run::<f64>::new(&model(0.25), &still, &settings, RockExecutor::default()).unwrap();
         assert!(element!(run.chain, run.chain.nodes() - 2, twist) == 0.0);
         run.advance(0.02).unwrap();
         // The string has only been settled across the hole: along it, it gives by a tenth. A bit that hung would bear nothing.

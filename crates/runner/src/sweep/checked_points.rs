@@ -19,12 +19,12 @@ use crate::{
 };
 
 /// The cases of a batch, read and checked.
-pub(crate) struct Sound<'a> {
+pub(crate) struct CheckedPoints<'a> {
     pub(super) points: Vec<Point<'a>>,
     pub(super) checked: Vec<Checked>,
 }
 
-impl<'a> Sound<'a> {
+impl<'a> CheckedPoints<'a> {
     /// Reads and checks every case, so that no batch ends on a mistake in its last.
     pub(crate) fn check(
         points: Vec<Point<'a>>,

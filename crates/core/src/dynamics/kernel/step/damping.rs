@@ -9,7 +9,7 @@ use crate::{
 
 /// What mass-proportional damping does over some time.
 #[derive(Debug, Clone, Copy)]
-pub struct Calming {
+pub struct MassDamping {
     /// That time `T`, s.
     pub time_s: f64,
     /// The steps that it is made of, s.
@@ -22,14 +22,17 @@ pub struct Calming {
     pub rigid_spin: f64,
 }
 
-/// Calms all nodes; the energy that it takes, J. That of lateral rotation is a millionth of the whole and not counted.
+/// Damps all nodes; the energy that it takes, J. That of lateral rotation is a millionth of the whole and not counted.
 #[inline(always)]
-pub(super) fn calm<N: Number>(chain: &mut Chain<N::Real>, calming: &Calming) -> f64 {
+pub(super) fn damp<N: Number>(chain: &mut Chain<N::Real>, mass_damping: &MassDamping) -> f64 {
     let splat = N::splat;
-    let (zero, one, left) = (N::zero(), splat(1.0), splat(calming.left));
-    let lengthening = splat(0.5 * calming.dt * calming.time_s);
-    let gone = splat(1.0 - calming.left);
-    let (rigid_v, rigid_s) = (splat(calming.rigid_velocity), splat(calming.rigid_spin));
+    let (zero, one, left) = (N::zero(), splat(1.0), splat(mass_damping.left));
+    let lengthening = splat(0.5 * mass_damping.dt * mass_damping.time_s);
+    let damped = splat(1.0 - mass_damping.left);
+    let (rigid_v, rigid_s) = (
+        splat(mass_damping.rigid_velocity),
+        splat(mass_damping.rigid_spin),
+    );
     let mut taken: Row<N::Real> = Row::filled(0.0);
     for (n, state) in chain.node_blocks.iter().zip(&mut chain.states) {
         for lane in lanes::<N>() {
@@ -37,10 +40,10 @@ pub(super) fn calm<N: Number>(chain: &mut Chain<N::Real>, calming: &Calming) -> 
             let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));
             let axial0 = th.dot(v0);
             // What fills the last lane stays where it is.
-            let free = at::<N>(&n.inv_mass_axial, lane).if_positive(gone, zero);
+            let free = at::<N>(&n.inv_mass_axial, lane).if_positive(damped, zero);
             let axial1 = free.neg_mul_add(axial0 - rigid_v, axial0);
             let v1 = v0.scaled(left).plus(th, left.neg_mul_add(axial0, axial1));
-            let free = at::<N>(&n.inv_polar, lane).if_positive(gone, zero);
+            let free = at::<N>(&n.inv_polar, lane).if_positive(damped, zero);
             let s1 = free.neg_mul_add(s0 - rigid_s, s0);
             // Squares before less squares after.
             let along = (axial0 - axial1) * (axial0 + axial1);

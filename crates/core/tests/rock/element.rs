@@ -1,16 +1,16 @@
-//! One brick: elasticity, cycles, rotation.
+//! One element: elasticity, cycles, rotation.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use wholestring::rock::{Block, Edge, Stepper};
 
 use crate::{
     common::{Row, Tolerance, report},
-    setup::{ductile, elastic, one_brick, press, step, stretches, tell_layer_down},
+    setup::{ductile, elastic, one_element, press, step, stretches, tell_layer_down},
 };
 
-/// One brick whose eight nodes go where they are told.
+/// One element whose eight nodes go as prescribed.
 fn led(rock: wholestring::rock::Rock) -> Block {
-    one_brick(rock, [Edge::Held; 6], 0.0)
+    one_element(rock, [Edge::Held; 6], 0.0)
 }
 
 /// Leads the nodes to `F X` in a step.
@@ -31,10 +31,10 @@ fn matrix([xx, yy, zz, xy, yz, zx]: [f64; 6]) -> Matrix3<f64> {
 }
 
 #[test]
-fn a_brick_has_the_rocks_elastic_constants() {
+fn a_element_has_the_rocks_elastic_constants() {
     let (rock, stepper) = (elastic(), Stepper::default());
     let mut block = press(rock, 0.0);
-    // Slowly, over some hundred periods of the brick, to a strain of 1e-5.
+    // Slowly, over some hundred periods of the element, to a strain of 1e-5.
     let (steps, strain) = (10_000, 1e-5);
     let speed = -strain * 1e-3 / (f64::from(steps) * block.dt_s());
     tell_layer_down(&mut block, 1, speed);
@@ -46,7 +46,7 @@ fn a_brick_has_the_rocks_elastic_constants() {
     // The strain is the logarithm of the stretch: half of it off.
     report(&Row {
         case: "rock",
-        quantity: "Young's modulus of a brick, Pa",
+        quantity: "Young's modulus of an element, Pa",
         expected: rock.youngs_modulus_Pa,
         computed: stress[2] / along,
         tolerance: Tolerance::Relative(1e-4),
@@ -54,7 +54,7 @@ fn a_brick_has_the_rocks_elastic_constants() {
     });
     report(&Row {
         case: "rock",
-        quantity: "Poisson's ratio of a brick",
+        quantity: "Poisson's ratio of an element",
         expected: rock.poisson_ratio,
         computed: -across / along,
         tolerance: Tolerance::Relative(1e-3),
@@ -65,7 +65,7 @@ fn a_brick_has_the_rocks_elastic_constants() {
     lead(&mut block, &stepper, sheared);
     report(&Row {
         case: "rock",
-        quantity: "shear modulus of a brick, Pa",
+        quantity: "shear modulus of an element, Pa",
         expected: rock.shear_modulus_Pa(),
         computed: block.stress_Pa([0, 0, 0])[3] / 1e-5,
         tolerance: Tolerance::Relative(1e-5),
@@ -153,12 +153,12 @@ fn plastic_cycles_close() {
         expected: 1.0,
         computed: peaks[49] / peaks[1],
         tolerance: Tolerance::Relative(1e-3),
-        reason: "the volume of the sheared brick changes by 1.6e-5, the square of the shear",
+        reason: "the volume of the sheared element changes by 1.6e-5, the square of the shear",
     });
 }
 
 #[test]
-fn a_turned_brick_feels_nothing() {
+fn a_turned_element_feels_nothing() {
     let (rock, stepper) = (elastic(), Stepper::default());
     let mut block = led(rock);
     let axis = Vector3::new(1.0, 2.0, -1.5).normalize();
@@ -180,7 +180,7 @@ fn a_turned_brick_feels_nothing() {
         reason: "steps of 1e-3 rad leave a strain of an eighth of their fourth power each, 8e-10 in all",
     });
 
-    // A strained brick takes its stress along.
+    // A strained element takes its stress along.
     let mut block = led(rock);
     let strained = Matrix3::identity() + matrix([1e-4, -3e-4, 2e-4, 1e-4, 0.0, -1e-4]);
     lead(&mut block, &stepper, strained);
@@ -194,7 +194,7 @@ fn a_turned_brick_feels_nothing() {
     let error = (matrix(block.stress_Pa([0, 0, 0])) - expected).norm() / before.norm();
     report(&Row {
         case: "rock",
-        quantity: "stress of a strained brick after a turn of 2 rad, error",
+        quantity: "stress of a strained element after a turn of 2 rad, error",
         expected: 0.0,
         computed: error,
         tolerance: Tolerance::Absolute(1e-5),
@@ -202,7 +202,7 @@ fn a_turned_brick_feels_nothing() {
     });
 }
 
-/// A node that is held across a face by what is there goes on as it is told when it is pushed, and the books know who bore it:
+/// A node that is held across a face by what is there continues as prescribed when it is pushed, and the books know who bore it:
 /// what the push gives, the holder takes. Along the face it gives way.
 #[test]
 fn what_holds_a_node_bears_a_push() {

@@ -6,9 +6,9 @@ use wholestring_study::{Row, Wanted};
 use wholestring_units::UnitSet;
 
 use super::{
-    answers::names,
     columns::unit,
     numbers::{Computed, agrees},
+    results::names,
 };
 
 /// The data: a row for each number and series, in SI.

@@ -5,7 +5,7 @@ use wholestring_report::{Cell, Place, Sheet};
 use wholestring_results::{OperationSummary, Summary};
 use wholestring_units::Dimension;
 
-use super::{asked::spoken, dimensions::of_kind};
+use super::{dimensions::of_kind, facts::spoken};
 
 /// A row: what it is, its dimension, and how it is read.
 type Row<'a> = (

@@ -1,11 +1,11 @@
-//! The eight-node brick with one point of integration.
+//! The eight-node hexahedral element with one point of integration.
 //!
 //! A field over the eight corners is turned into its sums over them with the signs of the products of the natural
-//! coordinates (Hadamard's transform): the mean, three **gradients**, four **hourglasses**. In a brick at rest the
+//! coordinates (Hadamard's transform): the mean, three **gradients**, four **hourglasses**. In an element at rest the
 //! hourglasses of the coordinates themselves vanish, so that those of the displacement feel neither rigid motion nor
 //! uniform strain, which is all that Flanagan and Belytschko ask of them (1981).
 //!
-//! Everything refers to the brick at rest, where gradients are constants of the grid. With the deformation gradient `F`
+//! Everything refers to the element at rest, where gradients are constants of the grid. With the deformation gradient `F`
 //! and its rate over a step, the strain and rotation of the step are those at its middle (Hughes and Winget 1980),
 //! and the Kirchhoff stress `τ` pulls at the corners by `V₀ τ F⁻ᵀ`.
 
@@ -121,7 +121,7 @@ fn cofactor<N: Number>(f: &Matrix<N>, i: usize, j: usize) -> N {
     f[a][d].neg_mul_add(f[b][c], f[a][c] * f[b][d])
 }
 
-/// Where a brick has got to, and how it moved there in the step.
+/// Where an element has got to, and how it moved there in the step.
 pub struct Motion<N> {
     /// Inverse of the deformation gradient.
     pub inverse: Matrix<N>,
