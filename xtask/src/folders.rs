@@ -7,8 +7,8 @@ use std::{
 
 /// The root of the repository: the folder of this package's.
 pub(crate) fn root() -> PathBuf {
-    // Cargo says it at run time too: a target folder that two checkouts share may hold the program of
-    // the other one.
+    // Cargo says it at run time too: a target folder that two checkouts share may hold the program
+    // of the other one.
     let package = env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
     let package = package.unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
     package.parent().map(Path::to_path_buf).unwrap_or(package)

@@ -1,5 +1,6 @@
-//! Chores of the repository: `cargo xtask test` runs everything that CI runs, `cargo xtask verify` the
-//! tests that take minutes too, `cargo xtask fuzz` reads damaged inputs for as long as is asked.
+//! Chores of the repository: `cargo xtask test` runs everything that CI runs, `cargo xtask verify`
+//! the tests that take minutes too, `cargo xtask fuzz` reads damaged inputs for as long as is
+//! asked.
 
 mod command;
 mod count;
@@ -147,7 +148,8 @@ fn no_cycles() -> Result<Finding, Failure> {
     )))
 }
 
-/// Damaged inputs for every reader, as the fuzzer is asked. Unoptimised checks of arithmetic stay in.
+/// Damaged inputs for every reader, as the fuzzer is asked. Unoptimised checks of arithmetic stay
+/// in.
 fn fuzz(asked: &[&str]) -> Result<Finding, Failure> {
     // Built as part of the workspace, so that what it is made of is that of the other programs.
     run(

@@ -1,4 +1,5 @@
-//! The pages of a run, a sweep, a study and a bit test: whether their committed bundle is what its sources make, and whether they work in a browser.
+//! The pages of a run, a sweep, a study and a bit test: whether their committed bundle is what its
+//! sources make, and whether they work in a browser.
 
 use std::{
     env, fs,

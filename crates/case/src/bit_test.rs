@@ -22,7 +22,8 @@ use wholestring_config::{
     table::{Field, default, optional, table},
 };
 
-/// The grid where the case does not say, over the operation's weight on bit and the speed of its bit.
+/// The grid where the case does not say, over the operation's weight on bit and the speed of its
+/// bit.
 const WEIGHTS: [f64; 5] = [0.25, 0.5, 1.0, 1.5, 2.0];
 const SPEEDS: [f64; 3] = [0.5, 1.0, 1.5];
 
@@ -37,15 +38,16 @@ const MAX: usize = 50;
 table! {
     /// The bit alone on its rock, for `wholestring bit-test`: every weight at every speed.
     BitTestTable in "[bit_test]" {
-        /// Weights on bit. Default: a quarter, a half, one, one and a half and two times the operation's.
+        /// Weights on bit. Default: a quarter, a half, one, one and a half and two times the
+        /// operation's.
         wob: Vec<Spanned<f64>> = optional(List {
             item: Quantity::si(Dimension::Force, Range::positive_to(5e6).usual(1e3, 7e5), "60 kN"),
             or_one: true,
             noun: "weights on bit",
             most: MAX,
         });
-        /// Rotary speeds of the bit; bare numbers are in rev/min. Default: a half, one and one and a half times that of
-        /// the bit in the operation.
+        /// Rotary speeds of the bit; bare numbers are in rev/min. Default: a half, one and one and
+        /// a half times that of the bit in the operation.
         rpm: Vec<Spanned<f64>> = optional(List {
             item: Quantity::si(
                 Dimension::RotarySpeed,
@@ -61,22 +63,23 @@ table! {
         settle_revolutions: f64 = default(number(0.0, 1000.0), SETTLE);
         /// Revolutions that count. Raising it makes the means surer.
         revolutions: f64 = default(number(0.5, 1000.0), COUNTED);
-        /// Mass that moves along the hole with the bit. Raising it damps the rate of penetration and follows the rock
-        /// more slowly. Default: what weighs as much as the mean of `wob`.
+        /// Mass that moves along the hole with the bit. Raising it damps the rate of penetration
+        /// and follows the rock more slowly. Default: what weighs as much as the mean of `wob`.
         mass: f64 = optional(Quantity::si(
             Dimension::Mass,
             Range::positive_to(1e6).usual(10.0, 2e5),
             "6 t",
         ));
-        /// Time over which forces are averaged before their standard deviations are taken. Raising it takes swings out
-        /// of them. Default: `sample_interval` of [dynamics], so that they are those of a run's samples.
+        /// Time over which forces are averaged before their standard deviations are taken. Raising
+        /// it takes swings out of them. Default: `sample_interval` of [dynamics], so that they are
+        /// those of a run's samples.
         averaging: f64 = optional(Quantity::si(
             Dimension::Time,
             Range::positive_to(10.0),
             "10 ms",
         ));
-        /// Time in which the rock is driven at a time, in shorter steps of its own, and after which layers of rock that the
-        /// bit has left are dropped.
+        /// Time in which the rock is driven at a time, in shorter steps of its own, and after which
+        /// layers of rock that the bit has left are dropped.
         step: f64 = default(
             Quantity::si(Dimension::Time, Range::from_to(1e-5, 2e-3), "0.5 ms"),
             STEP_S,
@@ -106,7 +109,8 @@ pub struct BitTest {
     pub revolutions: f64,
     /// Mass that moves along the hole with the bit, kg.
     pub mass_kg: f64,
-    /// Time over which forces are averaged before their standard deviations are taken, s: no shorter than the step.
+    /// Time over which forces are averaged before their standard deviations are taken, s: no
+    /// shorter than the step.
     pub averaging_s: f64,
     /// Time in which bit and rock are driven at a time, s.
     pub step_s: f64,

@@ -25,18 +25,20 @@ pub struct Case {
     pub model: Model,
     /// The operations to solve, in the order of the case.
     pub operations: Vec<Operation>,
-    /// The bit alone on its rock: of a case with `[bit_test]`, and of one whose operation drills solid rock.
+    /// The bit alone on its rock: of a case with `[bit_test]`, and of one whose operation drills
+    /// solid rock.
     pub bit_test: Option<BitTest>,
     /// What a dynamic run needs beside these.
     pub dynamics: DynamicsSettings,
-    /// Whether the top hangs on a constant lift that is found before each dynamic run, such that the mean weight on bit is
-    /// the operation's: [`wholestring::dynamics::tune_hook_load`].
+    /// Whether the top hangs on a constant lift that is found before each dynamic run, such that
+    /// the mean weight on bit is the operation's: [`wholestring::dynamics::tune_hook_load`].
     pub tunes_hook_load: bool,
     /// Time on the clock between checkpoints of a dynamic run, s.
     pub checkpoint_interval_s: f64,
     /// What a dynamic run keeps beside its tables.
     pub records: Records,
-    /// How the survey file was understood, in sentences; empty where the stations stand in the case.
+    /// How the survey file was understood, in sentences; empty where the stations stand in the
+    /// case.
     pub survey_notes: Vec<String>,
     /// What is probably not meant, but can be computed.
     pub warnings: Report,

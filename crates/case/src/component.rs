@@ -105,19 +105,20 @@ fn cavity() -> Choice<Cavity> {
 table! {
     /// A component of the string, from the bit up.
     ComponentTable in "[[string]]" {
-        /// What it is called in messages and results: "bit", "motor", "drill pipe". A first component whose last word is "bit"
-        /// and which fills its hole is held to the hole's axis in the dynamic model, all of it; of another one two diameters are.
+        /// What it is called in messages and results: "bit", "motor", "drill pipe". A first
+        /// component whose last word is "bit" and which fills its hole is held to the hole's axis
+        /// in the dynamic model, all of it; of another one two diameters are.
         component: String = required(Text);
-        /// Length, m unless a unit is given, or "to surface" for the topmost one, which then fills the
-        /// rest of the string.
+        /// Length, m unless a unit is given, or "to surface" for the topmost one, which then fills
+        /// the rest of the string.
         length: ComponentLength = required(LengthRule);
         /// Entry of the catalogue of API drill pipe, heavy-weight and collars, such as
         /// "5-1/2 in 21.90 lb/ft S-135": gives diameters, joints, mass and yield strength.
         catalogue: String = optional(Text);
         /// Outside diameter of the body, m unless a unit is given. Needed without `catalogue`.
         od: f64 = optional(diameter("139.7 mm"));
-        /// Inside diameter of the body, less than od. Needed without `catalogue`, except for the first of
-        /// several components, the bit, which is solid by default.
+        /// Inside diameter of the body, less than od. Needed without `catalogue`, except for the
+        /// first of several components, the bit, which is solid by default.
         id: f64 = optional(Quantity::si(
             Dimension::Diameter,
             Range::from_to(0.0, 2.0).usual(0.005, 0.6),
@@ -132,10 +133,11 @@ table! {
             Range::from_to(0.5, 100.0).usual(4.0, 16.0),
             "9.6 m",
         ));
-        /// Diameter over the blades of a stabiliser or reamer, its gauge: blades then are what touches the
-        /// wall, at both edges where they are longer than 0.5 m and than half an element, at their middle
-        /// otherwise. Their mass is counted where `mass_per_length` counts it. Default: no blades; a
-        /// component of 4 m or less that stands out over its neighbours touches at its middle with `od`.
+        /// Diameter over the blades of a stabiliser or reamer, its gauge: blades then are what
+        /// touches the wall, at both edges where they are longer than 0.5 m and than half an
+        /// element, at their middle otherwise. Their mass is counted where `mass_per_length` counts
+        /// it. Default: no blades; a component of 4 m or less that stands out over its neighbours
+        /// touches at its middle with `od`.
         blade_od: f64 = optional(diameter("212.7 mm"));
         /// Length of the blades, at the middle of the component. Default: all of the component.
         blade_length: f64 = optional(Quantity::si(
@@ -143,8 +145,8 @@ table! {
             Range::from_to(0.01, 20.0).usual(0.05, 5.0),
             "0.6 m",
         ));
-        /// Mass per length in air, tool joints included. Default: the catalogue's, or that of the body
-        /// between od and id.
+        /// Mass per length in air, tool joints included. Default: the catalogue's, or that of the
+        /// body between od and id.
         mass_per_length: f64 = optional(Quantity::si(
             Dimension::MassPerLength,
             Range::positive_to(20_000.0).usual(3.0, 1500.0),
@@ -162,31 +164,36 @@ table! {
             Range::from_to(1e7, 1e10).usual(1.5e8, 1.5e9),
             "931 MPa",
         ));
-        /// Bend fixed in its body, which turns with it: of a motor's bent housing, of a bent sub. The angle between the
-        /// axes above and below, deg unless a unit is given. Dynamic model only. Default: none. Raising it presses bit and housing against
-        /// opposite sides of the hole.
+        /// Bend fixed in its body, which turns with it: of a motor's bent housing, of a bent sub.
+        /// The angle between the axes above and below, deg unless a unit is given. Dynamic model
+        /// only. Default: none. Raising it presses bit and housing against opposite sides of the
+        /// hole.
         bend: f64 = optional(bend_angle());
-        /// Distance of the bend from the component's lower end; a node stands there. Default: its middle.
+        /// Distance of the bend from the component's lower end; a node stands there. Default: its
+        /// middle.
         bend_at: f64 = optional(Quantity::si(
             Dimension::Length,
             Range::from_to(0.0, 20_000.0),
             "1.9 m",
         ));
-        /// Direction at the start to which the part below the bend is bent: the angle from the high side, clockwise as
-        /// one looks down the hole, deg unless a unit is given. Default: 0, the high side.
+        /// Direction at the start to which the part below the bend is bent: the angle from the high
+        /// side, clockwise as one looks down the hole, deg unless a unit is given. Default: 0, the
+        /// high side.
         bend_toolface: f64 = optional(direction("90 deg"));
-        /// Distance of its steel's centre of mass from the axis, at most a tenth of od: an imbalance that
-        /// throws it outwards with the square of the rotary speed. Dynamic model only. Default: none.
+        /// Distance of its steel's centre of mass from the axis, at most a tenth of od: an
+        /// imbalance that throws it outwards with the square of the rotary speed. Dynamic model
+        /// only. Default: none.
         eccentricity: f64 = optional(Quantity::si(
             Dimension::Diameter,
             Range::from_to(0.0, 0.2).usual(5e-5, 0.02),
             "2 mm",
         ));
-        /// Direction of that centre of mass at the start: the angle from the high side, clockwise as one looks down the
-        /// hole, deg unless a unit is given. Default: 0, the high side.
+        /// Direction of that centre of mass at the start: the angle from the high side, clockwise
+        /// as one looks down the hole, deg unless a unit is given. Default: 0, the high side.
         eccentricity_phase: f64 = optional(direction("90 deg"));
-        /// What is in the place of the steel that it lacks on the other side: "mud" (a bore off the axis, a slot, a worn
-        /// side), which makes up for part of it, or "sealed" (an empty pocket). Default: "mud".
+        /// What is in the place of the steel that it lacks on the other side: "mud" (a bore off the
+        /// axis, a slot, a worn side), which makes up for part of it, or "sealed" (an empty
+        /// pocket). Default: "mud".
         eccentricity_cavity: Cavity = optional(cavity());
     }
 }

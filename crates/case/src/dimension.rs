@@ -7,8 +7,8 @@ use wholestring_units::Dimension;
 
 use crate::schema::TABLES;
 
-/// Keys of the settings that no table declares and whose unit leaves open what they are: key, name without
-/// unit, dimension.
+/// Keys of the settings that no table declares and whose unit leaves open what they are: key, name
+/// without unit, dimension.
 const OF_THE_RECORD: &[(&str, &str, Dimension)] = &[
     ("radius_m", "radius", Dimension::Diameter),
     ("core_radius_m", "core_radius", Dimension::Diameter),
@@ -47,10 +47,11 @@ const BY_UNIT: &[Dimension] = &[
     Dimension::FractureEnergy,
 ];
 
-/// What a key of [`Case::settings`](crate::Case::settings) measures, and its name without the unit; nothing
-/// where it is a bare number or no number.
+/// What a key of [`Case::settings`](crate::Case::settings) measures, and its name without the unit;
+/// nothing where it is a bare number or no number.
 ///
-/// A key that stands in the case file measures what its table declares, any other what its unit says.
+/// A key that stands in the case file measures what its table declares, any other what its unit
+/// says.
 ///
 /// ```
 /// use wholestring_case::dimension_of;
@@ -120,7 +121,8 @@ fn declared_by(value: &Json) -> Option<Dimension> {
 mod tests {
     use super::*;
 
-    /// Two tables that mean different things by one key in one unit would need their names distinguished.
+    /// Two tables that mean different things by one key in one unit would need their names
+    /// distinguished.
     #[test]
     fn a_key_measures_the_same_in_every_table() {
         let mut declared: BTreeMap<String, Dimension> = BTreeMap::new();

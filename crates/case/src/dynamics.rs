@@ -36,8 +36,8 @@ const MAX_SAMPLES: f64 = 2e6;
 table! {
     /// How finely the string is cut.
     MeshTable in "[mesh]" {
-        /// Length of the elements, at most a quarter longer where joints require it: a node stands on
-        /// tool joints and stabilisers. Halving it makes a dynamic run four times slower.
+        /// Length of the elements, at most a quarter longer where joints require it: a node stands
+        /// on tool joints and stabilisers. Halving it makes a dynamic run four times slower.
         element_length: f64 = default(
             Quantity::si(Dimension::Length, Range::from_to(0.2, 30.0).usual(0.3, 30.0), "3.2 m"),
             DynamicsSettings::default().element_length_m,
@@ -76,8 +76,9 @@ table! {
             Quantity::si(Dimension::Time, Range::positive_to(86_400.0).usual(0.01, 86_400.0), "60 s"),
             DynamicsSettings::default().duration_s,
         );
-        /// Simulated time before that window, or "auto": until the string is steady, 120 s at most. With a schedule it lasts
-        /// beyond the end of the last line, and the 120 s count from there.
+        /// Simulated time before that window, or "auto": until the string is steady, 120 s at most.
+        /// With a schedule it lasts beyond the end of the last line, and the 120 s count from
+        /// there.
         settle: Settle = default(SettleRule, Settle::Auto);
         /// How the string lies at time zero: "prepared" (on its contact side with the soft string's
         /// tension and torque) or "centred" (on the hole's axis, untwisted, at rest).
@@ -88,9 +89,9 @@ table! {
             },
             DynamicsSettings::default().start,
         );
-        /// Centred start: tension of the string at time zero. "static" (what it has hanging in its hole without
-        /// friction, its weight on the bit included) or "cold" (none: all of its weight comes on at once, and the string
-        /// rings along the hole).
+        /// Centred start: tension of the string at time zero. "static" (what it has hanging in its
+        /// hole without friction, its weight on the bit included) or "cold" (none: all of its
+        /// weight comes on at once, and the string rings along the hole).
         start_tension: StartTension = default(
             Choice {
                 noun: "a tension",
@@ -98,8 +99,8 @@ table! {
             },
             CentredStart::default().tension,
         );
-        /// Centred start: time in which the top is brought to its rotary speed, linearly. Raising it softens the
-        /// torsional wave that the start sends down the string.
+        /// Centred start: time in which the top is brought to its rotary speed, linearly. Raising
+        /// it softens the torsional wave that the start sends down the string.
         start_ramp: f64 = default(
             Quantity::si(Dimension::Time, Range::from_to(0.0, 3600.0), "1 s"),
             CentredStart::default().ramp_s,
@@ -116,8 +117,9 @@ table! {
             },
             DynamicsSettings::default().friction_law,
         );
-        /// Sliding speed at which friction at rest has half decayed to the kinetic one. Raising it keeps
-        /// more of the friction at rest in slow sliding. Used where a hole section has static friction.
+        /// Sliding speed at which friction at rest has half decayed to the kinetic one. Raising it
+        /// keeps more of the friction at rest in slow sliding. Used where a hole section has static
+        /// friction.
         stribeck_speed: f64 = default(
             Quantity::si(Dimension::TripSpeed, Range::from_to(1e-4, 100.0).usual(1e-3, 10.0), "0.1 m/s"),
             DynamicsSettings::default().stribeck_speed_m_per_s,
@@ -157,18 +159,19 @@ table! {
             Quantity::si(Dimension::Time, Range::from_to(1e-4, 10.0), "10 ms"),
             DynamicsSettings::default().sample_interval_s,
         );
-        /// Time on the clock between checkpoints, from which `--resume` continues with a run that was
-        /// stopped or killed. Lowering it loses less then; each costs some hundredths of a second. It
-        /// leaves the answer as it is.
+        /// Time on the clock between checkpoints, from which `--resume` continues with a run that
+        /// was stopped or killed. Lowering it loses less then; each costs some hundredths of a
+        /// second. It leaves the answer as it is.
         checkpoint_interval: f64 = default(
             Quantity::si(Dimension::Time, Range::from_to(0.01, 86_400.0), "30 s"),
             CHECKPOINT_INTERVAL_S,
         );
-        /// Seed of the microscopic lateral disturbance that breaks the symmetry of the start, and of the
-        /// bit's excitation.
+        /// Seed of the microscopic lateral disturbance that breaks the symmetry of the start, and
+        /// of the bit's excitation.
         seed: u64 = default(Whole, DynamicsSettings::default().seed);
-        /// "double" or "single": sixteen digits, or seven in six tenths of the time, for strings that turn all the time
-        /// in elements of at least 1 m. Over ten minutes of quiet rotation the two agree to a millionth.
+        /// "double" or "single": sixteen digits, or seven in six tenths of the time, for strings
+        /// that turn all the time in elements of at least 1 m. Over ten minutes of quiet rotation
+        /// the two agree to a millionth.
         precision: Precision = default(
             Choice {
                 noun: "a precision",

@@ -17,7 +17,8 @@ use crate::case_table::CaseTable;
 const MAX_ELEMENTS: usize = 110_000;
 /// More element-steps than this are weeks of computing.
 const MAX_ELEMENT_STEPS: f64 = 1e14;
-/// A shorter step than this, a twentieth of what elements of 0.2 m need, has a mistake for its cause.
+/// A shorter step than this, a twentieth of what elements of 0.2 m need, has a mistake for its
+/// cause.
 const SHORTEST_STEP_S: f64 = 2e-6;
 
 /// Whether the dynamic runs of the case can be finished.

@@ -16,8 +16,8 @@ use crate::{
 /// Diameters that differ by less than this are equal, m: a thousandth of a millimetre.
 const EQUAL_M: f64 = 1e-6;
 
-/// Every component must pass the sections above its place in the hole. The bit may be as wide as its
-/// hole; anything else needs clearance.
+/// Every component must pass the sections above its place in the hole. The bit may be as wide as
+/// its hole; anything else needs clearance.
 pub(crate) fn check_clearance(
     string: &DrillString,
     components: &[Spanned<ComponentTable>],

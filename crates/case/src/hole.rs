@@ -20,14 +20,15 @@ use crate::roughness::RoughnessTable;
 table! {
     /// Friction between string and wall: sliding and at rest, along the hole and around it.
     FrictionTable in "friction" {
-        /// Coefficient while sliding, along the hole and, where `around` does not say otherwise, around it.
+        /// Coefficient while sliding, along the hole and, where `around` does not say otherwise,
+        /// around it.
         kinetic: f64 = required(coefficient());
-        /// Coefficient at rest along the hole, at least the kinetic one; around the hole it is in the same
-        /// ratio to `around`. Raising it makes the string stick longer and break away with more. Default:
-        /// the kinetic one.
+        /// Coefficient at rest along the hole, at least the kinetic one; around the hole it is in
+        /// the same ratio to `around`. Raising it makes the string stick longer and break away with
+        /// more. Default: the kinetic one.
         r#static: f64 = optional(coefficient());
-        /// Coefficient while sliding around the hole: raising it raises torque, not drag. Default: the
-        /// kinetic one.
+        /// Coefficient while sliding around the hole: raising it raises torque, not drag. Default:
+        /// the kinetic one.
         around: f64 = optional(coefficient());
     }
 }
@@ -108,8 +109,8 @@ table! {
             noun: "a kind of hole",
             words: &[("casing", HoleKind::Casing), ("open", HoleKind::Open)],
         });
-        /// Measured depth where it begins. Default: the end of the section above, or the surface; there
-        /// can be no other, so that it only serves to check.
+        /// Measured depth where it begins. Default: the end of the section above, or the surface;
+        /// there can be no other, so that it only serves to check.
         from: f64 = optional(Quantity::si(
             Dimension::Length,
             Range::from_to(0.0, 20_000.0),
@@ -121,27 +122,31 @@ table! {
             Range::positive_to(20_000.0).usual(5.0, 13_000.0),
             "2986.53 m",
         ));
-        /// Diameter of the hole, or inside diameter of the casing, m unless a unit is given. Needed without `casing`.
+        /// Diameter of the hole, or inside diameter of the casing, m unless a unit is given. Needed
+        /// without `casing`.
         diameter: f64 = required_unless("casing", Quantity::si(
             Dimension::Diameter,
             Range::from_to(0.02, 2.0).usual(0.06, 1.3),
             "8-1/2 in",
         ));
-        /// Casing of API Spec 5CT by its size and weight, such as "9-5/8 in 40 lb/ft": gives the inside diameter.
+        /// Casing of API Spec 5CT by its size and weight, such as "9-5/8 in 40 lb/ft": gives the
+        /// inside diameter.
         casing: String = optional(Text);
         /// Coefficient of friction between string and wall, or
         /// { kinetic = 0.25, static = 0.3, around = 0.2 }.
         friction: Friction = required(FrictionRule);
-        /// Young's modulus of the wall. Default: 210 GPa in casing; 51.5 GPa in open hole, the rock of
-        /// the article that the dynamics follow. Used by Hertz contact.
+        /// Young's modulus of the wall. Default: 210 GPa in casing; 51.5 GPa in open hole, the rock
+        /// of the article that the dynamics follow. Used by Hertz contact.
         youngs_modulus: f64 = optional(Quantity::si(
             Dimension::Pressure,
             Range::from_to(1e6, 2e12).usual(1e8, 3e11),
             "51.5 GPa",
         ));
-        /// Poisson's ratio of the wall. Default: 0.3 in casing, 0.33 in open hole. Used by Hertz contact.
+        /// Poisson's ratio of the wall. Default: 0.3 in casing, 0.33 in open hole. Used by Hertz
+        /// contact.
         poisson_ratio: f64 = optional(Number { unit: "", range: Range::from_to(0.0, 0.5) });
-        /// What the amplitudes of [well.roughness] are multiplied by in this section: 0 makes it smooth.
+        /// What the amplitudes of [well.roughness] are multiplied by in this section: 0 makes it
+        /// smooth.
         roughness: f64 = default(Number { unit: "", range: Range::from_to(0.0, 10.0) }, 1.0);
     }
 }

@@ -8,8 +8,8 @@ use wholestring::{
 
 use crate::{bit_test::BitTest, case::Case, records::Records};
 
-/// What the solvers are given and what is kept of their answers, as they have it themselves: what is added there is part
-/// of it.
+/// What the solvers are given and what is kept of their answers, as they have it themselves: what
+/// is added there is part of it.
 #[derive(Serialize)]
 struct Identity<'a> {
     model: &'a [ModelKind],
@@ -22,8 +22,9 @@ struct Identity<'a> {
 }
 
 impl Case {
-    /// All that its solutions depend on, down to the last digit. Two cases with the same identity have the same
-    /// solutions; name, units and what else is only shown, and the time between checkpoints, are no part of it.
+    /// All that its solutions depend on, down to the last digit. Two cases with the same identity
+    /// have the same solutions; name, units and what else is only shown, and the time between
+    /// checkpoints, are no part of it.
     ///
     /// JSON has no infinity: a limit that there is none of is `null`.
     pub fn identity(&self) -> Json {

@@ -1,8 +1,9 @@
-//! Case files: a well, a string, a mud and an operation as a TOML text, read into the engine's model.
+//! Case files: a well, a string, a mud and an operation as a TOML text, read into the engine's
+//! model.
 //!
-//! [`load`] and [`parse`] give a [`Case`] in which everything has been checked, or a [`Report`] that
-//! names every mistake at once, each with its place underlined and what was expected. [`schema`]
-//! describes the file for editors.
+//! [`load`] and [`parse`] give a [`Case`] in which everything has been checked, or a [`Report`]
+//! that names every mistake at once, each with its place underlined and what was expected.
+//! [`schema`] describes the file for editors.
 //!
 //! A key is declared once, in the table that it belongs to; the declaration makes the reader, the
 //! list of names that misspellings are compared with, and the schema.

@@ -64,12 +64,13 @@ table! {
             Number { unit: "", range: Range::from_to(0.0, 100.0) },
             1.0,
         );
-        /// How the mud flows: "newtonian", "bingham" or "power-law". With it the mud drags along the string and
-        /// about it as the string moves and the pumps run, lifts it with its stream and with the bit's jets, and
-        /// loses pressure on its way. Without it the mud does none of that.
+        /// How the mud flows: "newtonian", "bingham" or "power-law". With it the mud drags along
+        /// the string and about it as the string moves and the pumps run, lifts it with its stream
+        /// and with the bit's jets, and loses pressure on its way. Without it the mud does none of
+        /// that.
         rheology: Flow = optional(Choice { noun: "a rheology", words: Flow::WORDS });
-        /// Viscosity of a Newtonian mud. Raising it raises torque, drag and pressure losses in proportion, as long as
-        /// the flow is laminar.
+        /// Viscosity of a Newtonian mud. Raising it raises torque, drag and pressure losses in
+        /// proportion, as long as the flow is laminar.
         viscosity: f64 = optional(Quantity::si(
             Dimension::Viscosity,
             Range::from_to(1e-6, 1e3).usual(5e-4, 1.0),
@@ -81,8 +82,8 @@ table! {
             Range::from_to(1e-6, 1e3).usual(5e-4, 1.0),
             "25 cP",
         )).used_with(&[BINGHAM]);
-        /// Yield point of a Bingham mud: the stress below which it does not flow. Raising it raises torque, drag and
-        /// losses at any speed.
+        /// Yield point of a Bingham mud: the stress below which it does not flow. Raising it raises
+        /// torque, drag and losses at any speed.
         yield_point: f64 = optional(Quantity::si(
             Dimension::ShearStress,
             Range::from_to(0.0, 1000.0).usual(0.1, 60.0),
@@ -94,7 +95,8 @@ table! {
             Range::from_to(1e-6, 1e3).usual(1e-3, 50.0),
             "0.6 Pa.s^n",
         )).used_with(&[POWER_LAW]);
-        /// Flow behaviour index of a power-law mud: 1 is Newtonian; the lower, the more it thins as it is sheared.
+        /// Flow behaviour index of a power-law mud: 1 is Newtonian; the lower, the more it thins as
+        /// it is sheared.
         flow_behaviour_index: f64 = optional(Number {
             unit: "",
             range: Range::from_to(0.1, 1.0),

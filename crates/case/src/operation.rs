@@ -29,7 +29,8 @@ use crate::{
 /// What `trip_speed` is where the case does not say, m/s: a stand of 28 m in a minute and a half.
 const TRIP_SPEED_M_PER_S: f64 = 0.3;
 
-/// What a slide's `rop` is where the case does not say, m/s; the soft string requires its sign only.
+/// What a slide's `rop` is where the case does not say, m/s; the soft string requires its sign
+/// only.
 const SLIDE_ROP_M_PER_S: f64 = 10.0 / 3600.0;
 
 table! {
@@ -37,8 +38,9 @@ table! {
     OperationTable in "[operation]" {
         /// One operation, or a list that is solved one by one: "trip_out", "trip_in",
         /// "rotate_off_bottom", "drill", "slide" (advance without rotating), "ream" and "back_ream"
-        /// (rotate while running in and pulling out, off bottom). Drillers' words are taken too: "pick-up" and "POOH" for
-        /// "trip_out", "slack-off" and "RIH" for "trip_in", "rotating off bottom", "sliding", "back-reaming".
+        /// (rotate while running in and pulling out, off bottom). Drillers' words are taken too:
+        /// "pick-up" and "POOH" for "trip_out", "slack-off" and "RIH" for "trip_in", "rotating off
+        /// bottom", "sliding", "back-reaming".
         kind: Vec<Spanned<OperationKind>> = required(List {
             item: KindRule,
             or_one: true,
@@ -52,7 +54,8 @@ table! {
             Range::positive_to(20_000.0).usual(10.0, 13_000.0),
             "4305 m",
         ));
-        /// Rotary speed at surface; a bare number is in rev/min. Needed by the operations that rotate.
+        /// Rotary speed at surface; a bare number is in rev/min. Needed by the operations that
+        /// rotate.
         rpm: f64 = optional(
             Quantity::si(
                 Dimension::RotarySpeed,
@@ -67,8 +70,8 @@ table! {
             Range::from_to(0.0, 5e6).usual(1e3, 7e5),
             "6 tf",
         ));
-        /// Rate of penetration at this weight on bit and rotary speed. Needed by "drill", and by "slide"
-        /// in the dynamic model; all laws of the bit but the rate law find their own.
+        /// Rate of penetration at this weight on bit and rotary speed. Needed by "drill", and by
+        /// "slide" in the dynamic model; all laws of the bit but the rate law find their own.
         rop: f64 = optional(Quantity::si(
             Dimension::RateOfPenetration,
             Range::positive_to(0.3).usual(0.1 / 3600.0, 200.0 / 3600.0),
@@ -79,21 +82,22 @@ table! {
             Quantity::si(Dimension::TripSpeed, Range::positive_to(10.0).usual(0.003, 3.0), "0.3 m/s"),
             TRIP_SPEED_M_PER_S,
         );
-        /// What the pumps deliver. They rest while the string trips without rotation. It acts on a mud with a rheology:
-        /// raising it raises the pressure losses and the lift of the stream, which lowers the hook load. It turns the
-        /// motor of `[bit.motor]`: raising it turns the bit faster.
+        /// What the pumps deliver. They rest while the string trips without rotation. It acts on a
+        /// mud with a rheology: raising it raises the pressure losses and the lift of the stream,
+        /// which lowers the hook load. It turns the motor of `[bit.motor]`: raising it turns the
+        /// bit faster.
         flow_rate: f64 = default(
             Quantity::si(Dimension::FlowRate, Range::from_to(0.0, 0.5).usual(5e-4, 0.15), "2000 L/min"),
             0.0,
         );
-        /// Pressure drop of the bit's nozzles at this flow rate. Raising it lifts the string with the thrust of the
-        /// jets and lengthens it with the pressure inside.
+        /// Pressure drop of the bit's nozzles at this flow rate. Raising it lifts the string with
+        /// the thrust of the jets and lengthens it with the pressure inside.
         bit_pressure_drop: f64 = default(
             Quantity::si(Dimension::Pressure, Range::from_to(0.0, 1e8).usual(1e5, 4e7), "80 bar"),
             0.0,
         );
-        /// What the driller changes while a dynamic run continues, line by line in the order of time. One operation
-        /// alone can have a schedule.
+        /// What the driller changes while a dynamic run continues, line by line in the order of
+        /// time. One operation alone can have a schedule.
         schedule: Vec<Spanned<StepTable>> = optional(List {
             item: Section::<StepTable>::RULE,
             or_one: false,

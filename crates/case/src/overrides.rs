@@ -13,11 +13,11 @@ use wholestring_config::{
 
 /// One `--set KEY=VALUE`.
 ///
-/// The key is a dotted key of the case file, lists counted from zero (`well.hole.0.friction`), or one
-/// of the short keys `friction` (every hole section; coefficients at rest and around the hole keep their
-/// ratio to it), `bit_depth`, `rpm` and `wob`. The value is a TOML
-/// value if it reads as one (`0.3`, `[1, 2]`, `"drill"`), and text otherwise (`300m`, `drill`). A number without a
-/// unit is refused where the key has a dimension: a shell takes away the quotes that `"9.5 ppg"` had.
+/// The key is a dotted key of the case file, lists counted from zero (`well.hole.0.friction`), or
+/// one of the short keys `friction` (every hole section; coefficients at rest and around the hole
+/// keep their ratio to it), `bit_depth`, `rpm` and `wob`. The value is a TOML value if it reads as
+/// one (`0.3`, `[1, 2]`, `"drill"`), and text otherwise (`300m`, `drill`). A number without a unit
+/// is refused where the key has a dimension: a shell takes away the quotes that `"9.5 ppg"` had.
 ///
 /// ```
 /// use wholestring_case::Override;
@@ -112,7 +112,8 @@ pub(crate) const SHORT: &[(&str, &str)] = &[
     ("wob", "operation.wob"),
 ];
 
-/// Parts of a key between its dots. The deepest key of a case has six; each is a table within the one before.
+/// Parts of a key between its dots. The deepest key of a case has six; each is a table within the
+/// one before.
 const MAX_PARTS: usize = 32;
 
 /// Puts an override into the tree of the case.
@@ -243,8 +244,8 @@ fn set_in_table(
     }
 }
 
-/// A number in place of a table of friction coefficients is the kinetic one; the others keep their ratios
-/// to it. Whether that is what was requested.
+/// A number in place of a table of friction coefficients is the kinetic one; the others keep their
+/// ratios to it. Whether that is what was requested.
 fn set_friction(entry: &mut Node, node: &Node) -> bool {
     let (Value::Table(table), Value::Number { value: new, .. }) = (&mut entry.value, &node.value)
     else {

@@ -80,16 +80,17 @@ fn usual() -> Vec<Spanned<Channel>> {
 table! {
     /// What a dynamic run keeps beside its tables.
     RecordsTable in "[records]" {
-        /// How often the whole string is written to `frames.parquet`, rounded to whole samples; never where
-        /// it is not given. 10 Hz of a string of 1350 nodes are some 0.5 MB a second.
+        /// How often the whole string is written to `frames.parquet`, rounded to whole samples;
+        /// never where it is not given. 10 Hz of a string of 1350 nodes are some 0.5 MB a second.
         frames: f64 = optional(Quantity::si(
             Dimension::Frequency,
             Range::positive_to(1e4).usual(0.01, 2000.0),
             "10 Hz",
         ));
-        /// What a frame holds of every node: "position" (offset from the hole's axis), "coordinates"
-        /// (north, east, vertical depth), "velocity", "rotation" (rotary speed, twist), "tilt" (against the
-        /// hole), "contact", "friction", "force" (tension, torque), "stress" (bending moment, von Mises).
+        /// What a frame holds of every node: "position" (offset from the hole's axis),
+        /// "coordinates" (north, east, vertical depth), "velocity", "rotation" (rotary speed,
+        /// twist), "tilt" (against the hole), "contact", "friction", "force" (tension, torque),
+        /// "stress" (bending moment, von Mises).
         channels: Vec<Spanned<Channel>> = default(
             List {
                 item: Choice { noun: "a channel", words: CHANNELS },
@@ -99,34 +100,36 @@ table! {
             },
             usual(),
         );
-        /// Scalars whose power spectral density over the window goes to `spectra.parquet`, by the names of
-        /// their columns in `time.parquet` without the unit; none where it is not given.
+        /// Scalars whose power spectral density over the window goes to `spectra.parquet`, by the
+        /// names of their columns in `time.parquet` without the unit; none where it is not given.
         spectra: Vec<Spanned<Signal>> = optional(List {
             item: Choice { noun: "a signal", words: SIGNALS },
             or_one: true,
             noun: "signals",
             most: SIGNALS.len(),
         });
-        /// Quantities of single nodes whose spectra go there too, at each depth of `node_spectra_at`: "tension",
-        /// "torque", "bending_moment", "von_mises_stress", "contact_force", "offset_high" and "offset_right" (from the
-        /// hole's axis), "velocity_high", "velocity_right", "axial_velocity", "rotary_speed"; none where it is not given.
+        /// Quantities of single nodes whose spectra go there too, at each depth of
+        /// `node_spectra_at`: "tension", "torque", "bending_moment", "von_mises_stress",
+        /// "contact_force", "offset_high" and "offset_right" (from the hole's axis),
+        /// "velocity_high", "velocity_right", "axial_velocity", "rotary_speed"; none where it is
+        /// not given.
         node_spectra: Vec<Spanned<NodeSignal>> = optional(List {
             item: Choice { noun: "a signal of a node", words: NODE_SIGNALS },
             or_one: true,
             noun: "signals of nodes",
             most: NODE_SIGNALS.len(),
         });
-        /// Measured depths of them with the bit at `bit_depth`. The node that is nearest then is taken, and stays the
-        /// same as the string moves.
+        /// Measured depths of them with the bit at `bit_depth`. The node that is nearest then is
+        /// taken, and stays the same as the string moves.
         node_spectra_at: Vec<Spanned<f64>> = optional(List {
             item: Quantity::si(Dimension::Length, Range::from_to(0.0, 20_000.0), "4290 m"),
             or_one: true,
             noun: "depths",
             most: MAX_DEPTHS,
         });
-        /// Length of the segments whose periodograms a spectrum is the mean of; they overlap by half.
-        /// Default: a quarter of the window. A longer one separates closer frequencies (they are one
-        /// over it apart), a shorter one gives a smoother spectrum.
+        /// Length of the segments whose periodograms a spectrum is the mean of; they overlap by
+        /// half. Default: a quarter of the window. A longer one separates closer frequencies (they
+        /// are one over it apart), a shorter one gives a smoother spectrum.
         spectrum_segment: f64 = optional(Quantity::si(
             Dimension::Time,
             Range::positive_to(86_400.0),

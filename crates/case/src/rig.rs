@@ -26,8 +26,8 @@ const SAME_BLOCK: f64 = 0.05;
 table! {
     /// Limits of the rig. They change no result; a run warns of an operation that exceeds them.
     RigTable in "[rig]" {
-        /// Weight of travelling block and top drive. Never part of the reported hook load. How they move with the top
-        /// of the string is `mass` of `[hoist]`.
+        /// Weight of travelling block and top drive. Never part of the reported hook load. How they
+        /// move with the top of the string is `mass` of `[hoist]`.
         block_weight: f64 = optional(force("20 tf"));
         /// Largest load that the hoist carries, block included.
         hoist_capacity: f64 = optional(force("450 tf"));
@@ -99,10 +99,10 @@ table! {
     /// How the top of the string is moved along the hole in the dynamic model.
     HoistTable in "[hoist]" {
         /// "autodriller" (the block follows the bit so that the weight on bit holds `wob`),
-        /// "block-velocity" (constant speed), "hook-load" (constant lifting force) or "tuned-lift" (the constant lifting
-        /// force under which the mean weight on bit over the window is `wob`: the case is run several times to find it,
-        /// and the summary shows). Default: the autodriller where the bit is on bottom, the operation's own
-        /// constant speed elsewhere.
+        /// "block-velocity" (constant speed), "hook-load" (constant lifting force) or "tuned-lift"
+        /// (the constant lifting force under which the mean weight on bit over the window is `wob`:
+        /// the case is run several times to find it, and the summary shows). Default: the
+        /// autodriller where the bit is on bottom, the operation's own constant speed elsewhere.
         control: Control = optional(Choice {
             noun: "a hoist control",
             words: Control::WORDS,
@@ -113,8 +113,9 @@ table! {
             Quantity::si(Dimension::HoistGain, Range::positive_to(1e-3), "1e-4 m/s/kN"),
             Autodriller::default().gain_m_per_s_per_N,
         ).used_with(&[AUTODRILLER]);
-        /// Autodriller: time in which a lasting lack of weight adds as much speed again as `gain` gives at once.
-        /// Raising it takes out what the gain leaves more slowly; too short, it hunts. Default: none.
+        /// Autodriller: time in which a lasting lack of weight adds as much speed again as `gain`
+        /// gives at once. Raising it takes out what the gain leaves more slowly; too short, it
+        /// hunts. Default: none.
         integral_time: f64 = optional(Quantity::si(
             Dimension::Time,
             Range::positive_to(1e5),
@@ -125,7 +126,8 @@ table! {
             Quantity::si(Dimension::Time, Range::positive_to(1e3), "1 s"),
             Autodriller::default().filter_s,
         ).used_with(&[AUTODRILLER]);
-        /// Autodriller: least speed of the block, positive downwards; a negative one lets it pick the string up.
+        /// Autodriller: least speed of the block, positive downwards; a negative one lets it pick
+        /// the string up.
         min_speed: f64 = default(
             Quantity::si(Dimension::TripSpeed, Range::from_to(-10.0, 10.0), "-10 m/h"),
             Autodriller::default().min_speed_m_per_s,
@@ -148,7 +150,8 @@ table! {
             Range::from_to(0.0, 1e8).usual(1e3, 2e7),
             "900 kN",
         )).used_with(&[HOOK_LOAD]);
-        /// Tuned lift: how far the mean weight on bit may be from `wob`, as a part of it. Raising it takes fewer runs.
+        /// Tuned lift: how far the mean weight on bit may be from `wob`, as a part of it. Raising
+        /// it takes fewer runs.
         tolerance: f64 = default(
             Number { unit: "", range: Range::from_to(1e-4, 0.5) },
             WEIGHT_TOLERANCE,
@@ -163,9 +166,9 @@ table! {
             Quantity::si(Dimension::Damping, Range::from_to(0.0, 1e9), "1e5 N.s/m"),
             DynamicsSettings::default().hoist_line.damping_N_s_per_m,
         );
-        /// Mass of travelling block and top drive, which move with the top of the string. Raising it slows the
-        /// top's axial swings; the reported hook load never holds its weight. Where `block_weight` of `[rig]` is
-        /// another one's by more than 5 %, a warning says so.
+        /// Mass of travelling block and top drive, which move with the top of the string. Raising
+        /// it slows the top's axial swings; the reported hook load never holds its weight. Where
+        /// `block_weight` of `[rig]` is another one's by more than 5 %, a warning says so.
         mass: f64 = default(
             Quantity::si(Dimension::Mass, Range::from_to(0.0, 1e6).usual(500.0, 2e5), "25 t"),
             DynamicsSettings::default().hoist_line.block_mass_kg,
@@ -233,7 +236,8 @@ impl HoistTable {
         self.control.given().map(|control| word_of(control.value))
     }
 
-    /// The control that was chosen, if one was. A schedule may put the autodriller in control later.
+    /// The control that was chosen, if one was. A schedule may put the autodriller in control
+    /// later.
     pub(crate) fn control(
         &self,
         schedule: &Schedule,
@@ -276,8 +280,8 @@ impl HoistTable {
         Some(Some(control))
     }
 
-    /// Whether the lift is to be found before the run, or is none that could be: nothing to tune it for, or no constant
-    /// one.
+    /// Whether the lift is to be found before the run, or is none that could be: nothing to tune it
+    /// for, or no constant one.
     pub(crate) fn tunes_hook_load(
         &self,
         operations: &[Operation],

@@ -28,20 +28,20 @@ const STEEPEST: f64 = 0.3;
 const PEAK: f64 = 3.0;
 
 table! {
-    /// Roughness and micro-tortuosity of the wall, random but the same for the same seed. The dynamic
-    /// model meets it; the soft string lies on a smooth wall.
+    /// Roughness and micro-tortuosity of the wall, random but the same for the same seed. The
+    /// dynamic model meets it; the soft string lies on a smooth wall.
     RoughnessTable in "[well.roughness]" {
-        /// Root mean square of the radius about the nominal one, m unless a unit is given. Raising it
-        /// makes contact forces vary more while the string moves along.
+        /// Root mean square of the radius about the nominal one, m unless a unit is given. Raising
+        /// it makes contact forces vary more while the string moves along.
         rms: f64 = default(amplitude("1 mm"), 0.0);
         /// Root mean square distance of the hole's axis from the surveyed path, m unless a unit is
         /// given. Raising it bends the string more between its contacts.
         tortuosity: f64 = default(amplitude("5 mm"), 0.0);
-        /// Shortest wavelength along the hole. Waves shorter than two elements are met at the nodes, but
-        /// not followed; shorter waves make a string that moves along slower to compute.
+        /// Shortest wavelength along the hole. Waves shorter than two elements are met at the
+        /// nodes, but not followed; shorter waves make a string that moves along slower to compute.
         shortest_wavelength: f64 = default(wavelength("2 m"), 2.0);
-        /// Longest wavelength, at least 1.2 times the shortest. Each octave between holds as much of the
-        /// roughness.
+        /// Longest wavelength, at least 1.2 times the shortest. Each octave between holds as much
+        /// of the roughness.
         longest_wavelength: f64 = default(wavelength("30 m"), 30.0);
         /// Seed: another one makes another wall with the same statistics.
         seed: u64 = default(Whole, 1);

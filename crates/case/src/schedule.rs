@@ -22,15 +22,16 @@ use wholestring_config::{
 table! {
     /// A line of the plan: what changes, when, and how fast. What it does not name stays as it is.
     StepTable in "[[operation.schedule]]" {
-        /// When it begins, from time zero of the run (`settle` and `duration` count from there, too). Set points of
-        /// lines at 0 s without a ramp hold from the start: the string is initialised as it moves then.
+        /// When it begins, from time zero of the run (`settle` and `duration` count from there,
+        /// too). Set points of lines at 0 s without a ramp hold from the start: the string is
+        /// initialised as it moves then.
         at: f64 = required(Quantity::si(
             Dimension::Time,
             Range::from_to(0.0, 172_800.0),
             "30 s",
         ));
-        /// Time in which the set points go to their new values, in proportion to it. Raising it starts and
-        /// stops more gently.
+        /// Time in which the set points go to their new values, in proportion to it. Raising it
+        /// starts and stops more gently.
         ramp: f64 = default(
             Quantity::si(Dimension::Time, Range::from_to(0.0, 86_400.0), "10 s"),
             0.0,
@@ -56,7 +57,8 @@ table! {
             Range::from_to(0.0, 5e6).usual(1e3, 7e5),
             "80 kN",
         ));
-        /// What the pumps deliver; the pressure drop of the bit goes with its square. It acts on a mud with a rheology.
+        /// What the pumps deliver; the pressure drop of the bit goes with its square. It acts on a
+        /// mud with a rheology.
         flow_rate: f64 = optional(Quantity::si(
             Dimension::FlowRate,
             Range::from_to(0.0, 0.5).usual(5e-4, 0.15),

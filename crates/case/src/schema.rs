@@ -8,10 +8,12 @@ use wholestring_config::rule::Table;
 
 use crate::case_table::CaseTable;
 
-/// JSON schema (draft 2020-12) of the case file: every key with its meaning, units, range and default.
+/// JSON schema (draft 2020-12) of the case file: every key with its meaning, units, range and
+/// default.
 ///
-/// It is made of the declarations that read the file, so that the two cannot disagree. What no schema
-/// can say (relations between keys, what stands in the survey) is checked by [`crate::parse`].
+/// It is made of the declarations that read the file, so that the two cannot disagree. What no
+/// schema can say (relations between keys, what stands in the survey) is checked by
+/// [`crate::parse`].
 pub fn schema() -> Json {
     let mut schema = TABLES.clone();
     schema["$schema"] = json!("https://json-schema.org/draft/2020-12/schema");

@@ -23,8 +23,8 @@ pub fn load(path: &Path, changes: &[Override]) -> Result<Case, Report> {
     Template::read(path)?.case(changes)
 }
 
-/// A case file and the files that it names, read once: what becomes of them on the disk while a sweep
-/// continues does not change its later cases.
+/// A case file and the files that it names, read once: what becomes of them on the disk while a
+/// sweep continues does not change its later cases.
 #[derive(Debug)]
 pub struct Template {
     name: String,

@@ -11,8 +11,8 @@ use crate::overrides::{Override, Quote};
 
 /// One `--vary KEY=VALUES`: a key, and the values that it takes.
 ///
-/// The key is one that `--set` takes. The values are parted by commas; each is a value as `--set` takes
-/// it, or a range `FROM..TO/STEP` of numbers with the same unit, which always includes TO.
+/// The key is one that `--set` takes. The values are parted by commas; each is a value as `--set`
+/// takes it, or a range `FROM..TO/STEP` of numbers with the same unit, which always includes TO.
 ///
 /// ```
 /// use wholestring_case::Variation;
@@ -80,7 +80,8 @@ impl Variation {
         self.values.iter().map(Override::bare)
     }
 
-    /// Takes a value, or those of a range: what it says, and how it is written. Whether it is sound.
+    /// Takes a value, or those of a range: what it says, and how it is written. Whether it is
+    /// sound.
     pub fn take(
         &mut self,
         [says, written]: [&str; 2],
@@ -193,8 +194,8 @@ impl Text {
     }
 }
 
-/// The parts of a text between its commas, with where they begin; commas within brackets and quotes do
-/// not part.
+/// The parts of a text between its commas, with where they begin; commas within brackets and quotes
+/// do not part.
 fn elements(text: &str) -> Vec<(usize, &str)> {
     let mut parts = Vec::new();
     let (mut start, mut depth, mut quote) = (0, 0_usize, None);
@@ -234,7 +235,8 @@ fn expand(element: &str) -> Result<Option<Vec<String>>, Mistake> {
     let Some(from) = Quantity::read(from) else {
         return Ok(None);
     };
-    // Every slash may part its end from its step: thousands of them take the square of their number.
+    // Every slash may part its end from its step: thousands of them take the square of their
+    // number.
     if element.len() > LONGEST {
         return Err((
             format!("a range is longer than {LONGEST} characters"),

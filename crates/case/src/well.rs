@@ -31,8 +31,8 @@ table! {
         north: f64 = wholestring_config::table::default(coordinate(), 0.0);
         /// East of the first station, m unless a unit is given.
         east: f64 = wholestring_config::table::default(coordinate(), 0.0);
-        /// True vertical depth of the first station, m unless a unit is given. Default: its measured
-        /// depth, as if the hole were vertical down to it.
+        /// True vertical depth of the first station, m unless a unit is given. Default: its
+        /// measured depth, as if the hole were vertical down to it.
         tvd: f64 = optional(coordinate());
     }
 }
@@ -53,8 +53,8 @@ table! {
             noun: "stations",
             most: 100_000,
         });
-        /// Unit of the lengths in the survey file, such as "m" or "ft", where the file does not tell it. Without one,
-        /// such a file is refused.
+        /// Unit of the lengths in the survey file, such as "m" or "ft", where the file does not
+        /// tell it. Without one, such a file is refused.
         survey_unit: &'static Unit = optional(LengthUnit);
         /// Curve through the survey: "spline" (continuous curvature) or "minimum-curvature"
         /// (circular arcs).
@@ -68,8 +68,8 @@ table! {
             },
             Interpolation::Spline,
         );
-        /// Position of the first station. Default: what the survey file says, or on the vertical under
-        /// the origin, as deep as its measured depth.
+        /// Position of the first station. Default: what the survey file says, or on the vertical
+        /// under the origin, as deep as its measured depth.
         tie_in: TieInTable = optional(Section::<TieInTable>::RULE);
         /// Roughness and micro-tortuosity of the wall. Default: a smooth wall.
         roughness: RoughnessTable = optional(Section::<RoughnessTable>::RULE);

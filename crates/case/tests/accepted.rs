@@ -66,7 +66,8 @@ fn optional_tables_take_their_defaults() {
     assert_eq!(case.settings["dynamics"]["settle_s"], "auto");
 }
 
-/// A time stays a time; the word is what there is without one, and the rows that it may take are counted.
+/// A time stays a time; the word is what there is without one, and the rows that it may take are
+/// counted.
 #[test]
 fn settling_is_a_time_or_as_long_as_it_takes() {
     let settling = |value: &str| {
@@ -413,8 +414,8 @@ fn mud_that_flows() {
     assert_eq!(case.settings["mud"]["rheology"]["law"], "bingham");
 }
 
-/// The string that the engine's tests build is that of the shipped case to the rounding of its millimetres, but for
-/// the fifth digit of a bore from the catalogue.
+/// The string that the engine's tests build is that of the shipped case to the rounding of its
+/// millimetres, but for the fifth digit of a bore from the catalogue.
 #[test]
 fn the_engines_np13_is_the_shipped_one() {
     let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/np13-x1042.toml");
@@ -500,7 +501,8 @@ fn a_motor_takes_the_operations_flow() {
         motor.stall_torque_N_m,
         1.5 * 0.8 * 12e-3 * 8e6 / std::f64::consts::TAU
     ));
-    // 70 rev/min of the string and 150 of the motor, less what leaks at a quarter of the largest torque.
+    // 70 rev/min of the string and 150 of the motor, less what leaks at a quarter of the largest
+    // torque.
     let turns = 70.0 + 150.0 * (1.0 - 0.1 * 3100.0 / motor.max_torque_N_m());
     let speed = case
         .dynamics

@@ -1,5 +1,5 @@
-//! Two cases are the same only where every key is: each key of the schema is changed, one by one, in a case in which
-//! it counts.
+//! Two cases are the same only where every key is: each key of the schema is changed, one by one,
+//! in a case in which it counts.
 
 mod common;
 
@@ -275,7 +275,8 @@ fn leaves(rule: &Json, path: &str, all: &mut Vec<(String, Json)>) {
     }
 }
 
-/// Two values of a key, from its schema: an example and one a little more, a default and one a little more.
+/// Two values of a key, from its schema: an example and one a little more, a default and one a
+/// little more.
 fn values(path: &str, rule: &Json) -> [String; 2] {
     if let Some((_, values)) = VALUES.iter().find(|(key, _)| *key == path) {
         return values.map(str::to_owned);

@@ -1,5 +1,5 @@
-//! Ten thousand mutations of the shipped cases: each is accepted or answered, and none panics; what is
-//! accepted runs.
+//! Ten thousand mutations of the shipped cases: each is accepted or answered, and none panics; what
+//! is accepted runs.
 
 use std::{
     fs,
@@ -193,8 +193,8 @@ fn check_accepted(case: &Case) {
     assert!(settings.len() < 64 << 20);
 }
 
-/// Runs the dynamics for a few hundredths of a second, the mesh coarse enough for a test. The run ends,
-/// diverges or cannot begin, and says so; it never answers with numbers that are none.
+/// Runs the dynamics for a few hundredths of a second, the mesh coarse enough for a test. The run
+/// ends, diverges or cannot begin, and says so; it never answers with numbers that are none.
 fn run_dynamics(case: &Case, operation: &Operation) {
     const MAX_ELEMENTS: f64 = 150.0;
     const RUN_S: f64 = 0.03;

@@ -45,7 +45,8 @@ fn test(case: &Case) -> &BitTest {
 
 const SOUND: &str = "strength = \"60 MPa\"";
 
-/// Of the strength follow the other numbers of the rock, of the diameter of the lowest component face, elements and block.
+/// Of the strength follow the other numbers of the rock, of the diameter of the lowest component
+/// face, elements and block.
 #[test]
 fn a_strength_suffices() {
     let case = on_rock("", SOUND, "");

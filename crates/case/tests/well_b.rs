@@ -1,7 +1,7 @@
 //! E08: the shipped cases of well B against the records of its rig.
 //!
-//! The friction of both cases was fitted on the record at 1714 m. What comes at 2235 m is a prediction, and reported
-//! as it comes.
+//! The friction of both cases was fitted on the record at 1714 m. What comes at 2235 m is a
+//! prediction, and reported as it comes.
 
 use std::{fs, ops::Range, path::Path};
 
@@ -50,7 +50,8 @@ fn recorded(depth_m: u32) -> Swing {
     }
 }
 
-/// Means over the record's bins of 0.1 s; samples are whole steps apart, and bins hold ten or eleven.
+/// Means over the record's bins of 0.1 s; samples are whole steps apart, and bins hold ten or
+/// eleven.
 fn binned(series: &TimeSeries, values: &[f64], settle_s: f64) -> Vec<f64> {
     let mut bins: Vec<(f64, f64)> = Vec::new();
     for (time_s, value) in series.time_s.iter().zip(values) {
@@ -66,7 +67,8 @@ fn binned(series: &TimeSeries, values: &[f64], settle_s: f64) -> Vec<f64> {
     bins.iter().map(|(sum, samples)| sum / samples).collect()
 }
 
-/// The delay at which the torque repeats itself best, of so many tenths of a second, s; the record's 3.9 s is found so, too.
+/// The delay at which the torque repeats itself best, of so many tenths of a second, s; the
+/// record's 3.9 s is found so, too.
 fn period_s(torque: &[f64], delays: Range<usize>) -> f64 {
     let mean = torque.iter().sum::<f64>() / torque.len() as f64;
     let alike = |delay: usize| {
@@ -82,8 +84,8 @@ fn period_s(torque: &[f64], delays: Range<usize>) -> f64 {
 
 /// The same string with the polar inertia and the torsional stiffness of its assembly multiplied.
 ///
-/// The inertia by the mass, with a density at which it weighs as much in the mud as before: what it takes to move the
-/// assembly along and across the hole grows with it, which torsion does not feel.
+/// The inertia by the mass, with a density at which it weighs as much in the mud as before: what it
+/// takes to move the assembly along and across the hole grows with it, which torsion does not feel.
 fn multiplied(model: &Model, inertia: f64, stiffness: f64) -> DrillString {
     let last = model.string.components().len() - 1;
     let mud = model.mud.density_kg_per_m3;
@@ -192,7 +194,8 @@ fn compare(depth_m: u32, period: Tolerance, peak: Tolerance, reason: &str) {
     }
 }
 
-/// The fit: period within 10 %, peak within 15 %. It sticks, slips and turns backwards as the record does.
+/// The fit: period within 10 %, peak within 15 %. It sticks, slips and turns backwards as the
+/// record does.
 #[test]
 fn the_fit_at_1714_m_has_the_period_and_the_peak_of_the_record() {
     let reason = "what a fit of two coefficients is asked to meet";
@@ -234,13 +237,15 @@ fn varied(depth_m: u32, [kinetic, at_rest]: [f64; 2], inertia: f64, stiffness: f
     found
 }
 
-/// The authors' program multiplies the polar moment of the assembly by `π`, and so its inertia and its stiffness. Taken
-/// over, that does not explain the miss at 2235 m: whatever the friction, and with the stiffness left alone, the
-/// string swings at 6.3 s and more at 1714 m and at 7.2 s and more at 2235 m, 1.6 times the record at least,
-/// and with friction fitted anew at 1714 m the peak at 2235 m is missed by a quarter at least.
+/// The authors' program multiplies the polar moment of the assembly by `π`, and so its inertia and
+/// its stiffness. Taken over, that does not explain the miss at 2235 m: whatever the friction, and
+/// with the stiffness left alone, the string swings at 6.3 s and more at 1714 m and at 7.2 s and
+/// more at 2235 m, 1.6 times the record at least, and with friction fitted anew at 1714 m the peak
+/// at 2235 m is missed by a quarter at least.
 ///
-/// The bounds are half of what is missed: the lowest natural period of the string, held at the top and free at the bit,
-/// is 3.9 and 4.8 s without the `π` and 6.3 and 7.4 s with it, for records of 3.9 and 4.1 s.
+/// The bounds are half of what is missed: the lowest natural period of the string, held at the top
+/// and free at the bit, is 3.9 and 4.8 s without the `π` and 6.3 and 7.4 s with it, for records of
+/// 3.9 and 4.1 s.
 #[test]
 fn the_moment_of_the_authors_program_does_not_explain_the_miss() {
     use std::f64::consts::PI;

@@ -97,7 +97,8 @@ pub(crate) struct RunArgs {
     #[arg(long, value_name = "TIME", value_parser = interval)]
     pub(crate) checkpoint: Option<Duration>,
 
-    /// Threads that work on solid rock under the bit; the answer is the same [default: one per core]
+    /// Threads that work on solid rock under the bit; the answer is the same
+    /// [default: one per core]
     #[arg(short, long, value_name = "N")]
     pub(crate) jobs: Option<NonZeroUsize>,
 
@@ -167,8 +168,9 @@ pub(crate) struct SweepArgs {
     #[command(flatten)]
     pub(crate) case: CaseArgs,
 
-    /// Values of a key, such as `friction=0.1,0.2,0.3` or `bit_depth=300m..4305m/300m` (a range always
-    /// includes its end). Repeatable: every combination is a case, the last key varying fastest
+    /// Values of a key, such as `friction=0.1,0.2,0.3` or `bit_depth=300m..4305m/300m` (a range
+    /// always includes its end). Repeatable: every combination is a case, the last key varying
+    /// fastest
     #[arg(long, value_name = "KEY=VALUES", required = true)]
     pub(crate) vary: Vec<String>,
 
@@ -186,8 +188,8 @@ pub(crate) struct SweepArgs {
 /// What is kept of each case.
 #[derive(Debug, Args)]
 pub(crate) struct KeptArgs {
-    /// What is kept of each case [default: tables where dynamics solve it, --csv or a figure needs them, else its
-    /// summary]
+    /// What is kept of each case
+    /// [default: tables where dynamics solve it, --csv or a figure needs them, else its summary]
     #[arg(long, value_enum, value_name = "WHAT")]
     keep: Option<KeepArg>,
 }
@@ -244,8 +246,8 @@ pub(crate) struct StudyArgs {
     #[arg(value_name = "STUDY.toml")]
     pub(crate) study: PathBuf,
 
-    /// Set a key of every case, such as `mesh.element_length=1.6m`; short keys: friction, bit_depth, rpm, wob.
-    /// Repeatable
+    /// Set a key of every case, such as `mesh.element_length=1.6m`; short keys: friction,
+    /// bit_depth, rpm, wob. Repeatable
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub(crate) overrides: Vec<Override>,
 
@@ -356,7 +358,8 @@ pub(crate) struct SurveyArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct CatalogueArgs {
-    /// Size, weight, grade or kind, such as `5-1/2`, `S-135`, `hwdp` or `casing`; what has all of them is listed
+    /// Size, weight, grade or kind, such as `5-1/2`, `S-135`, `hwdp` or `casing`; what has all of
+    /// them is listed
     #[arg(value_name = "WORD")]
     pub(crate) words: Vec<String>,
 

@@ -68,8 +68,8 @@ pub(crate) fn table(summary: &Summary, units: UnitSet, width: Option<usize>) -> 
     text
 }
 
-/// What is to be known about the table, in lines: columns that are not complete, and what the dynamic
-/// ones cost and how sound they are.
+/// What is to be known about the table, in lines: columns that are not complete, and what the
+/// dynamic ones cost and how sound they are.
 pub(crate) fn notes(summary: &Summary, units: UnitSet) -> String {
     let mut notes = String::new();
     let incomplete = |solved: &OperationSummary| solved.status != Status::Complete;

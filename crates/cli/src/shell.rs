@@ -1,5 +1,5 @@
-//! `wholestring completions` and `wholestring man`: what a shell and a manual know of the command line, made from its own
-//! declaration.
+//! `wholestring completions` and `wholestring man`: what a shell and a manual know of the command
+//! line, made from its own declaration.
 
 use std::io;
 

@@ -13,8 +13,8 @@ use crate::{
     terminal::{say, tell},
 };
 
-/// Columns of the result. Surveys are in degrees everywhere, so that this one is too; `survey` reads
-/// its own result.
+/// Columns of the result. Surveys are in degrees everywhere, so that this one is too; `survey`
+/// reads its own result.
 const COLUMNS: [&str; 7] = [
     "md_m",
     "inclination_deg",

@@ -7,10 +7,12 @@ use toml_parser::{Source, lexer::TokenKind};
 /// Nothing that a case says stands in more brackets.
 pub(crate) const MAX_DEPTH: usize = 80;
 
-/// The bracket with which a text is nested deeper than [`MAX_DEPTH`], in bytes; none where it is not.
+/// The bracket with which a text is nested deeper than [`MAX_DEPTH`], in bytes; none where it is
+/// not.
 ///
-/// The parser has the same limit, but past some mistakes it forgets it and takes a frame of the stack for each
-/// bracket that is open: so nobody may hand it what has more. A bracket of the other kind closes none.
+/// The parser has the same limit, but past some mistakes it forgets it and takes a frame of the
+/// stack for each bracket that is open: so nobody may hand it what has more. A bracket of the other
+/// kind closes none.
 pub(crate) fn too_deep(text: &str) -> Option<Range<usize>> {
     let mut open = Vec::new();
     for token in Source::new(text).lex() {

@@ -63,7 +63,8 @@ impl Rule for Quantity {
         };
         let (number, si) = match &node.value {
             Value::Number { value, .. } => {
-                // Zero is zero in every unit; revolutions per minute and degrees are what everybody writes.
+                // Zero is zero in every unit; revolutions per minute and degrees are what everybody
+                // writes.
                 if worth == 1.0 && *value != 0.0 && reader.asks_unit(node.place) {
                     let mistake = entry(*value, *value).needs_unit(reader);
                     reader.report(mistake);

@@ -33,8 +33,8 @@ impl Range {
         }
     }
 
-    /// The same, but a number outside of these is doubted: mostly its unit is another one's. Zero is not, where it
-    /// is believed at all: it switches something off.
+    /// The same, but a number outside of these is doubted: mostly its unit is another one's. Zero
+    /// is not, where it is believed at all: it switches something off.
     pub const fn usual(self, from: f64, to: f64) -> Self {
         Self {
             usual: Some((from, to)),

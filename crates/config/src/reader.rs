@@ -67,8 +67,8 @@ impl Reader {
         self.units = Some(units);
     }
 
-    /// Requires a unit where this number is read as a quantity, or each of this list: a shell may have taken
-    /// the quotes away, and the unit's absence says nothing.
+    /// Requires a unit where this number is read as a quantity, or each of this list: a shell may
+    /// have taken the quotes away, and the unit's absence says nothing.
     pub fn ask_unit(&mut self, node: &Node) {
         let items = match &node.value {
             Value::List(items) => items.as_slice(),
@@ -168,8 +168,8 @@ impl Reader {
         None
     }
 
-    /// Reports the keys of a table that are none of `names`; the names that they were probably meant
-    /// to be.
+    /// Reports the keys of a table that are none of `names`; the names that they were probably
+    /// meant to be.
     pub fn check_names(
         &mut self,
         table: &Entries,

@@ -1,4 +1,5 @@
-//! Numbers that can be computed with, but are hardly meant: a unit was forgotten, or another one was meant.
+//! Numbers that can be computed with, but are hardly meant: a unit was forgotten, or another one
+//! was meant.
 
 use wholestring_units::{Dimension, Unit, UnitSet, number_text};
 
@@ -34,8 +35,8 @@ impl Entry<'_> {
         matches!(self.node.value, Value::Number { .. })
     }
 
-    /// The units in which the number would be usual: those of the case first, then those of other unit sets, then the
-    /// others.
+    /// The units in which the number would be usual: those of the case first, then those of other
+    /// unit sets, then the others.
     fn fitting_units(&self, set: UnitSet) -> Vec<&'static Unit> {
         let Some((from, to)) = self.range.usual_numbers() else {
             return Vec::new();

@@ -1,8 +1,8 @@
 //! Calls of other people's code that may panic on a damaged file, contained in one place.
 //!
-//! A reader of a foreign format is somebody else's, and a byte that nobody thought of can make it panic.
-//! [`contain`] turns that into an error, and nothing is printed: to whoever gave the file it is a
-//! damaged file and no fault of the program.
+//! A reader of a foreign format is somebody else's, and a byte that nobody thought of can make it
+//! panic. [`contain`] turns that into an error, and nothing is printed: to whoever gave the file it
+//! is a damaged file and no fault of the program.
 #![warn(missing_docs)]
 
 use std::{

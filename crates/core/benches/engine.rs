@@ -1,6 +1,8 @@
-//! Speed of the engine's parts on NP13-X1042, for whoever works on them: `cargo bench -p wholestring`.
+//! Speed of the engine's parts on NP13-X1042, for whoever works on them:
+//! `cargo bench -p wholestring`.
 //!
-//! `wholestring bench` shows the speed of a machine; this reports whether a change made a part slower.
+//! `wholestring bench` shows the speed of a machine; this reports whether a change made a part
+//! slower.
 
 #[path = "../tests/common/mod.rs"]
 mod common;
@@ -77,8 +79,9 @@ fn statics(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// A step of a block of rock, per element, with each instruction set: one that stays in the second-level cache, and a live
-/// zone of a bit. The return to the cone is computed whether an element yields or not.
+/// A step of a block of rock, per element, with each instruction set: one that stays in the
+/// second-level cache, and a live zone of a bit. The return to the cone is computed whether an
+/// element yields or not.
 fn rock(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("rock");
     for (name, cells) in [("small", [32, 16, 16]), ("live zone", [96, 96, 12])] {

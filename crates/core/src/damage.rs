@@ -1,6 +1,7 @@
 //! What a stored state may not be.
 
-/// Why a stored state is not one of the model that it is resumed with: a length or a place does not fit.
+/// Why a stored state is not one of the model that it is resumed with: a length or a place does not
+/// fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("it is damaged: {0}")]
 pub struct Damaged(pub &'static str);

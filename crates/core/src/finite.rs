@@ -1,7 +1,7 @@
 //! Numbers in files for people and other programs, which know no infinity.
 //!
-//! JSON has neither infinities nor what is no number: they become `null`, which is read back as not a number.
-//! Without this, what was written so could not be read. Binary formats keep every bit.
+//! JSON has neither infinities nor what is no number: they become `null`, which is read back as not
+//! a number. Without this, what was written so could not be read. Binary formats keep every bit.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 

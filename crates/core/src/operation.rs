@@ -110,8 +110,9 @@ impl Operation {
         }
     }
 
-    /// Axial speed of the string at another weight on bit and rotary speed, m/s, positive towards the bit: on
-    /// bottom in proportion to both, but that a motor turns the bit of a string that slides.
+    /// Axial speed of the string at another weight on bit and rotary speed, m/s, positive towards
+    /// the bit: on bottom in proportion to both, but that a motor turns the bit of a string that
+    /// slides.
     pub fn axial_velocity_at_m_per_s(
         &self,
         weight_on_bit_N: f64,
@@ -150,7 +151,8 @@ impl Operation {
         }
     }
 
-    /// What the pumps deliver, m³/s; zero while the string trips without rotation, for the top drive is off it.
+    /// What the pumps deliver, m³/s; zero while the string trips without rotation, for the top
+    /// drive is off it.
     pub fn flow_now_m3_per_s(&self) -> f64 {
         match self.kind {
             OperationKind::TripOut | OperationKind::TripIn => 0.0,

@@ -1,7 +1,7 @@
 //! Random numbers that are the same on every machine.
 
-/// Steele, Lea and Flood's SplitMix64 (*Fast splittable pseudorandom number generators*, 2014): integer
-/// arithmetic alone, so that a seed gives the same numbers everywhere.
+/// Steele, Lea and Flood's SplitMix64 (*Fast splittable pseudorandom number generators*, 2014):
+/// integer arithmetic alone, so that a seed gives the same numbers everywhere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub(crate) struct Random(u64);
 

@@ -1,5 +1,5 @@
-//! The soft string against closed forms beyond those of `verification/`, its symmetries, its order of
-//! convergence and its errors.
+//! The soft string against closed forms beyond those of `verification/`, its symmetries, its order
+//! of convergence and its errors.
 
 mod common;
 
@@ -71,8 +71,8 @@ fn horizontal_turn_has_a_hyperbolic_closed_form() {
         1e-11,
     );
 
-    // It turns to the right. Tension presses the pipe to the inner (right) and low side, compression
-    // to the outer (left) and low side.
+    // It turns to the right. Tension presses the pipe to the inner (right) and low side,
+    // compression to the outer (left) and low side.
     for (profile, side) in [(&pulled, 1.0), (&rotated, -1.0)] {
         let point = model.well.path.at(0.0);
         let (high, right) = (
@@ -110,9 +110,9 @@ fn capstan_in_any_plane() {
     }
 }
 
-/// Rotation at the speed `Ωr` and pulling at `v` slide along a direction that does not change along a
-/// string of one radius: a capstan of `μ v/V`, and torque and drag in the ratio `Ωr² : v`, the torque in that of
-/// the coefficients around and along besides.
+/// Rotation at the speed `Ωr` and pulling at `v` slide along a direction that does not change along
+/// a string of one radius: a capstan of `μ v/V`, and torque and drag in the ratio `Ωr² : v`, the
+/// torque in that of the coefficients around and along besides.
 #[test]
 fn reaming_in_a_capstan() {
     let (mu, radius_m, tension_N, dogleg) = (0.3, 0.07, 100e3, std::f64::consts::FRAC_PI_2);
@@ -190,8 +190,8 @@ const BUILD_AND_TURN: [[f64; 3]; 6] = [
     [2500.0, 88.0, 130.0],
 ];
 
-/// Turning the whole well about the vertical turns the contact directions with it and changes nothing
-/// else; mirroring it changes the side of the turn.
+/// Turning the whole well about the vertical turns the contact directions with it and changes
+/// nothing else; mirroring it changes the side of the turn.
 #[test]
 fn north_is_not_special() {
     let drill = Operation {
@@ -264,8 +264,8 @@ fn fourth_order_where_the_load_is_smooth() {
     }
 }
 
-/// At the default step every scalar of a 3D well with changes of side is converged to 1e-6: it differs
-/// by less than that from a step eight times finer.
+/// At the default step every scalar of a 3D well with changes of side is converged to 1e-6: it
+/// differs by less than that from a step eight times finer.
 #[test]
 fn default_step_is_converged() {
     for interpolation in [Interpolation::MinimumCurvature, Interpolation::Spline] {
@@ -414,9 +414,9 @@ fn neutral_point() {
     assert_eq!(solve(&horizontal, &slide).scalars.neutral_point_m, None);
 }
 
-/// The weighted arc of A01 below a vertical part, surveyed every 10 m, then a frictionless tangent: the
-/// cut-off is where the file's pipe changes sides. Its mean over 30 m and half a row move it by less
-/// than 0.1 m + 0.5 m.
+/// The weighted arc of A01 below a vertical part, surveyed every 10 m, then a frictionless tangent:
+/// the cut-off is where the file's pipe changes sides. Its mean over 30 m and half a row move it by
+/// less than 0.1 m + 0.5 m.
 #[test]
 fn cutoff_of_a_surveyed_build() {
     let data = verification("A01_soft_string_closed_forms.json");
@@ -496,8 +496,8 @@ fn profile_runs_from_surface_to_bit_and_adds_up() {
         profile.contact_direction_at(middle - 0.1),
         profile.contact_direction[10]
     );
-    // Sums of the rows are the scalars within the trapezoidal rule's error at a step of 1 m, and half
-    // a metre of the jump of friction at the shoe.
+    // Sums of the rows are the scalars within the trapezoidal rule's error at a step of 1 m, and
+    // half a metre of the jump of friction at the shoe.
     let integral = |of: &dyn Fn(usize) -> f64| -> f64 {
         (1..profile.md_m.len())
             .map(|i| 0.5 * (of(i) + of(i - 1)) * (profile.md_m[i] - profile.md_m[i - 1]))

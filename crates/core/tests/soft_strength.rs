@@ -37,9 +37,9 @@ fn span(data: &Value, half_spacing_m: f64) -> JointSpan {
     }
 }
 
-/// S1a: a pipe that hangs between its tool joints in a build, whatever of its body touches: curvature at the joints
-/// and half-way, and what touches. The file's closed forms are ours in another form, its body contacts a collocated
-/// boundary value problem: rounding is left.
+/// S1a: a pipe that hangs between its tool joints in a build, whatever of its body touches:
+/// curvature at the joints and half-way, and what touches. The file's closed forms are ours in
+/// another form, its body contacts a collocated boundary value problem: rounding is left.
 #[test]
 fn s1a_spans_between_tool_joints() {
     let data = verification("S1a_tool_joints_in_build.json");
@@ -81,8 +81,9 @@ fn s1a_spans_between_tool_joints() {
     }));
 }
 
-/// S1a: a piece of twelve joints whose ends are pinned. From the third joint on, the tension of the place and the
-/// equal spans are enough: what the ends do fades by a factor of nine from joint to joint, 0.4 % at the third.
+/// S1a: a piece of twelve joints whose ends are pinned. From the third joint on, the tension of the
+/// place and the equal spans are enough: what the ends do fades by a factor of nine from joint to
+/// joint, 0.4 % at the third.
 #[test]
 fn s1a_a_piece_of_twelve_joints() {
     let data = verification("S1a_tool_joints_in_build.json");
@@ -116,8 +117,8 @@ fn s1a_a_piece_of_twelve_joints() {
     }));
 }
 
-/// S3a: true tension and von Mises stress of a body under tension, bending, torque and pressures, the largest of the
-/// two surfaces and sides. Closed forms: rounding is left.
+/// S3a: true tension and von Mises stress of a body under tension, bending, torque and pressures,
+/// the largest of the two surfaces and sides. Closed forms: rounding is left.
 #[test]
 fn s3a_von_mises() {
     let data = verification("S3a_von_mises_points.json");
@@ -162,8 +163,8 @@ fn s3a_von_mises() {
     assert_eq!(BodySection::of(&pipe).von_mises_Pa(0.0, 0.0, 0.0, 0.0), 0.0);
 }
 
-/// A05: the tension and the torque at which API RP 7G lets a body yield are the yield strength in von Mises' stress:
-/// exactly, and but for the standard's 0.577 in place of `1/√3`, 0.06 %.
+/// A05: the tension and the torque at which API RP 7G lets a body yield are the yield strength in
+/// von Mises' stress: exactly, and but for the standard's 0.577 in place of `1/√3`, 0.06 %.
 #[test]
 fn a05_yields_at_the_strength_of_the_standard() {
     let pipe = Component {
@@ -215,9 +216,9 @@ fn in_an_arc(joints: bool, tension_N: f64) -> (Model, SoftProfile) {
     (model, profile)
 }
 
-/// Without weight, the body bends by Lubinski's `x/tanh x` more than the hole at its joints under tension, by
-/// `x/sin x` half-way in compression, `x = (l/2)√(|T|/EI)`; a pipe without joints as the hole does. Moment, bending
-/// stress and von Mises' stress follow. Rounding is left.
+/// Without weight, the body bends by Lubinski's `x/tanh x` more than the hole at its joints under
+/// tension, by `x/sin x` half-way in compression, `x = (l/2)√(|T|/EI)`; a pipe without joints as
+/// the hole does. Moment, bending stress and von Mises' stress follow. Rounding is left.
 #[test]
 fn joints_magnify_the_bending_of_a_hole() {
     let hole_per_m = 60.0_f64.to_radians() / 600.0;
@@ -265,8 +266,8 @@ fn joints_magnify_the_bending_of_a_hole() {
     }
 }
 
-/// A string under tension in a turn lies on its inside: to the right of the low side, looking down the hole, where
-/// the azimuth grows, to the left where it falls.
+/// A string under tension in a turn lies on its inside: to the right of the low side, looking down
+/// the hole, where the azimuth grows, to the left where it falls.
 #[test]
 fn a_turn_climbs_to_its_inside() {
     for (to_deg, climb_rad) in [(90.0, FRAC_PI_2), (-90.0, -FRAC_PI_2)] {
@@ -291,8 +292,9 @@ fn a_turn_climbs_to_its_inside() {
     assert!(hanging.climb_rad.iter().all(Option::is_none));
 }
 
-/// Mud at rest presses by its weight inside and outside alike, and the end of a pipe that hangs in it bears `−p A`; mud
-/// that flows leaves the annulus without pressure and enters the bore with the pump's, and its stream adds `ρ Q²/A_i`.
+/// Mud at rest presses by its weight inside and outside alike, and the end of a pipe that hangs in
+/// it bears `−p A`; mud that flows leaves the annulus without pressure and enters the bore with the
+/// pump's, and its stream adds `ρ Q²/A_i`.
 #[test]
 fn pressures_and_the_force_in_the_metal() {
     let length_m = 1000.0;
@@ -349,8 +351,8 @@ fn pressures_and_the_force_in_the_metal() {
     }
 }
 
-/// Friction works at the speeds of the surface: the power on the hole adds up to that of friction's torque and drag,
-/// to rounding, and a place's is `μ N V`. A string that stands still rubs nothing.
+/// Friction works at the speeds of the surface: the power on the hole adds up to that of friction's
+/// torque and drag, to rounding, and a place's is `μ N V`. A string that stands still rubs nothing.
 #[test]
 fn the_power_of_friction() {
     let (length_m, friction) = (803.0, 0.25);
@@ -407,7 +409,8 @@ fn the_power_of_friction() {
     assert!(profile.wear_power_W_per_m.iter().all(|power| *power == 0.0));
 }
 
-/// Joints that do not stand out hold nothing off the wall, and a component without a yield strength has no use of it.
+/// Joints that do not stand out hold nothing off the wall, and a component without a yield strength
+/// has no use of it.
 #[test]
 fn flush_joints_and_unknown_strength() {
     let flush = ComponentSpec {

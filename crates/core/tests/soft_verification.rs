@@ -1,5 +1,5 @@
-//! The soft string against the files of `verification/`: closed forms (A01) and two wells integrated
-//! independently to 1e-11 (A02, A06).
+//! The soft string against the files of `verification/`: closed forms (A01) and two wells
+//! integrated independently to 1e-11 (A02, A06).
 
 mod common;
 
@@ -261,8 +261,8 @@ fn side_switch(row: &Given, id: &str) {
     );
 }
 
-/// A straight horizontal string whose whole weight is the given side force. Reaming and back-reaming
-/// differ from drilling in the sign of the drag alone.
+/// A straight horizontal string whose whole weight is the given side force. Reaming and
+/// back-reaming differ from drilling in the sign of the drag alone.
 fn combined_motion(row: &Given) {
     let length_m = 1000.0;
     let model = uniform_model(
@@ -298,9 +298,9 @@ fn combined_motion(row: &Given) {
     }
 }
 
-/// A02: a well like the article's, its string with its bottom-hole assembly, at the default settings.
-/// The file asks 0.1 %; its oracle is good to 1e-11, so the tolerance is what the default step promises:
-/// 1e-6, for the kinks of `|q|` where the pipe changes sides.
+/// A02: a well like the article's, its string with its bottom-hole assembly, at the default
+/// settings. The file asks 0.1 %; its oracle is good to 1e-11, so the tolerance is what the default
+/// step promises: 1e-6, for the kinks of `|q|` where the pipe changes sides.
 #[test]
 fn a02_synthetic_well() {
     let data = verification("A02_np13_like_synthetic_well.json");
@@ -374,8 +374,9 @@ fn a02_synthetic_well() {
                     found.push((what(key), obtained, expected));
                 }
             }
-            // The least tension, and the tension where the file found it (off bottom the bit's zero).
-            // Its minimum is flat: two metres change it by a newton, so places are not compared.
+            // The least tension, and the tension where the file found it (off bottom the bit's
+            // zero). Its minimum is flat: two metres change it by a newton, so places are not
+            // compared.
             let least = profile
                 .tension_N
                 .iter()
@@ -405,8 +406,8 @@ fn a02_synthetic_well() {
     }
 }
 
-/// A06: a common deviated well, one pipe. The file is printed to 0.1 N and 0.1 N·m; 0.1 % is what the
-/// project promises, 1e-6 is what is reached.
+/// A06: a common deviated well, one pipe. The file is printed to 0.1 N and 0.1 N·m; 0.1 % is what
+/// the project promises, 1e-6 is what is reached.
 #[test]
 fn a06_common_well() {
     let data = verification("A06_common_case_soft_string.json");

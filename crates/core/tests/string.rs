@@ -121,10 +121,10 @@ fn a05_published_strengths() {
     }));
 }
 
-/// Masses against the approximate weights of API RP 7G with tool joints, lb/ft, and against the nominal
-/// weights of heavy-weight pipe, which are approximate weights too. 3 %: the upsets, which the computed
-/// masses leave out, add 1 to 2 %, the standard's shorter spacing (31.1 ft) 0.3 %, and the heavy-weight
-/// tables of two makers differ by 1.6 % (49.3 and 50.1 lb/ft).
+/// Masses against the approximate weights of API RP 7G with tool joints, lb/ft, and against the
+/// nominal weights of heavy-weight pipe, which are approximate weights too. 3 %: the upsets, which
+/// the computed masses leave out, add 1 to 2 %, the standard's shorter spacing (31.1 ft) 0.3 %, and
+/// the heavy-weight tables of two makers differ by 1.6 % (49.3 and 50.1 lb/ft).
 #[test]
 fn masses_are_near_the_published_ones() {
     for (designation, pounds_per_foot) in [
@@ -152,8 +152,8 @@ fn masses_are_near_the_published_ones() {
     }
 }
 
-/// The plain-end weight is the nominal one within what the joints and upsets add (nominal weights are
-/// those of threaded pipe of old): a misprinted wall would fall out.
+/// The plain-end weight is the nominal one within what the joints and upsets add (nominal weights
+/// are those of threaded pipe of old): a misprinted wall would fall out.
 #[test]
 fn walls_fit_the_nominal_weights() {
     let entries = catalogue::entries();

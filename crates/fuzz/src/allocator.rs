@@ -12,8 +12,8 @@ pub(crate) const CAP: usize = 1 << 30;
 static HELD: AtomicUsize = AtomicUsize::new(0);
 static PEAK: AtomicUsize = AtomicUsize::new(0);
 
-/// The system's memory, counted. What would go over [`CAP`] is not given: the process ends then, and whoever
-/// started it reports the input.
+/// The system's memory, counted. What would go over [`CAP`] is not given: the process ends then,
+/// and whoever started it reports the input.
 pub(crate) struct Counting;
 
 // SAFETY: all memory is the system's.

@@ -1,8 +1,10 @@
-//! Reads damaged inputs with every reader of wholestring, and shows which ones a reader did not stand.
+//! Reads damaged inputs with every reader of wholestring, and shows which ones a reader did not
+//! stand.
 //!
-//! An input is made from a number: a sound file of its kind, changed by its bytes, words, numbers and lines. A
-//! reader may accept or refuse it; it may not panic, end the program, take a gigabyte of memory or a minute. Inputs
-//! are read in processes of their own, so that an input which ends one is reported and the next ones are read.
+//! An input is made from a number: a sound file of its kind, changed by its bytes, words, numbers
+//! and lines. A reader may accept or refuse it; it may not panic, end the program, take a gigabyte
+//! of memory or a minute. Inputs are read in processes of their own, so that an input which ends
+//! one is reported and the next ones are read.
 
 mod allocator;
 mod mutation;

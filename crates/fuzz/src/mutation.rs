@@ -45,8 +45,8 @@ const BYTES: &[u8] = &[
     0, 1, 2, 0x7f, 0x80, 0xff, 0xfe, 0xc0, 0xe2, 0xf0, b'\n', b'\r', b'\t', b'"', b'=',
 ];
 
-/// A damaged copy of one of the seeds, by a few changes. A text is changed by its words too, of which
-/// `words` are more.
+/// A damaged copy of one of the seeds, by a few changes. A text is changed by its words too, of
+/// which `words` are more.
 pub(crate) fn damaged(seeds: &[Vec<u8>], words: &[&str], is_text: bool, rng: &mut Rng) -> Vec<u8> {
     let Some(seed) = rng.choice(seeds) else {
         return Vec::new();

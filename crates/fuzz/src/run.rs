@@ -31,8 +31,8 @@ pub(crate) struct Outcome {
     pub(crate) faults: Vec<Fault>,
 }
 
-/// Has a reader read its inputs, in processes of their own: one that ends early is followed by another, from the
-/// input after.
+/// Has a reader read its inputs, in processes of their own: one that ends early is followed by
+/// another, from the input after.
 pub(crate) fn run(reader: &'static str, inputs: Inputs, folder: &Path) -> io::Result<Outcome> {
     let begin = Instant::now();
     let mut outcome = Outcome {

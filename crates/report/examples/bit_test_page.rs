@@ -1,4 +1,5 @@
-//! Writes the page and the pictures of a bit test with made-up numbers to a folder: how they look, without drilling for them.
+//! Writes the page and the pictures of a bit test with made-up numbers to a folder: how they look,
+//! without drilling for them.
 
 use std::{collections::BTreeMap, f64::consts::TAU, fs, path::PathBuf};
 

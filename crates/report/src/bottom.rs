@@ -12,16 +12,18 @@ const RIM: f64 = 0.05;
 pub struct BottomPicture {
     /// Radius of the middle of each ring, m, from the axis outwards.
     pub radius_m: Packed,
-    /// Angle of the middle of each sector from the high side towards the right, rad; they part the circle evenly.
+    /// Angle of the middle of each sector from the high side towards the right, rad; they part the
+    /// circle evenly.
     pub angle_rad: Packed,
-    /// Depth below the rim, m: sector by sector of a ring after the other; missing where nothing is known. The rim is what a
-    /// twentieth of the cells is above: a splinter of the wall does not count.
+    /// Depth below the rim, m: sector by sector of a ring after the other; missing where nothing is
+    /// known. The rim is what a twentieth of the cells is above: a splinter of the wall does not
+    /// count.
     pub depth_m: Packed,
 }
 
 impl BottomPicture {
-    /// A bottom whose depths have any origin; none where no depth is known. What is farther from the rim than the bottom is from
-    /// its axis to its edge has come loose, and is left out.
+    /// A bottom whose depths have any origin; none where no depth is known. What is farther from
+    /// the rim than the bottom is from its axis to its edge has come loose, and is left out.
     ///
     /// # Panics
     /// If there is not one depth for each sector of each ring.

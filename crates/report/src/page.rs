@@ -21,7 +21,8 @@ pub(crate) const STYLES: &str = include_str!("../assets/report.css");
 /// Licences of what is in the bundle.
 const LICENCES: &str = include_str!("../assets/licences.txt");
 
-/// What the page may do: run what is in it, and nothing else; it never asks the network for anything.
+/// What the page may do: run what is in it, and nothing else; it never asks the network for
+/// anything.
 const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
 
 /// What the program of a run's page reads: the report, and which plots are made of it.
@@ -74,7 +75,8 @@ struct Spot<'a> {
     page: Option<&'a str>,
 }
 
-/// The report of a sweep as the text of an HTML file: its figure in every set of units, and the table.
+/// The report of a sweep as the text of an HTML file: its figure in every set of units, and the
+/// table.
 ///
 /// No name in it can end the element that it stands in, whatever it holds.
 pub fn sweep_html(sweep: &Sweep) -> String {
@@ -136,8 +138,8 @@ struct TestedBottom<'a> {
     bottom: &'a BottomPicture,
 }
 
-/// The page of a bit test as the text of an HTML file: its figures in every set of units, the bottoms in space, and the
-/// table.
+/// The page of a bit test as the text of an HTML file: its figures in every set of units, the
+/// bottoms in space, and the table.
 ///
 /// No name in it can end the element that it stands in, whatever it holds.
 pub fn bit_test_html(test: &BitTest) -> String {
@@ -188,7 +190,8 @@ fn page(title: &str, made_by: &str, data: &impl Serialize, rest: &str, program: 
     document(title, made_by, POLICY, &styles, &body)
 }
 
-/// A whole file of one page, which opens offline: `policy` says what it may do, `styles` how it looks.
+/// A whole file of one page, which opens offline: `policy` says what it may do, `styles` how it
+/// looks.
 pub(crate) fn document(
     title: &str,
     made_by: &str,

@@ -8,8 +8,8 @@ use crate::{BottomPicture, Cell, Finding, Packed};
 
 /// A run as its page shows it.
 ///
-/// Numbers are SI, angles radians. Where a number has a unit, the name of its dimension stands beside it, and
-/// [`Report::dimensions`] says how each set of units shows it.
+/// Numbers are SI, angles radians. Where a number has a unit, the name of its dimension stands
+/// beside it, and [`Report::dimensions`] says how each set of units shows it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Report {
     /// Name and version of the program.
@@ -118,7 +118,8 @@ pub struct Well {
     pub azimuth_rad: Packed,
     /// Dogleg severity, rad/m.
     pub dogleg_rad_per_m: Packed,
-    /// Unit vector to the high side: north, east and down of all points, one component after the other.
+    /// Unit vector to the high side: north, east and down of all points, one component after the
+    /// other.
     pub high: [Packed; 3],
 }
 
@@ -187,7 +188,8 @@ pub struct SpectrumPicture {
     pub signal: String,
     /// Measured depth of the node, m; nothing of a signal of the whole string.
     pub md_m: Option<f64>,
-    /// Dimension of the signal, whose square per frequency the density has; empty where it has none.
+    /// Dimension of the signal, whose square per frequency the density has; empty where it has
+    /// none.
     pub dimension: String,
     /// Frequencies, Hz.
     pub frequency_Hz: Packed,

@@ -89,7 +89,8 @@ pub enum Verdict {
 /// What the page may do: show what is in it.
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
 
-/// The looks of a run's page, dark where the reader's other windows are: this page has no program that could ask.
+/// The looks of a run's page, dark where the reader's other windows are: this page has no program
+/// that could ask.
 fn styles() -> String {
     format!("{}{STYLES}", palette::css_by_window())
 }
@@ -263,8 +264,8 @@ mod tests {
         }
         assert!(page.contains("class=\"differs\""));
     }
-    /// Pictures are cut to their own frames: no two elements of the page have one name. And they wear the page's colours,
-    /// which are dark where the reader requires it.
+    /// Pictures are cut to their own frames: no two elements of the page have one name. And they
+    /// wear the page's colours, which are dark where the reader requires it.
     #[test]
     fn figures_keep_their_own_names_and_follow_the_page() {
         let part = || StudyPart::Figure {

@@ -2,9 +2,10 @@
 
 /// Times and columns in at most `most` rows.
 ///
-/// Where there are more, each two rows stand for as many rows as it takes: they hold the smallest and the largest
-/// value of each column among those, in the order in which they came, at the first and the middle time. So every peak
-/// keeps its height, and is off its time by less than the spacing of the rows that are left.
+/// Where there are more, each two rows stand for as many rows as it takes: they hold the smallest
+/// and the largest value of each column among those, in the order in which they came, at the first
+/// and the middle time. So every peak keeps its height, and is off its time by less than the
+/// spacing of the rows that are left.
 ///
 /// # Panics
 /// If a column differs from the times in length.

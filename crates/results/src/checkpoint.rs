@@ -1,8 +1,9 @@
 //! `checkpoint.bin`: what an unfinished run needs to continue.
 //!
-//! Twelve bytes of a mark and the version of this layout; the version of the program that wrote it; the content in
-//! [postcard](https://postcard.jamesmunns.com)'s format; its length and its checksum. Numbers keep every bit. Only the version of the program that wrote a checkpoint reads it: what
-//! changes in a run is what the engine is made of.
+//! Twelve bytes of a mark and the version of this layout; the version of the program that wrote it;
+//! the content in [postcard](https://postcard.jamesmunns.com)'s format; its length and its
+//! checksum. Numbers keep every bit. Only the version of the program that wrote a checkpoint reads
+//! it: what changes in a run is what the engine is made of.
 
 use std::{
     fs, io,
@@ -33,8 +34,8 @@ impl ResultsFolder {
         self.path().join(CHECKPOINT)
     }
 
-    /// Writes `checkpoint.bin`, whole or not at all: whatever happens meanwhile, the last one is there. The content
-    /// goes to the disk as it is read: it is never held twice.
+    /// Writes `checkpoint.bin`, whole or not at all: whatever happens meanwhile, the last one is
+    /// there. The content goes to the disk as it is read: it is never held twice.
     pub fn write_checkpoint(&self, content: &impl Serialize) -> Result<(), ResultsError> {
         write_whole(&self.checkpoint_path(), |writer| {
             writer.write_all(MARK)?;
@@ -42,7 +43,8 @@ impl ResultsFolder {
             writer.write_all(&[PROGRAM.len() as u8])?;
             writer.write_all(PROGRAM.as_bytes())?;
             let mut summed = Summed::new(&mut *writer);
-            // The disk's own error, where there is one, shows more than that it could not be written.
+            // The disk's own error, where there is one, shows more than that it could not be
+            // written.
             if let Err(error) = postcard::to_io(content, &mut summed) {
                 return Err(summed.failed.unwrap_or_else(|| io::Error::other(error)));
             }
@@ -70,8 +72,8 @@ impl ResultsFolder {
         self.checkpoint_path().exists()
     }
 
-    /// Removes the checkpoint, the parts of `frames.parquet` that belong to it, and what a killed program left of
-    /// either: the run is finished, or begins anew.
+    /// Removes the checkpoint, the parts of `frames.parquet` that belong to it, and what a killed
+    /// program left of either: the run is finished, or begins anew.
     pub fn remove_checkpoint(&self) -> Result<(), ResultsError> {
         let path = self.checkpoint_path();
         for path in [partial_name(&path), path] {
@@ -122,8 +124,8 @@ fn take<const N: usize>(rest: &mut &[u8]) -> Option<[u8; N]> {
     rest.split_off(..N)?.try_into().ok()
 }
 
-/// A writer that counts and sums up what goes through it: FNV-1a over words of eight bytes. It is there to find
-/// damage, not forgery.
+/// A writer that counts and sums up what goes through it: FNV-1a over words of eight bytes. It is
+/// there to find damage, not forgery.
 struct Summed<W> {
     writer: W,
     length: u64,

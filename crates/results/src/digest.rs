@@ -2,8 +2,9 @@
 
 use serde::Serialize;
 
-/// The 128-bit FNV-1a hash of the value as JSON, in hexadecimal digits: equal values have equal digests, and others do
-/// not but by a chance of one in 10³⁸. It guards against mistakes, not against forgery.
+/// The 128-bit FNV-1a hash of the value as JSON, in hexadecimal digits: equal values have equal
+/// digests, and others do not but by a chance of one in 10³⁸. It guards against mistakes, not
+/// against forgery.
 ///
 /// # Panics
 /// If the value is no JSON: a map whose keys are no text.

@@ -18,8 +18,8 @@ pub(crate) fn write_whole(
     write_then(path, write, File::sync_all)
 }
 
-/// [`write_whole`] that does not wait for the disk: for files that a sweep writes by the thousand and makes again in
-/// milliseconds. After a power failure the file may be empty.
+/// [`write_whole`] that does not wait for the disk: for files that a sweep writes by the thousand
+/// and makes again in milliseconds. After a power failure the file may be empty.
 pub(crate) fn write_unsynced(
     path: &Path,
     write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,

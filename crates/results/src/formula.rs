@@ -1,8 +1,9 @@
 //! Text in CSV files that a spreadsheet would take for a formula.
 //!
-//! A cell that begins with `=`, `+`, `-`, `@`, a tab or an end of line is computed when the file is opened in a
-//! spreadsheet: the value of a key, or a name in a case from elsewhere, could run a command. The usual guard is
-//! an apostrophe before it (OWASP, *CSV Injection*). Numbers are left as they are.
+//! A cell that begins with `=`, `+`, `-`, `@`, a tab or an end of line is computed when the file is
+//! opened in a spreadsheet: the value of a key, or a name in a case from elsewhere, could run a
+//! command. The usual guard is an apostrophe before it (OWASP, *CSV Injection*). Numbers are left
+//! as they are.
 
 use std::borrow::Cow;
 

@@ -55,8 +55,8 @@ impl GrowingTable {
         self.name
     }
 
-    /// Continues with what a checkpoint kept of the table and what the folder holds of it; rows that
-    /// have come since go.
+    /// Continues with what a checkpoint kept of the table and what the folder holds of it; rows
+    /// that have come since go.
     ///
     /// # Errors
     /// A checkpoint with other columns, and a file that is missing, damaged, has other columns, or
@@ -116,8 +116,9 @@ impl GrowingTable {
         }
     }
 
-    /// Writes `<name>.parquet` with all rows so far, and `<name>.csv` where `csv` requires it. Their
-    /// bytes depend on the rows and on what was written together, not on where a run was taken up.
+    /// Writes `<name>.parquet` with all rows so far, and `<name>.csv` where `csv` requires it.
+    /// Their bytes depend on the rows and on what was written together, not on where a run was
+    /// taken up.
     ///
     /// # Errors
     /// A file that cannot be written, or whose earlier rows cannot be read.
@@ -237,7 +238,8 @@ mod tests {
         assert!(!folder.path().join("contact.csv").exists());
     }
 
-    /// A run that was killed after it had written more than its checkpoint knows of writes the same again.
+    /// A run that was killed after it had written more than its checkpoint knows of writes the same
+    /// again.
     #[test]
     fn a_resumed_table_has_the_same_bytes() {
         let (_place, folder) = folder();

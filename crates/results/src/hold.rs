@@ -1,7 +1,8 @@
 //! A folder that is held: by one program at a time, and known by what it was written for.
 //!
-//! `.wholestring` in the folder says what the folder was written for. Whoever writes to the folder holds a lock of the
-//! system on that file; it goes with the program, however that ends. The file stays.
+//! `.wholestring` in the folder says what the folder was written for. Whoever writes to the folder
+//! holds a lock of the system on that file; it goes with the program, however that ends. The file
+//! stays.
 
 use std::{
     fs::{self, File, OpenOptions, TryLockError},
@@ -54,7 +55,8 @@ pub enum Holding {
 }
 
 impl ResultsFolder {
-    /// Holds the folder, alone if nobody else holds it; with `shared`, together with others that share it.
+    /// Holds the folder, alone if nobody else holds it; with `shared`, together with others that
+    /// share it.
     ///
     /// A file system without locks keeps nobody out.
     ///

@@ -1,5 +1,5 @@
-//! What a run leaves behind: `summary.json`, `nodes.parquet`, `time.parquet` and what else the case requires
-//! , and the tables as CSV.
+//! What a run leaves behind: `summary.json`, `nodes.parquet`, `time.parquet` and what else the case
+//! requires , and the tables as CSV.
 //!
 //! Files are SI with the unit in every name, hold `null` where a number is not finite or does not
 //! apply, and appear whole or not at all: each is written beside its final name and then renamed.

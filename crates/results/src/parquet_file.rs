@@ -34,8 +34,8 @@ impl Table {
         read(path)
     }
 
-    /// Reads back the columns of these names, as far as the file has them, piece by piece: a table may be larger
-    /// than memory. The pieces follow each other as the rows do.
+    /// Reads back the columns of these names, as far as the file has them, piece by piece: a table
+    /// may be larger than memory. The pieces follow each other as the rows do.
     pub fn read_parquet_pieces(
         path: &Path,
         names: &[&str],

@@ -1,8 +1,8 @@
 //! What a Parquet file claims, looked over before it is read.
 //!
-//! The reader of Parquet makes room for as many bytes, rows and words as a file says there are, and trusts
-//! that its offsets lie within it. So the claims are checked against the file's length and against how much
-//! is ever read at once.
+//! The reader of Parquet makes room for as many bytes, rows and words as a file says there are, and
+//! trusts that its offsets lie within it. So the claims are checked against the file's length and
+//! against how much is ever read at once.
 
 use std::{
     fs::File,
@@ -21,7 +21,8 @@ const LONGEST_FOOTER: u64 = 4 << 20;
 /// Pages are about a megabyte.
 const LARGEST_PAGE: i64 = 32 << 20;
 
-/// Numbers that are read at once, 640 MB: an hour of samples every 10 ms in a hundred columns is 36 million.
+/// Numbers that are read at once, 640 MB: an hour of samples every 10 ms in a hundred columns is 36
+/// million.
 const MAX_VALUES: u64 = 40_000_000;
 
 /// A word takes as much room as so many numbers.

@@ -9,17 +9,17 @@ use realfft::RealFftPlanner;
 pub struct Spectrum {
     /// Frequencies at even spacing from zero to half the sampling rate, Hz.
     pub frequency_Hz: Vec<f64>,
-    /// Density at each of them, square of the signal's unit per Hz. Its sum times the spacing is the
-    /// variance of the signal.
+    /// Density at each of them, square of the signal's unit per Hz. Its sum times the spacing is
+    /// the variance of the signal.
     pub density: Vec<f64>,
 }
 
 impl Spectrum {
-    /// Welch's estimate (*The Use of Fast Fourier Transform for the Estimation of Power Spectra*, IEEE
-    /// Trans. Audio Electroacoust. 15, 1967): the mean of the periodograms of segments of `segment`
-    /// samples that overlap by half, each less its mean and under Hann's window. A longer segment
-    /// separates closer frequencies, more segments give a smoother estimate. None of less than two
-    /// samples or a segment that does not fit.
+    /// Welch's estimate (*The Use of Fast Fourier Transform for the Estimation of Power Spectra*,
+    /// IEEE Trans. Audio Electroacoust. 15, 1967): the mean of the periodograms of segments of
+    /// `segment` samples that overlap by half, each less its mean and under Hann's window. A longer
+    /// segment separates closer frequencies, more segments give a smoother estimate. None of less
+    /// than two samples or a segment that does not fit.
     pub fn welch(samples: &[f64], interval_s: f64, segment: usize) -> Option<Self> {
         if segment < 2 || segment > samples.len() {
             return None;
@@ -85,10 +85,10 @@ mod tests {
         of.frequency_Hz[1]
     }
 
-    /// White noise of variance `σ²` sampled at the rate `f` has the density `2σ²/f` everywhere. The mean over
-    /// 250 frequencies of 1000 samples' periodograms, of 200 samples' worth of independent segments each, is
-    /// known to `1/√(250·100)` = 0.6 %; three of these are allowed. Their sum is the variance (Parseval), known
-    /// to `1/√100 000`.
+    /// White noise of variance `σ²` sampled at the rate `f` has the density `2σ²/f` everywhere. The
+    /// mean over 250 frequencies of 1000 samples' periodograms, of 200 samples' worth of
+    /// independent segments each, is known to `1/√(250·100)` = 0.6 %; three of these are allowed.
+    /// Their sum is the variance (Parseval), known to `1/√100 000`.
     #[test]
     fn white_noise_is_flat_and_holds_its_variance() {
         let samples = noise(100_000);
@@ -104,8 +104,9 @@ mod tests {
         }
     }
 
-    /// A line of 3.7 Hz and amplitude 2 in that noise: it stands where it should to half the spacing of
-    /// 0.1 Hz, and the area under it is `A²/2` = 2 to within the noise under it and its leaks, 0.5 %.
+    /// A line of 3.7 Hz and amplitude 2 in that noise: it stands where it should to half the
+    /// spacing of 0.1 Hz, and the area under it is `A²/2` = 2 to within the noise under it and its
+    /// leaks, 0.5 %.
     #[test]
     fn a_line_stands_at_its_frequency_with_its_power() {
         let samples: Vec<f64> = noise(60_000)

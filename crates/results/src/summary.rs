@@ -22,13 +22,14 @@ pub const SCHEMA_VERSION: u32 = 1;
 pub struct Summary {
     /// [`SCHEMA_VERSION`] of the program that wrote it.
     pub schema_version: u32,
-    /// Version of the engine that solved it, such as `0.1.0`; none in files of versions that did not say.
+    /// Version of the engine that solved it, such as `0.1.0`; none in files of versions that did
+    /// not say.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub engine_version: Option<String>,
     /// Name of the case.
     pub case: String,
-    /// [Digest](crate::digest) of all that the answers depend on, which `settings` shows: cases with the same one have the
-    /// same answers. None in files of versions that did not say.
+    /// [Digest](crate::digest) of all that the answers depend on, which `settings` shows: cases
+    /// with the same one have the same answers. None in files of versions that did not say.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub identity: Option<String>,
     /// The case's settings with all defaults filled in.
@@ -91,7 +92,8 @@ pub struct OperationSummary {
     /// Torque and drag; means over the window for a dynamic model.
     #[serde(flatten)]
     pub scalars: Scalars,
-    /// The constant lift that was found for it, where the hoist is a tuned lift; dynamic models only.
+    /// The constant lift that was found for it, where the hoist is a tuned lift; dynamic models
+    /// only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lift: Option<TunedHookLoad>,
     /// What the mud does, if it has a rheology; means over the window for a dynamic model.
@@ -103,7 +105,8 @@ pub struct OperationSummary {
     /// Whirl, stick-slip and the use of the top drive over the window; dynamic models only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub indicators: Option<Indicators>,
-    /// How often a bit with a table was where the table is not, over the window; dynamic models only.
+    /// How often a bit with a table was where the table is not, over the window; dynamic models
+    /// only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bit_table: Option<TableUse>,
     /// What the numbers cost and how sound they are; dynamic models only.
@@ -112,7 +115,8 @@ pub struct OperationSummary {
 }
 
 impl OperationSummary {
-    /// When the window of its statistics begins, s: as the run found it, or as `settings` of the case say where the file is older.
+    /// When the window of its statistics begins, s: as the run found it, or as `settings` of the
+    /// case say where the file is older.
     pub fn window_from_s(&self, settings: &serde_json::Value) -> f64 {
         let found_s = self.numerics.as_ref().map(|of| of.run.settle_s);
         let given_s = || settings["dynamics"]["settle_s"].as_f64();
@@ -152,8 +156,8 @@ mod model_name {
     }
 }
 
-/// JSON has no NaN: a number that is not finite is `null`, and `null` is read back as NaN. Zero has no
-/// sign there.
+/// JSON has no NaN: a number that is not finite is `null`, and `null` is read back as NaN. Zero has
+/// no sign there.
 mod finite {
     use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -183,8 +187,8 @@ impl Summary {
         write_json(self, path)
     }
 
-    /// Writes the summary without blanks, and does not wait for the disk: for the many of a sweep that are solved again
-    /// in milliseconds.
+    /// Writes the summary without blanks, and does not wait for the disk: for the many of a sweep
+    /// that are solved again in milliseconds.
     pub fn write_compact(&self, path: &Path) -> Result<(), ResultsError> {
         write_json_compact(self, path)
     }

@@ -119,12 +119,12 @@ impl Table {
         Self::new(specs.iter().map(Column::empty).collect())
     }
 
-    /// Adds rows: each list of `words` gives one word a row, or one for all rows, each slice of `numbers`
-    /// one number a row, and the columns of numbers that are not named become `None`.
+    /// Adds rows: each list of `words` gives one word a row, or one for all rows, each slice of
+    /// `numbers` one number a row, and the columns of numbers that are not named become `None`.
     ///
     /// # Panics
-    /// If the table has no such column of that kind, a text column is not named, or the slices differ
-    /// in length.
+    /// If the table has no such column of that kind, a text column is not named, or the slices
+    /// differ in length.
     pub fn append(&mut self, words: &[(&str, &[&str])], numbers: &[(&str, &[f64])]) {
         for &(name, _) in numbers {
             assert!(self.column(name).is_some(), "the table has no `{name}`");
@@ -262,9 +262,9 @@ impl Table {
         }
     }
 
-    /// Writes the table as CSV: a header row of column names, numbers with the digits that make them
-    /// exact, nothing where a number does not apply. A text that a spreadsheet would take for a formula gets
-    /// an apostrophe before it, which [`Table::read_csv`] takes away again.
+    /// Writes the table as CSV: a header row of column names, numbers with the digits that make
+    /// them exact, nothing where a number does not apply. A text that a spreadsheet would take for
+    /// a formula gets an apostrophe before it, which [`Table::read_csv`] takes away again.
     pub fn write_csv(&self, path: &Path) -> Result<(), ResultsError> {
         write_whole(path, |writer| {
             let mut csv = csv::Writer::from_writer(writer);

@@ -1,7 +1,9 @@
-//! Numbers in Thrift's compact protocol, in which Parquet writes its footer and the heads of its pages.
+//! Numbers in Thrift's compact protocol, in which Parquet writes its footer and the heads of its
+//! pages.
 //!
 //! Just enough to look over what a file claims before it is read. The protocol: integers are
-//! variable in length and folded (zigzag); a field begins with its kind and its distance from the field before.
+//! variable in length and folded (zigzag); a field begins with its kind and its distance from the
+//! field before.
 
 use std::io::{self, Read};
 
@@ -21,7 +23,8 @@ const SET: u8 = 10;
 const MAP: u8 = 11;
 const STRUCTURE: u8 = 12;
 
-/// Reads one structure, and shows each whole number in it with the ids of the fields that lead there.
+/// Reads one structure, and shows each whole number in it with the ids of the fields that lead
+/// there.
 ///
 /// # Errors
 /// What is no such structure, or deeper than any of Parquet's.
@@ -157,7 +160,8 @@ mod tests {
 
     #[test]
     fn fields_lists_and_structures_are_gone_through() {
-        // 1: i32 -3; 3: binary "ab"; 4: list of two i32, 1 and 150; 20: a structure with 1: i64 64 and 2: true.
+        // 1: i32 -3; 3: binary "ab"; 4: list of two i32, 1 and 150; 20: a structure with 1: i64 64
+        // and 2: true.
         let bytes = [
             0x15, 5, 0x28, 2, b'a', b'b', 0x19, 0x25, 2, 0xac, 2, 0x0c, 40, 0x16, 0x80, 1, 0x11, 0,
             0,

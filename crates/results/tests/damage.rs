@@ -54,7 +54,8 @@ fn files_that_made_the_reader_panic_are_refused() {
     }
 }
 
-/// Every byte of a file in turn becomes others, among them the largest that a number's first byte can be.
+/// Every byte of a file in turn becomes others, among them the largest that a number's first byte
+/// can be.
 #[test]
 fn no_byte_of_a_table_makes_the_reader_panic() {
     let folder = tempfile::tempdir().unwrap();

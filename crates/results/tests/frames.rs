@@ -106,9 +106,9 @@ fn numbered(number: u32) -> Frame {
     frame
 }
 
-/// Frames that continue from a checkpoint, whatever came after it, are the same file to the byte: the checkpoint
-/// before the first part, at its last frame and after it, within the second, and twice the same; each time
-/// with all frames on the disk already, whole and in parts.
+/// Frames that continue from a checkpoint, whatever came after it, are the same file to the byte:
+/// the checkpoint before the first part, at its last frame and after it, within the second, and
+/// twice the same; each time with all frames on the disk already, whole and in parts.
 #[test]
 fn frames_go_on_from_any_checkpoint() {
     // Two parts and a rest.

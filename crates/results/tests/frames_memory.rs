@@ -1,5 +1,5 @@
-//! Frames are written in memory that does not grow: measured on the whole process, so that nothing else is
-//! tested here.
+//! Frames are written in memory that does not grow: measured on the whole process, so that nothing
+//! else is tested here.
 #![cfg(target_os = "linux")]
 
 mod common;
@@ -42,8 +42,8 @@ fn write(frames: u32) -> f64 {
         / 1e6
 }
 
-/// Memory does not grow with the run: after the first row groups, three times as many frames take less than
-/// 10 MB more. A frame is 113 kB as it is held, 400 of them 45 MB.
+/// Memory does not grow with the run: after the first row groups, three times as many frames take
+/// less than 10 MB more. A frame is 113 kB as it is held, 400 of them 45 MB.
 #[test]
 fn memory_does_not_grow_with_the_frames() {
     write(200);

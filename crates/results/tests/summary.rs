@@ -296,8 +296,8 @@ fn another_version_is_refused_by_number() {
     }
 }
 
-/// What a summary of an earlier version does not say is not made up: the error and the drift of a mean are no numbers, and where its window begins stands
-/// in its settings.
+/// What a summary of an earlier version does not say is not made up: the error and the drift of a
+/// mean are no numbers, and where its window begins stands in its settings.
 #[test]
 fn a_summary_without_drift_is_read() {
     let folder = tempfile::tempdir().unwrap();

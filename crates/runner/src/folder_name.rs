@@ -10,7 +10,8 @@ pub(crate) fn default_output(name: &str) -> PathBuf {
 /// The name without what some system does not take in a file's name.
 pub(crate) fn file_name(name: &str) -> String {
     const LONGEST: usize = 100;
-    // Most systems take 255 bytes, and a letter may be four: this leaves room for a number after it.
+    // Most systems take 255 bytes, and a letter may be four: this leaves room for a number after
+    // it.
     const MAX_BYTES: usize = 240;
     let mut valid: String = name
         .chars()

@@ -5,7 +5,8 @@ use std::path::Path;
 use wholestring::outcome::{Cost, ModelKind};
 use wholestring_case::Case;
 
-/// What is kept of a case, each with what stands before it. Frames and spectra are kept wherever a case requires them.
+/// What is kept of a case, each with what stands before it. Frames and spectra are kept wherever a
+/// case requires them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Keep {
     /// Its `summary.json`.
@@ -17,8 +18,8 @@ pub enum Keep {
 }
 
 impl Keep {
-    /// What is kept of a case of a sweep where nobody says: a soft string is solved again in milliseconds, what
-    /// dynamics found is not.
+    /// What is kept of a case of a sweep where nobody says: a soft string is solved again in
+    /// milliseconds, what dynamics found is not.
     pub(crate) fn of_itself(case: &Case, csv: bool) -> Self {
         let costs = |of: &ModelKind| of.method().cost > Cost::Milliseconds;
         if csv || case.models.iter().any(costs) {

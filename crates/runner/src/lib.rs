@@ -3,9 +3,9 @@
 //!
 //! A front loads a case, makes a request of it and hands it over with an [`Observer`], which is
 //!
-//! reported how far the work has come, and a [`CancellationToken`], which stops it. It gets an outcome,
-//! or an [`Error`]. Nothing here prints, reads arguments or looks at a terminal; results go to
-//! folders, whose files `wholestring-results` describes.
+//! reported how far the work has come, and a [`CancellationToken`], which stops it. It gets an
+//! outcome, or an [`Error`]. Nothing here prints, reads arguments or looks at a terminal; results
+//! go to folders, whose files `wholestring-results` describes.
 //!
 //! | module | carries out |
 //! |---|---|

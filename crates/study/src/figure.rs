@@ -76,28 +76,28 @@ table! {
         models: Vec<Spanned<ModelKind>> = optional(MODELS);
         /// Operations that it shows. Default: all that were solved.
         operations: Vec<Spanned<OperationKind>> = optional(OPERATIONS);
-        /// Cases that it shows, by values of varied keys: single, listed or in a range such as "..1200 m".
-        /// Default: all.
+        /// Cases that it shows, by values of varied keys: single, listed or in a range such as
+        /// "..1200 m". Default: all.
         only: Selection = optional(SelectionRule);
-        /// Part of the results that it is drawn from: "summary" (a number for each case), "nodes" (along the
-        /// string), "wear" (along the hole), "time" (scalars against time), "frames" (the whole string against
-        /// time, where the case records frames), "contact" (over depth and time, as a map for each case) or "path" (the
-        /// well down to the bit).
+        /// Part of the results that it is drawn from: "summary" (a number for each case), "nodes"
+        /// (along the string), "wear" (along the hole), "time" (scalars against time), "frames"
+        /// (the whole string against time, where the case records frames), "contact" (over depth
+        /// and time, as a map for each case) or "path" (the well down to the bit).
         from: Source = default(SOURCES, Source::Summary);
-        /// What stands on the horizontal axis: a varied key for "summary", otherwise a column. All other
-        /// keys that are varied make a curve for each of their values.
+        /// What stands on the horizontal axis: a varied key for "summary", otherwise a column. All
+        /// other keys that are varied make a curve for each of their values.
         x: String = required(Text);
-        /// Where the axis of `x` points: "across" the page, or "down" it, as depths are drawn beside each other; `y` then
-        /// points across. Not for "contact".
+        /// Where the axis of `x` points: "across" the page, or "down" it, as depths are drawn
+        /// beside each other; `y` then points across. Not for "contact".
         x_axis: Pointing = default(POINTING, Pointing::Across);
-        /// Columns on the vertical axis, all of one unit; of |tension_N| the sign is dropped. A depth points
-        /// down.
+        /// Columns on the vertical axis, all of one unit; of |tension_N| the sign is dropped. A
+        /// depth points down.
         y: Vec<Spanned<String>> = required(List { item: Text, or_one: true, noun: "columns", most: MAX });
-        /// Column that colours a map of "contact", over x = "time_s" and y = "md_m". A sign is a side of the hole, but
-        /// of |side_force_N_per_m| it is dropped.
+        /// Column that colours a map of "contact", over x = "time_s" and y = "md_m". A sign is a
+        /// side of the hole, but of |side_force_N_per_m| it is dropped.
         colour: String = optional(Text);
-        /// What is shown of a quantity that varies over the window of a dynamic model: "mean", "std", "mean+std", "min",
-        /// "max", "p05" or "p95". For "summary". Default: the mean.
+        /// What is shown of a quantity that varies over the window of a dynamic model: "mean",
+        /// "std", "mean+std", "min", "max", "p05" or "p95". For "summary". Default: the mean.
         statistic: Vec<Spanned<Statistic>> = optional(List {
             item: StatisticRule,
             or_one: true,
@@ -106,10 +106,12 @@ table! {
         });
         /// Times of the frames that are drawn, a curve for each.
         times: Vec<Spanned<f64>> = optional(times());
-        /// Measured depths of the nodes whose frames are drawn against time, a curve for each. The nearest node is
-        /// taken, and for contact force and friction of those within 5 m the one to which the wall does most.
+        /// Measured depths of the nodes whose frames are drawn against time, a curve for each. The
+        /// nearest node is taken, and for contact force and friction of those within 5 m the one to
+        /// which the wall does most.
         depths: Vec<Spanned<f64>> = optional(depths());
-        /// First and last time that is drawn. For "time", "contact", and "frames" at depths. Default: the whole run.
+        /// First and last time that is drawn. For "time", "contact", and "frames" at depths.
+        /// Default: the whole run.
         window: Vec<Spanned<f64>> = optional(WINDOW());
         /// Values of `y` to hold the curves against, or to mark on a map.
         level: Vec<Spanned<LevelTable>> = optional(List {

@@ -1,8 +1,8 @@
 //! Study files: sweeps of cases, and the figures and tables to make of them.
 //!
 //! [`load`] and [`parse`] give a [`Study`], or a report that names every mistake at once. What its
-//! figures and tables may show is identified by the caller, as [`ColumnName`]s: a study knows no results.
-//! The cases themselves are read by whoever carries the study out.
+//! figures and tables may show is identified by the caller, as [`ColumnName`]s: a study knows no
+//! results. The cases themselves are read by whoever carries the study out.
 //!
 //! ```
 //! use wholestring_study::{ColumnName, Source, parse};

@@ -64,25 +64,26 @@ table! {
         models: Vec<Spanned<ModelKind>> = optional(MODELS);
         /// Operations that the row is about. Default: those of the table.
         operations: Vec<Spanned<OperationKind>> = optional(OPERATIONS);
-        /// The case that the number is taken from, by a value of every varied key. Keys that are left out are
-        /// those of the table.
+        /// The case that the number is taken from, by a value of every varied key. Keys that are
+        /// left out are those of the table.
         only: Selection = optional(SelectionRule);
-        /// Part of the results that it is taken from: "summary", "nodes" (along the string), "wear" (along the hole), "time"
-        /// (scalars against time), "frames" (the whole string against time), "contact" (over depth and time) or "path"
-        /// (the well).
+        /// Part of the results that it is taken from: "summary", "nodes" (along the string), "wear"
+        /// (along the hole), "time" (scalars against time), "frames" (the whole string against
+        /// time), "contact" (over depth and time) or "path" (the well).
         from: Source = default(SOURCES, Source::Summary);
         /// Column of it; of |tension_N| the sign is dropped.
         column: String = required(Text);
-        /// What is made of the values: "mean", "std", "mean+std", "min", "max" or a percentile such as "p98"; of
-        /// a summary's over the window of a dynamic model, of "time" and of "frames" at a depth over time, of "contact"
-        /// over all that is chosen, otherwise along the string.
+        /// What is made of the values: "mean", "std", "mean+std", "min", "max" or a percentile such
+        /// as "p98"; of a summary's over the window of a dynamic model, of "time" and of "frames"
+        /// at a depth over time, of "contact" over all that is chosen, otherwise along the string.
         statistic: Statistic = default(StatisticRule, Statistic::Mean);
-        /// The value at the node that is nearest to this measured depth; for contact force and friction in "frames",
-        /// at that of those within 5 m to which the wall does most.
+        /// The value at the node that is nearest to this measured depth; for contact force and
+        /// friction in "frames", at that of those within 5 m to which the wall does most.
         depth: f64 = optional(depth());
         /// The value at the sample or frame that is nearest to this time.
         time: f64 = optional(time());
-        /// First and last time of "time", "frames" and "contact". Default: the window of the case, after it has settled.
+        /// First and last time of "time", "frames" and "contact". Default: the window of the case,
+        /// after it has settled.
         window: Vec<Spanned<f64>> = optional(WINDOW());
         /// Subtract the same of another case, which differs in these keys.
         less: Selection = optional(SelectionRule);
@@ -90,9 +91,9 @@ table! {
         over: Selection = optional(SelectionRule);
         /// Key whose values give a row of numbers, of which `shape` is reported.
         along: String = optional(Text);
-        /// What is reported of the numbers along a key: "linearity" (share of their variance that a straight line explains),
-        /// "growth" (share of the steps from one to the next that go up), "least" or "most" (the smallest and
-        /// largest of them).
+        /// What is reported of the numbers along a key: "linearity" (share of their variance that a
+        /// straight line explains), "growth" (share of the steps from one to the next that go up),
+        /// "least" or "most" (the smallest and largest of them).
         shape: Shape = optional(SHAPES);
         /// The number that is given.
         expected: Amount = optional(AmountRule);

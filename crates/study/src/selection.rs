@@ -201,7 +201,8 @@ fn wish(node: &Node, reader: &mut Reader) -> Option<Wish> {
     })
 }
 
-/// Visits what stands under dotted keys, as long as it is sound. `a.b = 1` and `"a.b" = 1` are the same.
+/// Visits what stands under dotted keys, as long as it is sound. `a.b = 1` and `"a.b" = 1` are the
+/// same.
 pub(crate) fn leaves(
     entries: &Entries,
     before: &str,

@@ -31,8 +31,8 @@ table! {
         name: String = optional(Text);
         /// What it asks and how, on top of its page.
         description: String = optional(Prose);
-        /// Units of figures and tables: "si" (m, kN, kN.m, mm, kg/m3), "metric" (m, t, kN.m, mm, sg) or
-        /// "field" (ft, klbf, ft-lbf, in, ppg). Their data as CSV are SI always.
+        /// Units of figures and tables: "si" (m, kN, kN.m, mm, kg/m3), "metric" (m, t, kN.m, mm,
+        /// sg) or "field" (ft, klbf, ft-lbf, in, ppg). Their data as CSV are SI always.
         units: UnitSet = default(UNIT_SETS, UnitSet::Si);
         /// The cases to solve.
         sweep: Vec<Spanned<SweepTable>> = required(List {
@@ -78,8 +78,8 @@ pub struct Study {
 }
 
 impl Study {
-    /// Whether a figure or a number is made from tables that the cases of a sweep leave, by its index; from their
-    /// summaries otherwise.
+    /// Whether a figure or a number is made from tables that the cases of a sweep leave, by its
+    /// index; from their summaries otherwise.
     pub fn reads_tables_of(&self, sweep: usize) -> bool {
         let reads =
             |quantity: &Quantity| !matches!(quantity.column.source, Source::Summary | Source::Path);
@@ -102,7 +102,8 @@ static STUDY_FILE: Kind = Kind {
 
 static TABLES: LazyLock<Json> = LazyLock::new(StudyTable::schema);
 
-/// JSON schema (draft 2020-12) of the study file: every key with its meaning, units, range and default.
+/// JSON schema (draft 2020-12) of the study file: every key with its meaning, units, range and
+/// default.
 pub fn schema() -> Json {
     let mut schema = TABLES.clone();
     schema["$schema"] = json!("https://json-schema.org/draft/2020-12/schema");

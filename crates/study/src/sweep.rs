@@ -27,11 +27,12 @@ table! {
         name: String = required(FileName);
         /// The case file, as seen from the folder of the study.
         case: String = required(Text);
-        /// Keys that are the same for all its cases, as `--set` takes them: dotted keys of the case file, and
-        /// `friction`, `bit_depth`, `rpm` and `wob`.
+        /// Keys that are the same for all its cases, as `--set` takes them: dotted keys of the case
+        /// file, and `friction`, `bit_depth`, `rpm` and `wob`.
         set: Vec<Override> = optional(Changes);
         /// Keys that are varied, and their values: one, a list, or a range "FROM..TO/STEP", as
-        /// `--vary` takes them. Every combination is a case, the last key varying fastest. Default: one case.
+        /// `--vary` takes them. Every combination is a case, the last key varying fastest. Default:
+        /// one case.
         vary: Vec<Variation> = optional(Varied);
         /// What is different in some of its cases; where several say so, the last one counts.
         r#where: Vec<Spanned<WhereTable>> = optional(List {
@@ -183,7 +184,8 @@ impl Rule for Changes {
     }
 }
 
-/// `{ friction = [0.1, 0.2], bit_depth = "300m..900m/300m" }`: keys of the case, each with its values.
+/// `{ friction = [0.1, 0.2], bit_depth = "300m..900m/300m" }`: keys of the case, each with its
+/// values.
 struct Varied;
 
 impl Rule for Varied {

@@ -1,8 +1,8 @@
 //! The guard before new workbooks (`.xlsx`): a zip archive of parts in XML.
 //!
-//! What the directory of an archive says of sizes may be a lie, so that every part is unpacked once and counted,
-//! at most [`limits::UNPACKED_BYTES`] in all. The reader of workbooks makes room for as many shared strings as their
-//! part claims: a claim that its bytes cannot hold is refused.
+//! What the directory of an archive says of sizes may be a lie, so that every part is unpacked once
+//! and counted, at most [`limits::UNPACKED_BYTES`] in all. The reader of workbooks makes room for
+//! as many shared strings as their part claims: a claim that its bytes cannot hold is refused.
 
 use std::io::{Cursor, Read};
 
@@ -17,8 +17,8 @@ const ENTRY: &[u8] = b"PK\x01\x02";
 /// The shortest shared string, `<si/>`, bytes.
 const SHORTEST_STRING: u64 = 5;
 
-/// Refuses a workbook that unpacks, or claims, to more than is read. One that is no archive at all is left to the
-/// reader, which says why.
+/// Refuses a workbook that unpacks, or claims, to more than is read. One that is no archive at all
+/// is left to the reader, which says why.
 pub(crate) fn check(bytes: &[u8]) -> Result<(), SurveyErrorKind> {
     let entries = bytes.windows(ENTRY.len()).filter(|four| *four == ENTRY);
     let parts = entries.count();
@@ -59,9 +59,11 @@ pub(crate) fn check(bytes: &[u8]) -> Result<(), SurveyErrorKind> {
     Ok(())
 }
 
-/// Every number that an attribute named `uniqueCount` gives; one that is too large for 64 bits counts as the largest.
+/// Every number that an attribute named `uniqueCount` gives; one that is too large for 64 bits
+/// counts as the largest.
 fn claims(content: &[u8]) -> Vec<u64> {
-    // Zeros and escapes: the text may be in UTF-16 or ISO 2022, whose letters are found between them.
+    // Zeros and escapes: the text may be in UTF-16 or ISO 2022, whose letters are found between
+    // them.
     let mut plain = Vec::with_capacity(content.len());
     let mut bytes = content.iter().copied();
     while let Some(byte) = bytes.next() {

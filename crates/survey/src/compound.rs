@@ -1,8 +1,8 @@
-//! The file around old workbooks (`.xls`): a compound file of sectors, of which the stream of the workbook is taken
-//! out, and put into a new one that is sound.
+//! The file around old workbooks (`.xls`): a compound file of sectors, of which the stream of the
+//! workbook is taken out, and put into a new one that is sound.
 //!
-//! The reader of workbooks follows the chains of sectors without end and trusts their lengths. So it is
-//! given a file that was written here.
+//! The reader of workbooks follows the chains of sectors without end and trusts their lengths. So
+//! it is given a file that was written here.
 //!
 //! Format: \[MS-CFB\] Compound File Binary File Format.
 

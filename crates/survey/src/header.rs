@@ -79,7 +79,8 @@ pub(crate) fn find(table: &Table) -> Result<Header, Option<Partial>> {
             }
             match named(table, top, row) {
                 Ok(header) => return Ok(header),
-                // A duplicate is reported only if nothing else is: more rows may distinguish the two.
+                // A duplicate is reported only if nothing else is: more rows may distinguish the
+                // two.
                 Err(partial) if stacked == 1 && !table.rows[row].is_comment() => {
                     let better = best.as_ref().is_none_or(|best| partial.count >= best.count);
                     if partial.texts.len() > 1 && better {

@@ -15,8 +15,8 @@ pub struct ImportedSurvey {
 }
 
 impl ImportedSurvey {
-    /// Where the first station lies: as the file says, or else on the vertical under the origin, as deep as its
-    /// measured depth.
+    /// Where the first station lies: as the file says, or else on the vertical under the origin, as
+    /// deep as its measured depth.
     pub fn start(&self) -> TieIn {
         self.tie_in.unwrap_or_else(|| under_origin(&self.stations))
     }

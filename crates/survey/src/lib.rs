@@ -7,8 +7,8 @@
 //! What was recognised is reported in [`ImportedSurvey::notes`].
 //!
 //! Nothing is guessed where a mistake would go unseen: lengths without any unit are an error until
-//! their unit is [said](Said), with which three columns need no header either. Angles without a unit are
-//! degrees, which is noted.
+//! their unit is [said](Said), with which three columns need no header either. Angles without a
+//! unit are degrees, which is noted.
 //!
 //! ```
 //! let text = "MD (ft),Inc,Azi\n0,0,0\n1000,0,0\n1100,3,45\n";

@@ -1,7 +1,8 @@
 //! How much of a file is read.
 //!
-//! A file of some kilobytes can claim, or unpack to, more than any machine has: what it holds is counted and
-//! refused before room is made for it. With these limits no survey takes more than a gigabyte.
+//! A file of some kilobytes can claim, or unpack to, more than any machine has: what it holds is
+//! counted and refused before room is made for it. With these limits no survey takes more than a
+//! gigabyte.
 
 use crate::error::SurveyErrorKind;
 

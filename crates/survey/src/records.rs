@@ -1,8 +1,9 @@
 //! The guard before the records of old workbooks (`.xls`).
 //!
-//! The reader of workbooks makes a table of every sheet that is named, as large as its farthest cells and its own
-//! claim say, and copies a shared string into each cell that shows it. So all of this is counted first. Claims
-//! of extent, names and formulas, which are not needed, are taken out.
+//! The reader of workbooks makes a table of every sheet that is named, as large as its farthest
+//! cells and its own claim say, and copies a shared string into each cell that shows it. So all of
+//! this is counted first. Claims of extent, names and formulas, which are not needed, are taken
+//! out.
 //!
 //! Format: \[MS-XLS\] Excel Binary File Format.
 
@@ -34,8 +35,8 @@ const FORMULA_HEAD: usize = 20;
 /// Columns of a sheet; its rows are as many as 16 bits count.
 const COLUMNS: u16 = 256;
 
-/// Refuses a workbook whose cells are more than are read or beyond the limits of the format, and takes out of its
-/// records what would make room for more than there is.
+/// Refuses a workbook whose cells are more than are read or beyond the limits of the format, and
+/// takes out of its records what would make room for more than there is.
 pub(crate) fn check(stream: &mut [u8]) -> Result<(), SurveyErrorKind> {
     let all: Vec<Record> = records(stream, 0).collect();
     let head = all.iter().position(|record| record.kind == END);
@@ -148,8 +149,8 @@ fn place(kind: u16, data: &[u8]) -> Option<(u16, u16, u16)> {
     }
 }
 
-/// Whether a claim of extent is within the format's limits: first row, row after the last, first column, column after
-/// the last.
+/// Whether a claim of extent is within the format's limits: first row, row after the last, first
+/// column, column after the last.
 fn is_extent(data: &[u8]) -> bool {
     let (first, after, columns) = if data.len() < 14 {
         let wide = |at| u16_at(data, at).map(u32::from);

@@ -105,7 +105,8 @@ fn worksheets(sheets: &[calamine::Sheet]) -> Result<Vec<String>, SurveyErrorKind
     Ok(names.map(|sheet| sheet.name.clone()).collect())
 }
 
-/// One cell, unless it is empty or too far out: a single cell at the far corner would make a table of the whole sheet.
+/// One cell, unless it is empty or too far out: a single cell at the far corner would make a table
+/// of the whole sheet.
 fn cell(data: &Data, row: u32, column: u32) -> Option<Cell> {
     if row as usize >= limits::ROWS || column >= limits::COLUMNS {
         return None;

@@ -394,8 +394,8 @@ fn rows_that_are_mostly_gaps_are_refused() {
     );
 }
 
-/// Each sheet of an old workbook becomes a table as large as its farthest cell says: forty that were the same one
-/// took 8 GB.
+/// Each sheet of an old workbook becomes a table as large as its farthest cell says: forty that
+/// were the same one took 8 GB.
 #[test]
 fn old_workbooks_with_far_cells_are_refused() {
     let corner = [

@@ -243,8 +243,8 @@ impl Dimension {
     /// other capitals is found if it is the only one (`KN`, `RPM`). Milli and mega are never
     /// taken for each other.
     ///
-    /// A unit of length may tell, as depths do, from where and along what it is measured: `ftKB`, `m MD`,
-    /// `mTVDRT`.
+    /// A unit of length may tell, as depths do, from where and along what it is measured: `ftKB`,
+    /// `m MD`, `mTVDRT`.
     pub fn find_unit(self, symbol: &str) -> Option<&'static Unit> {
         let depth = || match self {
             Dimension::Length => symbol::find_depth(self.units(), symbol),

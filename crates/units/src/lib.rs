@@ -23,7 +23,8 @@
 //! ```
 //!
 //! # Meanings that a symbol alone does not settle
-//! - `sg`, specific gravity, is relative to fresh water of exactly 1000 kg/m3, as mud reports use it.
+//! - `sg`, specific gravity, is relative to fresh water of exactly 1000 kg/m3, as mud reports use
+//!   it.
 //! - `psi/ft` and `kPa/m` as densities are the pressure gradient of a fluid at rest under standard
 //!   gravity, 9.80665 m/s2.
 //! - `lb` is a pound of mass where a mass is requested and a pound-force where a force is; `t` is

@@ -77,9 +77,9 @@ pub(crate) fn find<'a>(units: &'a [Unit], written: &str) -> Option<&'a Unit> {
     }
 }
 
-/// From where and along what a depth is measured: measured depth or true vertical depth or along the hole, from the
-/// kelly bushing, rotary table, derrick floor or ground level. Depths below the sea are not among them: their zero
-/// is elsewhere.
+/// From where and along what a depth is measured: measured depth or true vertical depth or along
+/// the hole, from the kelly bushing, rotary table, derrick floor or ground level. Depths below the
+/// sea are not among them: their zero is elsewhere.
 const DEPTHS: &[&str] = &[
     "md", "tvd", "ah", "brkb", "rkb", "bkb", "kb", "brte", "rte", "brt", "rt", "bdf", "df", "bgl",
     "gl",

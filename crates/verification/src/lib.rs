@@ -1,8 +1,8 @@
 //! What a verification test holds against what, within what, and why.
 //!
 //! A test hands each number that it checks to [`report`], which asserts it; where the environment
-//! variable [`FILE`] names a file, the row is appended to it as a line of JSON, and `cargo xtask verify`
-//! makes the book's table of all rows.
+//! variable [`FILE`] names a file, the row is appended to it as a line of JSON, and
+//! `cargo xtask verify` makes the book's table of all rows.
 //!
 //! ```
 //! use wholestring_verification::{Row, Tolerance, report};
@@ -42,8 +42,8 @@ pub enum Tolerance {
 /// One number, compared with another.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row<'a> {
-    /// The case: the name of a file of `verification/` up to its first underscore (`E05`), or another
-    /// name that `verification/README.md` lists.
+    /// The case: the name of a file of `verification/` up to its first underscore (`E05`), or
+    /// another name that `verification/README.md` lists.
     pub case: &'a str,
     /// Which number, with what tells it from the case's others, then its unit if it has one, as in
     /// `climb at friction 0.25, rad`. A comma in it is that before the unit.
@@ -59,7 +59,8 @@ pub struct Row<'a> {
 }
 
 impl Row<'_> {
-    /// How far apart they are: in the unit of the tolerance, a part of the expected value where anything goes.
+    /// How far apart they are: in the unit of the tolerance, a part of the expected value where
+    /// anything goes.
     pub fn error(&self) -> f64 {
         error(self.expected, self.computed, self.tolerance)
     }
@@ -97,8 +98,8 @@ impl Row<'_> {
     }
 }
 
-/// How far `computed` lies from `expected`: in the unit of the tolerance, a part of the expected value where
-/// that has none.
+/// How far `computed` lies from `expected`: in the unit of the tolerance, a part of the expected
+/// value where that has none.
 pub fn error(expected: f64, computed: f64, tolerance: Tolerance) -> f64 {
     let apart = (computed - expected).abs();
     match tolerance {

@@ -1,9 +1,9 @@
 //! Circles between files: one uses what another declares, and that one, by way of others, what the
 //! first declares.
 //!
-//! Followed are paths, through imports and re-exports to the file that declares the item, and macros;
-//! not methods of values, which take a compiler to follow. A module that only hands on its children's
-//! items does not use them. What is compiled for tests only does not count.
+//! Followed are paths, through imports and re-exports to the file that declares the item, and
+//! macros; not methods of values, which take a compiler to follow. A module that only hands on its
+//! children's items does not use them. What is compiled for tests only does not count.
 
 mod circles;
 mod modules;

@@ -12,20 +12,22 @@ use wholestring_config::{
     table::{default, optional, table},
 };
 
-/// Where the case does not say: three lobes of a tricone bit; noise up to eight waves per revolution.
+/// Where the case does not say: three lobes of a tricone bit; noise up to eight waves per
+/// revolution.
 const LOBES: u64 = 3;
 const WAVES: f64 = 8.0;
 
 table! {
     /// What shakes the bit on its rock front. Without any of it the bottom is smooth.
     ExcitationTable in "[bit.excitation]" {
-        /// Lobes of the bottom pattern per revolution: the cones of a roller-cone bit. Raising it raises the frequency.
+        /// Lobes of the bottom pattern per revolution: the cones of a roller-cone bit. Raising it
+        /// raises the frequency.
         lobes: u64 = default(Count { from: 1, to: 100 }, LOBES);
-        /// Amplitude of the lobes: half of what lies between crest and trough. Raising it raises the
-        /// swing of the weight on bit at so many times the rotary speed, until the bit bounces.
+        /// Amplitude of the lobes: half of what lies between crest and trough. Raising it raises
+        /// the swing of the weight on bit at so many times the rotary speed, until the bit bounces.
         amplitude: f64 = default(displacement(), 0.0);
-        /// Roughness of the bottom, rms. Raising it raises the noise of the weight on bit, until the
-        /// bit bounces. A table of the law "table" may bring its own.
+        /// Roughness of the bottom, rms. Raising it raises the noise of the weight on bit, until
+        /// the bit bounces. A table of the law "table" may bring its own.
         roughness: f64 = default(displacement(), 0.0);
         /// Fluctuation of the bit's torque, rms, as a fraction of the torque. Raising it raises the
         /// noise of the torque. A table of the law "table" may bring its own.

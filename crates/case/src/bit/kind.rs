@@ -22,8 +22,9 @@ impl Kind {
         (INSERTS, Self::Inserts),
     ];
 
-    /// Inclination of the cutting force where the case does not say: the drag bit of Richard, Germay and Detournay's
-    /// examples; of a roller cone `3/(4 · 0.25)`, such that its torque is 0.25 of `2aW/3`.
+    /// Inclination of the cutting force where the case does not say: the drag bit of Richard,
+    /// Germay and Detournay's examples; of a roller cone `3/(4 · 0.25)`, such that its torque is
+    /// 0.25 of `2aW/3`.
     pub(crate) fn inclination(self) -> f64 {
         match self {
             Self::RollerCone | Self::Inserts => 3.0,

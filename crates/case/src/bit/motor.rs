@@ -14,15 +14,15 @@ use wholestring_config::{
     table::{Field, default, optional, table},
 };
 
-/// Where the case does not say: part of the flow that leaks at the largest pressure drop, part of the ideal torque, and the
-/// stall torque over that at the largest pressure drop.
+/// Where the case does not say: part of the flow that leaks at the largest pressure drop, part of
+/// the ideal torque, and the stall torque over that at the largest pressure drop.
 const SLIP: f64 = 0.1;
 const EFFICIENCY: f64 = 0.8;
 const STALL: f64 = 1.5;
 
 table! {
-    /// A positive displacement motor between string and bit. Its speed goes with the flow and falls with the
-    /// torque, until it stalls. It needs `displacement` and `max_differential_pressure`.
+    /// A positive displacement motor between string and bit. Its speed goes with the flow and falls
+    /// with the torque, until it stalls. It needs `displacement` and `max_differential_pressure`.
     MotorTable in "[bit.motor]" {
         /// Volume of mud that turns it once. Raising it slows it and strengthens it.
         displacement: f64 = optional(Quantity::si(
@@ -30,26 +30,27 @@ table! {
             Range::positive_to(1.0).usual(2e-4, 0.2),
             "12 L",
         ));
-        /// Largest pressure drop that it is made for. Raising it keeps the speed up to a larger torque.
+        /// Largest pressure drop that it is made for. Raising it keeps the speed up to a larger
+        /// torque.
         max_differential_pressure: f64 = optional(Quantity::si(
             Dimension::Pressure,
             Range::positive_to(1e8).usual(2e5, 3e7),
             "80 bar",
         ));
-        /// Part of the rated flow that leaks past it at that pressure, so that the motor is slower by it. Raising it
-        /// makes the speed yield more to the torque.
+        /// Part of the rated flow that leaks past it at that pressure, so that the motor is slower
+        /// by it. Raising it makes the speed yield more to the torque.
         slip: f64 = default(
             Number { unit: "", range: Range::from_to(0.0, 0.9) },
             SLIP,
         );
-        /// Part of the ideal torque, displacement times pressure over 2 pi, that reaches the bit. Raising it
-        /// lowers the pressure for the same torque.
+        /// Part of the ideal torque, displacement times pressure over 2 pi, that reaches the bit.
+        /// Raising it lowers the pressure for the same torque.
         efficiency: f64 = default(
             Number { unit: "", range: Range::from_to(0.05, 1.0) },
             EFFICIENCY,
         );
-        /// Torque at which it stalls at the rated flow, and never exceeds. Default: 1.5 times the torque at the largest
-        /// pressure drop.
+        /// Torque at which it stalls at the rated flow, and never exceeds. Default: 1.5 times the
+        /// torque at the largest pressure drop.
         stall_torque: f64 = optional(Quantity::si(
             Dimension::Torque,
             Range::positive_to(1e6).usual(50.0, 1e5),

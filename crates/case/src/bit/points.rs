@@ -19,16 +19,18 @@ use wholestring_config::{
 };
 
 table! {
-    /// A law that was measured: rate of penetration and torque against weight on bit and rotary speed of the bit,
-    /// every weight at every speed. Between its points the law is bilinear; a run that leaves the table stays at its edge
-    /// and says so.
+    /// A law that was measured: rate of penetration and torque against weight on bit and rotary
+    /// speed of the bit, every weight at every speed. Between its points the law is bilinear; a run
+    /// that leaves the table stays at its edge and says so.
     PointsTable in "[bit.table]" {
-        /// CSV file, relative to the case: a line of column names, then a line for each point. Columns
-        /// weight_on_bit_N, rotary_speed_rpm, rate_of_penetration_m_per_h, torque_N_m, and optionally the standard deviations
-        /// torque_std_N_m and weight_on_bit_std_N, which become noise; others are passed over.
+        /// CSV file, relative to the case: a line of column names, then a line for each point.
+        /// Columns weight_on_bit_N, rotary_speed_rpm, rate_of_penetration_m_per_h, torque_N_m, and
+        /// optionally the standard deviations torque_std_N_m and weight_on_bit_std_N, which become
+        /// noise; others are passed over.
         file: String = optional(Text);
-        /// The same in the case, in place of a file: [weight, speed, rate, torque], or with the standard deviation of
-        /// the torque, or of torque and weight, after them. Bare numbers are in N, rev/min, m/h, N.m, N.m and N.
+        /// The same in the case, in place of a file: [weight, speed, rate, torque], or with the
+        /// standard deviation of the torque, or of torque and weight, after them. Bare numbers are
+        /// in N, rev/min, m/h, N.m, N.m and N.
         points: Vec<Spanned<TablePoint>> = optional(List {
             item: PointRule,
             or_one: false,

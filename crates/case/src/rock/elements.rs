@@ -9,7 +9,8 @@ use wholestring_config::{diagnostic::Diagnostic, reader::Reader, source::Span};
 use super::table::RockTable;
 use crate::bit::{self, BitTable};
 
-/// Where the case does not say: elements across the bit, and over how far the cutters stand out of its body.
+/// Where the case does not say: elements across the bit, and over how far the cutters stand out of
+/// its body.
 const ELEMENTS_ACROSS: f64 = 18.0;
 const OVER_EXPOSURE: f64 = 1.5;
 /// From which on the body meets the ridges of the elements, and the bit jams.

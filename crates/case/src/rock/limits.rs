@@ -8,8 +8,8 @@ use wholestring_config::{diagnostic::Diagnostic, reader::Reader, source::Span};
 
 use super::table::RockTable;
 
-/// Part of the strength that scaled density times the square of the rim's speed may be: the mean forces then move by
-/// less than 5 %.
+/// Part of the strength that scaled density times the square of the rim's speed may be: the mean
+/// forces then move by less than 5 %.
 const MAX_INERTIA: f64 = 0.0625;
 
 /// More element-steps than this are weeks of computing.

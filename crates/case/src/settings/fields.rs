@@ -52,8 +52,8 @@ impl Fields {
         self
     }
 
-    /// Gives fields other names, each pair the engine's and the record's. A field that is not there keeps
-    /// away.
+    /// Gives fields other names, each pair the engine's and the record's. A field that is not there
+    /// keeps away.
     pub(super) fn renamed<const N: usize>(mut self, names: [(&str, &str); N]) -> Self {
         for (from, to) in names {
             if let Some(value) = self.0.remove(from) {
@@ -63,8 +63,8 @@ impl Fields {
         self
     }
 
-    /// Puts the fields of the table under `key` in its place, each after `prefix`; none where there is no
-    /// such table.
+    /// Puts the fields of the table under `key` in its place, each after `prefix`; none where there
+    /// is no such table.
     pub(super) fn spread(mut self, key: &str, prefix: &str) -> Self {
         if let Some(Json::Object(inner)) = self.0.remove(key) {
             let named = inner.into_iter();

@@ -8,8 +8,8 @@ use wholestring::{
 use super::fields::Fields;
 use crate::rig::{HoistTable, TUNED_LIFT};
 
-/// The control as chosen; `null` leaves it to the operation. The numbers of a control that nothing puts in control are
-/// `null`.
+/// The control as chosen; `null` leaves it to the operation. The numbers of a control that nothing
+/// puts in control are `null`.
 pub(super) fn hoist(
     dynamics: &DynamicsSettings,
     operations: &[Operation],

@@ -8,7 +8,8 @@ use wholestring::{
 
 use super::fields::Fields;
 
-/// The set points are those of the first; the others differ in their kind, and in what their kind rules out.
+/// The set points are those of the first; the others differ in their kind, and in what their kind
+/// rules out.
 pub(super) fn operation(operations: &[Operation], plan: &Schedule) -> Fields {
     let kinds = operations.iter().map(|operation| operation.kind.name());
     let kinds: Vec<&str> = kinds.collect();

@@ -15,7 +15,8 @@ const fn with(name: &'static str, keys: &'static [&'static str]) -> Mechanism {
     Mechanism { name, keys }
 }
 
-/// In the order of the book. Numbers that a driller would give, so that each mechanism does what it is there for.
+/// In the order of the book. Numbers that a driller would give, so that each mechanism does what it
+/// is there for.
 const MECHANISMS: &[Mechanism] = &[
     with("linear contact", &["dynamics.contact_law=linear"]),
     with(

@@ -9,7 +9,8 @@ use wholestring_case::Override;
 
 use crate::failure::{Failure, failed};
 
-/// Starts the program with these arguments and changes of the case. It says nothing but why it failed.
+/// Starts the program with these arguments and changes of the case. It says nothing but why it
+/// failed.
 pub(crate) fn start(arguments: &[&str], changes: &[Override]) -> Result<Child, Failure> {
     let program = env::current_exe().map_err(|error| failed(&error))?;
     let mut command = Command::new(program);

@@ -24,7 +24,8 @@ const EDGE_M: f64 = 4e-3;
 
 const STRENGTH_PA: f64 = 60e6;
 
-/// How fast the bit goes down, m/s, and turns, rad/s: faster than any that drills, to be in the rock soon.
+/// How fast the bit goes down, m/s, and turns, rad/s: faster than any that drills, to be in the
+/// rock soon.
 const DOWN_M_PER_S: f64 = 20.0;
 const TURN_RAD_PER_S: f64 = 100.0;
 
@@ -32,7 +33,8 @@ const TURN_RAD_PER_S: f64 = 100.0;
 const CUTTING_STEPS: usize = 600;
 const SQUEEZING_STEPS: usize = 200;
 
-/// Rate at which all of the rock is squeezed, 1/s, and its fracture energy, J/m²: it shall not fail.
+/// Rate at which all of the rock is squeezed, 1/s, and its fracture energy, J/m²: it shall not
+/// fail.
 const SQUEEZING_PER_S: f64 = 100.0;
 const TOUGH_J_PER_M2: f64 = 1e6;
 

@@ -98,8 +98,8 @@ impl Well {
         })
     }
 
-    /// Processor time that a second of simulated time takes, s, with everything that `run` does in it. Where the case
-    /// requires frames, they are written.
+    /// Processor time that a second of simulated time takes, s, with everything that `run` does in
+    /// it. Where the case requires frames, they are written.
     pub(crate) fn run_s(&self, case: &Case, simulation: &Simulation) -> Result<f64, Failure> {
         let mut simulation = simulation.clone();
         let folder = ResultsFolder::create(self.folder())?;

@@ -1,4 +1,5 @@
-//! All that a run does in its window: the inner loop, bit, hoist and top drive, the hole that goes along, statistics.
+//! All that a run does in its window: the inner loop, bit, hoist and top drive, the hole that goes
+//! along, statistics.
 
 use serde::Serialize;
 use wholestring::dynamics::Simulation;

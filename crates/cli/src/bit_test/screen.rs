@@ -9,7 +9,8 @@ use crate::screen_table::Table;
 /// Kinetic energy of the rock, over the work of its deformation, from where it is reported.
 const MUCH_KINETIC: f64 = 0.05;
 
-/// A column: what people call the quantity, what it is measured in, and its value with its error, where there are such.
+/// A column: what people call the quantity, what it is measured in, and its value with its error,
+/// where there are such.
 type Column = (&'static str, Dimension, fn(&TrialOutcome) -> Option<Value>);
 type Value = (f64, Option<f64>);
 

@@ -156,8 +156,9 @@ fn a_sweep_of_every_law_and_precision() {
     assert!(text.contains("A sweep of 60 cases on "), "{text}");
 }
 
-/// A run of 1346 elements over 80 s with tables and pictures, without frames, takes less than 50 MB. Found: 40 MB, with
-/// optimised code. A run of seconds writes no checkpoint; on a machine that makes it minutes it shall not do so either.
+/// A run of 1346 elements over 80 s with tables and pictures, without frames, takes less than 50
+/// MB. Found: 40 MB, with optimised code. A run of seconds writes no checkpoint; on a machine that
+/// makes it minutes it shall not do so either.
 #[test]
 #[cfg(target_os = "linux")]
 fn a_run_takes_less_than_50_MB() {

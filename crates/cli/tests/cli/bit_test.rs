@@ -188,8 +188,8 @@ fn threads_leave_the_numbers_alone() {
     );
 }
 
-/// What is finished is left alone, what was begun continues, the rest is drilled: as if nothing had happened. A grid
-/// that has grown keeps its points.
+/// What is finished is left alone, what was begun continues, the rest is drilled: as if nothing had
+/// happened. A grid that has grown keeps its points.
 #[test]
 fn a_killed_test_goes_on() {
     let desk = desk();

@@ -90,7 +90,8 @@ fn the_schema_lists_the_keys_of_a_case() {
     }
 }
 
-/// What is hardly meant is said, and what may be meant; a number that has lost its quotes to the shell is refused.
+/// What is hardly meant is said, and what may be meant; a number that has lost its quotes to the
+/// shell is refused.
 #[test]
 fn a_number_without_its_unit() {
     let desk = Desk::new();

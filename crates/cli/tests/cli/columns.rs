@@ -1,5 +1,5 @@
-//! Every column has what its declaration says: a value in every row of the models that know it, but where it shows that
-//! it may be `null`; nothing in those of the others.
+//! Every column has what its declaration says: a value in every row of the models that know it, but
+//! where it shows that it may be `null`; nothing in those of the others.
 
 use std::{collections::BTreeSet, fs};
 
@@ -10,7 +10,8 @@ use wholestring_results::{
 
 use crate::desk::Desk;
 
-/// A build and a tangent, tool joints and known strength, a mud that flows, a motor; all that is kept of time.
+/// A build and a tangent, tool joints and known strength, a mud that flows, a motor; all that is
+/// kept of time.
 const DEVIATED: &str = r#"
 name = "Deviated"
 model = ["soft", "dynamic"]
@@ -153,7 +154,8 @@ fn must_be_null(table: &Table, column: &str, row: usize) -> Option<bool> {
     }
 }
 
-/// Holds a table of a folder against its declaration, and notes by table, column and model what had a value.
+/// Holds a table of a folder against its declaration, and notes by table, column and model what had
+/// a value.
 fn check(
     desk: &Desk,
     folder: &str,
@@ -203,8 +205,8 @@ fn check(
     }
 }
 
-/// Runs of every operation with both models: plain pipe in a straight hole, a string with joints in a deviated one, and
-/// one with a schedule.
+/// Runs of every operation with both models: plain pipe in a straight hole, a string with joints in
+/// a deviated one, and one with a schedule.
 fn solved() -> Desk {
     let desk = Desk::new();
     let write = |name: &str, kinds: &str, schedule: &str| {
@@ -264,7 +266,8 @@ fn every_column_has_what_it_declares() {
             }
         }
     }
-    // Plain pipe of unknown strength has no joints and no use of it; the other string's pipe has both.
+    // Plain pipe of unknown strength has no joints and no use of it; the other string's pipe has
+    // both.
     for (folder, expected) in [("plain", false), ("deviated", true)] {
         let nodes = Table::read_parquet(&desk.path(folder).join("nodes.parquet")).unwrap();
         for name in ["side_force_per_joint_N", "yield_use"] {

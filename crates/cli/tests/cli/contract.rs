@@ -1,5 +1,5 @@
-//! What scripts rely on: the keys of `summary.json` and the columns of the tables, for every operation
-//! and model. A key may join; one that goes or changes its type breaks them.
+//! What scripts rely on: the keys of `summary.json` and the columns of the tables, for every
+//! operation and model. A key may join; one that goes or changes its type breaks them.
 
 use std::{collections::BTreeSet, fs, path::Path};
 

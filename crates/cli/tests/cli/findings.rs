@@ -1,5 +1,5 @@
-//! What is reported of an answer: in the summary, on the screen, in `sweep.csv`, in studies, and as an
-//! exit status.
+//! What is reported of an answer: in the summary, on the screen, in `sweep.csv`, in studies, and as
+//! an exit status.
 
 use std::{collections::BTreeSet, fs, path::Path};
 

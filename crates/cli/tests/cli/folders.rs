@@ -1,4 +1,5 @@
-//! Whose a folder is: results are not replaced by those of another case, and no two programs write to one folder.
+//! Whose a folder is: results are not replaced by those of another case, and no two programs write
+//! to one folder.
 
 use std::{
     fs,
@@ -161,8 +162,8 @@ fn sweeps_are_not_replaced_by_other_sweeps() {
     assert!(!desk.path("out/Straight slant sweep/friction=0.2").exists());
 }
 
-/// What is finished is so for the same case alone: a bend, an eccentricity and the tolerance of the lift were none of the
-/// settings that were compared.
+/// What is finished is so for the same case alone: a bend, an eccentricity and the tolerance of the
+/// lift were none of the settings that were compared.
 #[test]
 fn a_resumed_sweep_does_not_take_the_answers_of_another_case() {
     let desk = Desk::new();
@@ -206,7 +207,8 @@ fn a_resumed_sweep_does_not_take_the_answers_of_another_case() {
     }
 }
 
-/// The soft string of the first operation is on the disk, and nothing else: the run was killed before its first checkpoint.
+/// The soft string of the first operation is on the disk, and nothing else: the run was killed
+/// before its first checkpoint.
 #[test]
 fn a_run_that_ended_before_its_first_checkpoint_is_not_finished() {
     let desk = Desk::new();
@@ -306,7 +308,8 @@ fn a_second_program_is_kept_out_and_an_unfinished_run_is_kept() {
     assert!(!desk.path("results/checkpoint.bin").exists());
 }
 
-/// The summary and nothing else, with the version that computed it; with the other ways to ask what the program can do.
+/// The summary and nothing else, with the version that computed it; with the other ways to ask what
+/// the program can do.
 #[test]
 fn programs_are_told_in_their_own_words() {
     let desk = Desk::new();
@@ -338,7 +341,8 @@ fn programs_are_told_in_their_own_words() {
     }
 }
 
-/// Of two sweeps of one case each continues with its own; one with more values than before continues with the one that has some.
+/// Of two sweeps of one case each continues with its own; one with more values than before
+/// continues with the one that has some.
 #[test]
 fn a_resumed_sweep_finds_its_folder() {
     let desk = Desk::new();

@@ -17,8 +17,9 @@ fn numbers(table: &Table, name: &str) -> Vec<f64> {
     }
 }
 
-/// Frames ten times a second of the two seconds of each operation, and a spectrum of the window: the frames
-/// agree with the table of time, the spectrum with the statistics. A later run without them leaves none.
+/// Frames ten times a second of the two seconds of each operation, and a spectrum of the window:
+/// the frames agree with the table of time, the spectrum with the statistics. A later run without
+/// them leaves none.
 #[test]
 fn frames_and_spectra() {
     let desk = Desk::new();
@@ -75,7 +76,8 @@ fn frames_and_spectra() {
         "single precision"
     );
 
-    // One segment over the whole window: Hann's window weighs its middle, the variance comes out roughly.
+    // One segment over the whole window: Hann's window weighs its middle, the variance comes out
+    // roughly.
     let spectra = Table::read_parquet(&desk.path("out/spectra.parquet")).unwrap();
     let frequencies = numbers(&spectra, "frequency_Hz");
     assert!((frequencies[1] - 1.0).abs() < 0.03, "{}", frequencies[1]);

@@ -1,4 +1,5 @@
-//! What a run reports beside its numbers: what the rig cannot do, how a lift was tuned, where a bit left its table.
+//! What a run reports beside its numbers: what the rig cannot do, how a lift was tuned, where a bit
+//! left its table.
 
 use std::{f64::consts::PI, fs};
 
@@ -49,8 +50,8 @@ fn what_the_rig_cannot_do_is_told() {
         beyond[1].starts_with("error: rotate off bottom (soft): Surface torque of "),
         "{beyond:?}"
     );
-    // Of the dynamics, whose friction torque is 3 % lower, the largest sample counts: a string that is
-    // still finding its place swings by more.
+    // Of the dynamics, whose friction torque is 3 % lower, the largest sample counts: a string that
+    // is still finding its place swings by more.
     let dynamic = errors(0.9, &["--set", "model=dynamic"]);
     let of = |what: &str| dynamic.iter().any(|line| line.contains(what));
     assert!(
@@ -63,7 +64,8 @@ fn what_the_rig_cannot_do_is_told() {
     );
 }
 
-/// A tuned lift is reported of on the screen and in the summary, and is what the answer was computed with.
+/// A tuned lift is reported of on the screen and in the summary, and is what the answer was
+/// computed with.
 #[test]
 fn a_tuned_lift_is_reported() {
     let desk = Desk::new();
@@ -128,8 +130,8 @@ fn a_lift_that_is_not_found_says_which_came_nearest() {
     );
 }
 
-/// A bit whose weight swings beyond its table is reported of on the screen and in the summary; its rate of penetration is
-/// among the statistics.
+/// A bit whose weight swings beyond its table is reported of on the screen and in the summary; its
+/// rate of penetration is among the statistics.
 #[test]
 fn a_table_that_the_bit_leaves_is_told_of() {
     let desk = Desk::new();

@@ -72,8 +72,8 @@ fn a_run_writes_it_and_report_makes_it_again() {
         let [high, right] =
             ["offset_high_m", "offset_right_m"].map(|name| frames.channels[name].values());
         assert_eq!(high.len(), times.len() * depths.len());
-        // A pipe of 120 mm in a hole of 200 mm lies 40 mm off its axis, on the low side; where it turns it climbs the
-        // wall to the right. The contact gives by hundredths of a millimetre.
+        // A pipe of 120 mm in a hole of 200 mm lies 40 mm off its axis, on the low side; where it
+        // turns it climbs the wall to the right. The contact gives by hundredths of a millimetre.
         let middle = high.len() - depths.len() / 2;
         let offset = high[middle].hypot(right[middle]);
         assert!((offset - 0.04).abs() < 1e-4, "{offset} m");
@@ -106,8 +106,8 @@ fn path_hole_and_string_are_those_of_the_case() {
     assert!(report.runs.is_empty());
 }
 
-/// Every operation by both models over a minute, with as many frames as there are samples: however much a run keeps,
-/// its page stays small.
+/// Every operation by both models over a minute, with as many frames as there are samples: however
+/// much a run keeps, its page stays small.
 #[test]
 fn a_report_of_a_minute_stays_small() {
     let desk = Desk::new();
@@ -137,8 +137,8 @@ fn a_report_of_a_minute_stays_small() {
     }
 }
 
-/// The hook load stands without block, as in the summary, with the block's beside it, which is what the hoist carries;
-/// findings and spectra reach the page.
+/// The hook load stands without block, as in the summary, with the block's beside it, which is what
+/// the hoist carries; findings and spectra reach the page.
 #[test]
 fn block_findings_and_spectra_reach_the_page() {
     let desk = Desk::new();

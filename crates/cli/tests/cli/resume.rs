@@ -14,8 +14,8 @@ use wholestring_results::{Data, Table};
 
 use crate::desk::{Desk, transcript};
 
-/// All that a run leaves but for the time that it took: every file but the summary and the page that reports it to
-/// the byte.
+/// All that a run leaves but for the time that it took: every file but the summary and the page
+/// that reports it to the byte.
 fn leavings(desk: &Desk, folder: &str) -> (Value, BTreeMap<String, Vec<u8>>) {
     let files = fs::read_dir(desk.path(folder)).unwrap();
     let mut files: BTreeMap<String, Vec<u8>> = files
@@ -84,8 +84,8 @@ fn checkpointed(desk: &Desk, child: &mut Child, since: SystemTime) -> bool {
     false
 }
 
-/// A run is killed at up to `times` moments, each up to 80 ms after the first checkpoint since the last,
-/// and resumed after each. It must end with the same bits as one that was not.
+/// A run is killed at up to `times` moments, each up to 80 ms after the first checkpoint since the
+/// last, and resumed after each. It must end with the same bits as one that was not.
 fn killed(times: u32, duration: &str) {
     let desk = Desk::new();
     let whole = desk.run(&arguments(duration, &["-o", "whole"]));

@@ -128,8 +128,8 @@ fn soft_string_and_dynamics_side_by_side() {
     check_climb(&Table::read_parquet(&desk.path("here/and/there/nodes.parquet")).unwrap());
 
     let time = Table::read_parquet(&desk.path("here/and/there/time.parquet")).unwrap();
-    // Two operations of 2 s, a row every 10 ms: the sampling interval is a whole number of steps, so
-    // that it is 10 ms within half a step.
+    // Two operations of 2 s, a row every 10 ms: the sampling interval is a whole number of steps,
+    // so that it is 10 ms within half a step.
     assert!((380..=420).contains(&time.rows()), "{} rows", time.rows());
     let Data::Number(times) = &time.column("time_s").unwrap().data else {
         panic!("times are numbers");
@@ -137,8 +137,8 @@ fn soft_string_and_dynamics_side_by_side() {
     assert!((times[time.rows() - 1].unwrap() - 2.0).abs() < 0.02);
 }
 
-/// A string that turns clockwise climbs to the right, to `atan 0.25`; one that is pulled stays on the low
-/// side; the soft string lies there, whatever it does: its place is that of its load.
+/// A string that turns clockwise climbs to the right, to `atan 0.25`; one that is pulled stays on
+/// the low side; the soft string lies there, whatever it does: its place is that of its load.
 fn check_climb(nodes: &Table) {
     let text = |name: &str| match &nodes.column(name).unwrap().data {
         Data::Text(words) => words,

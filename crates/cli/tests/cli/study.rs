@@ -181,8 +181,8 @@ column = "contact_force_N_per_m"
 statistic = "max"
 "#;
 
-/// Maps show what the table of contact holds, wells are drawn once and named where there are several, and what is set
-/// on the command line holds for every case.
+/// Maps show what the table of contact holds, wells are drawn once and named where there are
+/// several, and what is set on the command line holds for every case.
 #[test]
 fn maps_and_wells_are_drawn() {
     let desk = Desk::new();
@@ -198,7 +198,8 @@ fn maps_and_wells_are_drawn() {
         assert_eq!(summary.settings["mesh"]["element_length_m"], 8.0, "{case}");
     }
 
-    // Two maps of the half second on either side of where the window begins, and a line across each.
+    // Two maps of the half second on either side of where the window begins, and a line across
+    // each.
     let map = read(&desk, "figures/map.svg");
     assert_eq!(
         map.matches("<image").count(),
@@ -275,7 +276,8 @@ fn maps_and_wells_are_drawn() {
         assert_eq!(painted[..4], *b"\x89PNG");
     }
 
-    // What a sweep varies cannot be set for all; what was painted goes where it is not requested again.
+    // What a sweep varies cannot be set for all; what was painted goes where it is not requested
+    // again.
     let output = run(&["--set", "bit_depth=400m"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(
@@ -288,8 +290,8 @@ fn maps_and_wells_are_drawn() {
     assert!(!desk.path("results/figures/map.png").exists());
 }
 
-/// Pulling takes `w L (cos i + μ sin i)`, 88 kN at 300 m and 147 kN at 500 m: a hoist of 120 kN lifts the first alone,
-/// and the figure rings the other.
+/// Pulling takes `w L (cos i + μ sin i)`, 88 kN at 300 m and 147 kN at 500 m: a hoist of 120 kN
+/// lifts the first alone, and the figure rings the other.
 #[test]
 fn a_case_with_an_error_is_ringed() {
     const STUDY: &str = r#"

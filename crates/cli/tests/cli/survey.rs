@@ -168,7 +168,8 @@ fn with_survey(desk: &Desk, survey: &str) {
     fs::write(desk.path("own.toml"), case).unwrap();
 }
 
-/// A survey that begins at 500 m, of which nothing else is known, begins 500 m below the origin: alone as in a case.
+/// A survey that begins at 500 m, of which nothing else is known, begins 500 m below the origin:
+/// alone as in a case.
 #[test]
 fn a_first_station_below_the_surface_lies_as_deep_everywhere() {
     let desk = Desk::new();

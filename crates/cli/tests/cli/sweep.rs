@@ -110,7 +110,8 @@ fn every_combination_is_a_row() {
     }
 }
 
-/// The same bits on one thread and on two, in a sweep and alone; and nothing but results on the disk.
+/// The same bits on one thread and on two, in a sweep and alone; and nothing but results on the
+/// disk.
 #[test]
 fn threads_leave_the_numbers_alone() {
     let desk = Desk::new();
@@ -260,8 +261,9 @@ fn a_killed_sweep_goes_on() {
     assert_eq!(rows(&desk, "killed").len(), 1 + 6 * 2);
 }
 
-/// Of a soft string the summary is kept, of dynamics the tables, or what `--keep` says; what was kept before and is not
-/// now goes, and a resumed sweep solves what lacks tables that are to be kept.
+/// Of a soft string the summary is kept, of dynamics the tables, or what `--keep` says; what was
+/// kept before and is not now goes, and a resumed sweep solves what lacks tables that are to be
+/// kept.
 #[test]
 fn what_is_kept_of_a_case() {
     let desk = Desk::new();
@@ -331,8 +333,8 @@ fn what_is_kept_of_a_case() {
     assert_eq!(output.status.code(), Some(2));
 }
 
-/// Every case is in one share; their tables make up that of all, and a last call over the same folder
-/// makes it without solving anything.
+/// Every case is in one share; their tables make up that of all, and a last call over the same
+/// folder makes it without solving anything.
 #[test]
 fn shards_make_up_the_whole() {
     let desk = Desk::new();

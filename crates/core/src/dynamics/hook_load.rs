@@ -1,4 +1,5 @@
-//! A constant lift on the top of the string, found so that the mean weight on bit is what the operation requires.
+//! A constant lift on the top of the string, found so that the mean weight on bit is what the
+//! operation requires.
 
 use std::sync::Arc;
 
@@ -69,22 +70,24 @@ pub enum TuningError {
     Stopped,
 }
 
-/// Finds the constant lift under which the mean weight on bit over the window is the operation's, within
-/// [`DynamicsSettings::lift_tolerance`], and gives back the run with it, finished.
+/// Finds the constant lift under which the mean weight on bit over the window is the operation's,
+/// within [`DynamicsSettings::lift_tolerance`], and gives back the run with it, finished.
 ///
-/// Each try is the whole run, from its start to the end of its window. The first is the hook load of the soft string
-/// (for [`FrictionLaw::Independent`] that of a string which slides, as that law drags). From there the lift continues by the
-/// weight that is missing or too much, in growing steps, until it has tried too much and too little; between those it continues
-/// by the secant, the side that stays halved each time (the Illinois rule). Where several lifts give the weight, it
-/// is the one that this finds: the same on every run.
+/// Each try is the whole run, from its start to the end of its window. The first is the hook load
+/// of the soft string (for [`FrictionLaw::Independent`] that of a string which slides, as that law
+/// drags). From there the lift continues by the weight that is missing or too much, in growing
+/// steps, until it has tried too much and too little; between those it continues by the secant, the
+/// side that stays halved each time (the Illinois rule). Where several lifts give the weight, it is
+/// the one that this finds: the same on every run.
 ///
-/// `watch` is shown the number of the try, from one, and its run a few times each simulated second; the search stops where it
-/// answers `false`, or where the `executor`, which works on solid rock under the bit, asks to stop. Where the window
-/// begins when the string is steady, each try settles for itself: its mean is that of a string that is steady under its
-/// lift.
+/// `watch` is shown the number of the try, from one, and its run a few times each simulated second;
+/// the search stops where it answers `false`, or where the `executor`, which works on solid rock
+/// under the bit, asks to stop. Where the window begins when the string is steady, each try settles
+/// for itself: its mean is that of a string that is steady under its lift.
 ///
 /// # Errors
-/// An operation without weight on bit, a run that cannot begin or diverges, and a weight that no lift gives.
+/// An operation without weight on bit, a run that cannot begin or diverges, and a weight that no
+/// lift gives.
 pub fn tune_hook_load(
     model: &Model,
     operation: &Operation,
@@ -164,7 +167,8 @@ fn guess_N(
     Ok(profile.scalars.hook_load_N.max(0.0))
 }
 
-/// Least part of the way from one side to the other that a secant goes: it does not creep along a bend.
+/// Least part of the way from one side to the other that a secant goes: it does not creep along a
+/// bend.
 const MIN_PART: f64 = 0.08;
 
 /// By what the steps grow as long as one side has not been found.
@@ -260,8 +264,8 @@ mod tests {
         }
     }
 
-    /// Friction holds the string over a wide range of lifts: the weight stands still there, and grows where friction
-    /// has given way.
+    /// Friction holds the string over a wide range of lifts: the weight stands still there, and
+    /// grows where friction has given way.
     #[test]
     fn a_plateau_is_passed() {
         let weight = |lift: f64| {
@@ -274,7 +278,8 @@ mod tests {
         }
     }
 
-    /// A bit that cannot bear what is asked, however little is lifted, and a weight that jumps over it.
+    /// A bit that cannot bear what is asked, however little is lifted, and a weight that jumps over
+    /// it.
     #[test]
     fn what_no_lift_gives_is_not_found() {
         assert_eq!(tries(60e3, 100e3, |lift| 50e3 - lift), None);

@@ -1,7 +1,7 @@
 //! Stretches of depth on which something is beyond its limit.
 
-/// Two stretches nearer than this are reported as one, m: critical loads jump where a hole or a string
-/// changes, and so come in pieces.
+/// Two stretches nearer than this are reported as one, m: critical loads jump where a hole or a
+/// string changes, and so come in pieces.
 const MERGED_M: f64 = 100.0;
 
 /// A stretch of measured depth.

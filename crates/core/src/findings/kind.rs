@@ -32,9 +32,9 @@ macro_rules! kinds {
 kinds! {
     /// The hook load is at or below zero: the string does not go down by its weight. Against zero.
     HookLoadNegative, "hook_load_negative", "N";
-    /// A string that slides down does not bring the weight to the bit: the weight that was requested
-    /// , against what arrives with the whole string slacked off and the block, where its weight
-    /// is known, pushing.
+    /// A string that slides down does not bring the weight to the bit: the weight that was
+    /// requested , against what arrives with the whole string slacked off and the block, where its
+    /// weight is known, pushing.
     LockUp, "lock_up", "N";
     /// The mean weight on bit is below its target.
     WeightOnBitNotReached, "weight_on_bit_not_reached", "N";

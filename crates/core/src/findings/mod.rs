@@ -1,8 +1,8 @@
 //! What an engineer must know about a result.
 //!
 //! Every rule is a pure function from the model, the operation and what a solver gave to
-//! [`Finding`]s: a kind, how grave it is, where, how much, and what that is compared with. Words and
-//! users' units are not made here.
+//! [`Finding`]s: a kind, how grave it is, where, how much, and what that is compared with. Words
+//! and users' units are not made here.
 
 mod buckling;
 mod finding;

@@ -3,7 +3,8 @@
 use super::{Finding, Kind, Level};
 use crate::{dynamics::DynamicOutcome, operation::Operation};
 
-/// Travel of the bit in the window from which a drift is one of the place as much as of the start, m.
+/// Travel of the bit in the window from which a drift is one of the place as much as of the start,
+/// m.
 const TRAVELS_M: f64 = 1.0;
 
 /// How far from the depth that was asked for the bit may be on average over the window, m.

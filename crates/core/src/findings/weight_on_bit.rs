@@ -16,8 +16,8 @@ const OFF: f64 = 0.05;
 /// A mean that is off by more than this is the answer to another question.
 const FAR_OFF: f64 = 0.2;
 
-/// A standard deviation beyond this part of the mean is reported: the weight then swings by half of it
-/// either way.
+/// A standard deviation beyond this part of the mean is reported: the weight then swings by half of
+/// it either way.
 const UNSTEADY: f64 = 0.25;
 
 /// A bit that is off the rock for more than this share of the time bounces.

@@ -1,24 +1,24 @@
 //! Mud between a pipe and its hole: steady helical flow, and what it does to the pipe.
 //!
-//! With `G` the pressure's gradient by friction, `r` the radius and `z` along the hole, momentum leaves two
-//! constants of integration,
+//! With `G` the pressure's gradient by friction, `r` the radius and `z` along the hole, momentum
+//! leaves two constants of integration,
 //!
 //! ```text
 //! τ_rz = G r/2 + B/r,      τ_rθ = C/r²,      γ̇ = γ̇(|τ|),
 //! ```
 //!
-//! and three conditions fix all three (Coleman, Markovitz and Noll 1966): the pipe's velocity `v` along the
-//! hole, its spin `Ω`, and the flow rate. The pipe pushes mud aside as it moves, so that the annulus carries
-//! upwards what the pump delivers and what the pipe displaces, `Q + π r² v` (its bore is full and only the
-//! pump feeds it: a float valve in the string). With that
+//! and three conditions fix all three (Coleman, Markovitz and Noll 1966): the pipe's velocity `v`
+//! along the hole, its spin `Ω`, and the flow rate. The pipe pushes mud aside as it moves, so that
+//! the annulus carries upwards what the pump delivers and what the pipe displaces, `Q + π r² v`
+//! (its bore is full and only the pump feeds it: a float valve in the string). With that
 //!
 //! ```text
 //! ∫ r (r/2) w' dr = Q/2π,      ∫ w' dr = −v,      ∫ ω' dr = −Ω        over the gap,
 //! ```
 //!
-//! the gradient of a convex function of `(G, B, C)`, found by Newton's method. The mud pulls the pipe along with
-//! `2π r τ_rz = π r² G + 2π B`; its pressure pushes back with `π r² G` per length; what is left and loads the
-//! *effective* tension is `2π B`. The torque is `2π C`.
+//! the gradient of a convex function of `(G, B, C)`, found by Newton's method. The mud pulls the
+//! pipe along with `2π r τ_rz = π r² G + 2π B`; its pressure pushes back with `π r² G` per length;
+//! what is left and loads the *effective* tension is `2π B`. The torque is `2π C`.
 
 use std::{f64::consts::PI, sync::LazyLock};
 
@@ -27,12 +27,12 @@ use serde::{Deserialize, Serialize};
 
 use super::{Mud, Rheology, turbulence};
 
-/// Nearest that a pipe comes to filling its hole, as a part of its radius: what is wider has blades or junk slots
-/// that let the mud pass.
+/// Nearest that a pipe comes to filling its hole, as a part of its radius: what is wider has blades
+/// or junk slots that let the mud pass.
 const FULLEST: f64 = 0.9;
 
-/// Speed of shear below which a mud is taken to be sheared so all the same, m/s. A yield point would otherwise
-/// hold the pipe with an infinite coefficient.
+/// Speed of shear below which a mud is taken to be sheared so all the same, m/s. A yield point
+/// would otherwise hold the pipe with an infinite coefficient.
 const SLOWEST_M_PER_S: f64 = 0.01;
 
 /// Points of the quadrature in each of the two or three layers that the gap is cut into.
@@ -88,8 +88,8 @@ impl AnnulusDrag {
 }
 
 impl Annulus {
-    /// The gap between a pipe and a hole of these diameters, m. A pipe that fills more than nine tenths of its hole
-    /// counts as one that fills nine tenths.
+    /// The gap between a pipe and a hole of these diameters, m. A pipe that fills more than nine
+    /// tenths of its hole counts as one that fills nine tenths.
     pub fn new(pipe_od_m: f64, hole_diameter_m: f64) -> Self {
         let hole_m = 0.5 * hole_diameter_m;
         Self {
@@ -105,8 +105,8 @@ impl Annulus {
 
     /// What `mud` does to the pipe; nothing if it has no rheology.
     ///
-    /// The forces are right at `motion`; how they change with the velocity along the hole is their slope
-    /// there (in turbulent flow, the laminar slope times the same factor).
+    /// The forces are right at `motion`; how they change with the velocity along the hole is their
+    /// slope there (in turbulent flow, the laminar slope times the same factor).
     pub fn drag(&self, mud: &Mud, motion: &Motion) -> AnnulusDrag {
         let Some(rheology) = mud.rheology else {
             return AnnulusDrag::default();
@@ -173,10 +173,11 @@ impl Annulus {
             + drag.spin_drag_N_s * motion.spin_rad_per_s.powi(2)
     }
 
-    /// By how much vortices raise the forces along the hole and the torque. Both Reynolds numbers are taken at the
-    /// viscosity of a Newtonian mud that would take the same power: for flow along the hole alone that is
-    /// Metzner and Reed's. The turbulence of the flow raises the torque with the pressure (Reynolds'
-    /// analogy) where rotation does not raise it more; what Taylor's vortices add to the pressure is left out.
+    /// By how much vortices raise the forces along the hole and the torque. Both Reynolds numbers
+    /// are taken at the viscosity of a Newtonian mud that would take the same power: for flow along
+    /// the hole alone that is Metzner and Reed's. The turbulence of the flow raises the torque with
+    /// the pressure (Reynolds' analogy) where rotation does not raise it more; what Taylor's
+    /// vortices add to the pressure is left out.
     fn mixing(
         &self,
         mud: &Mud,
@@ -215,7 +216,8 @@ impl Annulus {
             let Some(step) = at.slopes.cholesky().map(|l| l.solve(&missing)) else {
                 break;
             };
-            // On a convex function the slope along the step must not come out steeper than it went in.
+            // On a convex function the slope along the step must not come out steeper than it went
+            // in.
             let (mut part, downhill) = (1.0, missing.dot(&step));
             let mut next = self.strain(rheology, &(x + step));
             while (next.rates - wanted).dot(&step) > 0.5 * downhill && part > 1e-3 {
@@ -289,15 +291,16 @@ impl Annulus {
     }
 }
 
-/// Radii, over the hole's, between which the integrands are smooth: the pipe, the edges of the plug or the
-/// place of the least stress, the hole.
+/// Radii, over the hole's, between which the integrands are smooth: the pipe, the edges of the plug
+/// or the place of the least stress, the hole.
 struct Layers {
     edges: [f64; 4],
 }
 
 impl Layers {
     fn new(x: &Vector3<f64>, inner: f64, knee_Pa: f64) -> Self {
-        // With ρ the square of the radius the square of the stress is g²ρ/4 + gb + b²/ρ + c²/ρ²: convex.
+        // With ρ the square of the radius the square of the stress is g²ρ/4 + gb + b²/ρ + c²/ρ²:
+        // convex.
         let (g2, b2, c2) = (0.25 * x.x * x.x, x.y * x.y, x.z * x.z);
         let square = |rho: f64| g2 * rho + x.x * x.y + b2 / rho + c2 / (rho * rho);
         let slope = |rho: f64| g2 - (b2 + 2.0 * c2 / rho) / (rho * rho);

@@ -4,12 +4,12 @@ use std::f64::consts::PI;
 
 use super::{Mud, Rheology, turbulence};
 
-/// What friction takes from the pressure on the way through a bore, Pa/m, at a flow rate relative to the pipe;
-/// zero without a rheology.
+/// What friction takes from the pressure on the way through a bore, Pa/m, at a flow rate relative
+/// to the pipe; zero without a rheology.
 ///
-/// Laminar by Rabinowitsch's integral: Hagen and Poiseuille, Buckingham and Reiner, Metzner and Reed.
-/// Turbulent, and between the two, by API RP 13D: from a Reynolds number of 2100 on for a Newtonian mud.
-/// The pipe is smooth, without joints.
+/// Laminar by Rabinowitsch's integral: Hagen and Poiseuille, Buckingham and Reiner, Metzner and
+/// Reed. Turbulent, and between the two, by API RP 13D: from a Reynolds number of 2100 on for a
+/// Newtonian mud. The pipe is smooth, without joints.
 pub fn gradient_Pa_per_m(mud: &Mud, bore_m2: f64, flow_m3_per_s: f64) -> f64 {
     let (Some(rheology), true) = (mud.rheology, bore_m2 > 0.0 && flow_m3_per_s > 0.0) else {
         return 0.0;
@@ -35,7 +35,8 @@ fn laminar_wall_stress_Pa(rheology: &Rheology, radius_m: f64, flow_m3_per_s: f64
             plastic_viscosity_Pa_s,
             yield_point_Pa,
         } => {
-            // τ (1 − 4/3 y + y⁴/3) = 4 μ Q/(π r³), y = τ₀/τ: convex, and the start lies above the root.
+            // τ (1 − 4/3 y + y⁴/3) = 4 μ Q/(π r³), y = τ₀/τ: convex, and the start lies above the
+            // root.
             let newtonian = 4.0 * plastic_viscosity_Pa_s * rate;
             let mut wall = newtonian + 4.0 / 3.0 * yield_point_Pa;
             for _ in 0..60 {
@@ -65,7 +66,8 @@ mod tests {
         }
     }
 
-    /// Rabinowitsch's integral by Simpson's rule gives back the flow rate that the closed forms took.
+    /// Rabinowitsch's integral by Simpson's rule gives back the flow rate that the closed forms
+    /// took.
     #[test]
     fn laminar_gradients_invert_rabinowitschs_integral() {
         let radius = 0.05;
@@ -126,8 +128,9 @@ mod tests {
         assert!((found / expected - 1.0).abs() < 0.01, "{found} {expected}");
     }
 
-    /// Where flow turns turbulent the gradient is API RP 13D's, whatever the mud: `2 f ρ v²/d` with its friction at Metzner
-    /// and Reed's Reynolds number, which all the muds are given by the speed.
+    /// Where flow turns turbulent the gradient is API RP 13D's, whatever the mud: `2 f ρ v²/d` with
+    /// its friction at Metzner and Reed's Reynolds number, which all the muds are given by the
+    /// speed.
     #[test]
     fn the_transition_is_that_of_api_rp_13d() {
         let (radius, area) = (0.05, PI * 0.05f64.powi(2));

@@ -5,8 +5,8 @@ use std::ops::{Add, Mul};
 /// Mud forces on a whole string and the pressures that its flow takes.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize, serde::Deserialize)]
 pub struct Hydraulics {
-    /// What the mud's friction adds to the hook load, N: positive where the string is pulled out, negative
-    /// where mud streams up along it.
+    /// What the mud's friction adds to the hook load, N: positive where the string is pulled out,
+    /// negative where mud streams up along it.
     #[serde(with = "crate::finite")]
     pub mud_drag_N: f64,
     /// What it adds to the surface torque, N·m.
@@ -65,8 +65,8 @@ impl Mul<f64> for Hydraulics {
     }
 }
 
-/// Strain of a closed pipe by pressures outside and inside beyond the mud's weight, of areas `A_o` and `A_i`:
-/// `−(1 − 2ν)/E · (p_o A_o − p_i A_i)/(A_o − A_i)`.
+/// Strain of a closed pipe by pressures outside and inside beyond the mud's weight, of areas `A_o`
+/// and `A_i`: `−(1 − 2ν)/E · (p_o A_o − p_i A_i)/(A_o − A_i)`.
 pub fn pressure_strain(per_Pa: f64, outside: (f64, f64), inside: (f64, f64)) -> f64 {
     let ((outer_Pa, outer_m2), (inner_Pa, inner_m2)) = (outside, inside);
     -per_Pa * (outer_Pa * outer_m2 - inner_Pa * inner_m2) / (outer_m2 - inner_m2)

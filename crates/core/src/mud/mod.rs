@@ -19,17 +19,18 @@ pub struct Mud {
     pub linear_drag_Pa_s: f64,
     /// Quadratic lateral drag coefficient `C_d` of a cylinder on its outside diameter.
     pub drag_coefficient: f64,
-    /// How it flows; without it the mud drags neither along the string nor around it, and circulates
-    /// without loss.
+    /// How it flows; without it the mud drags neither along the string nor around it, and
+    /// circulates without loss.
     pub rheology: Option<Rheology>,
 }
 
 impl Mud {
-    /// Upward thrust of the bit's jets on the string, N: `ρ Q u` with the jet's speed `u = √(2 Δp/ρ)`; none
-    /// without a rheology.
+    /// Upward thrust of the bit's jets on the string, N: `ρ Q u` with the jet's speed
+    /// `u = √(2 Δp/ρ)`; none without a rheology.
     ///
-    /// Momentum about the bit leaves nothing else of the nozzles' pressure drop in the effective tension: the
-    /// pressure that acts on the bit from inside is the one that effective tension takes away from real tension.
+    /// Momentum about the bit leaves nothing else of the nozzles' pressure drop in the effective
+    /// tension: the pressure that acts on the bit from inside is the one that effective tension
+    /// takes away from real tension.
     pub fn jet_thrust_N(&self, flow_m3_per_s: f64, bit_loss_Pa: f64) -> f64 {
         match self.rheology {
             Some(_) => flow_m3_per_s * (2.0 * self.density_kg_per_m3 * bit_loss_Pa).sqrt(),

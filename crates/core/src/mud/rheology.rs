@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-/// How much more viscous than its plastic viscosity a Bingham mud is taken to be below its yield point:
-/// a stiff liquid for a solid (O'Donovan and Tanner 1984), 1e-4 off the stress.
+/// How much more viscous than its plastic viscosity a Bingham mud is taken to be below its yield
+/// point: a stiff liquid for a solid (O'Donovan and Tanner 1984), 1e-4 off the stress.
 const UNYIELDED: f64 = 1e4;
 
 /// How a mud flows: a generalised Newtonian fluid.
@@ -93,8 +93,8 @@ impl Rheology {
         }
     }
 
-    /// Stress at which the flow has a kink, Pa: where a Bingham mud's stiff line meets its plastic one; zero for
-    /// the others.
+    /// Stress at which the flow has a kink, Pa: where a Bingham mud's stiff line meets its plastic
+    /// one; zero for the others.
     pub(super) fn knee_Pa(&self) -> f64 {
         match *self {
             Self::Bingham { yield_point_Pa, .. } => yield_point_Pa / (1.0 - 1.0 / UNYIELDED),

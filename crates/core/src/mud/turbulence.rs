@@ -6,12 +6,13 @@ use std::f64::consts::PI;
 
 /// Fanning friction over that of laminar flow, `laminar/Re`: 16 in a pipe, 24 in a slot.
 ///
-/// API RP 13D with Metzner and Reed's Reynolds number and the flow index `n`: laminar to `Re₁ = 3470 − 1370 n`,
-/// turbulent from `Re₂ = 4270 − 1370 n` on, and a straight line in `Re` between the frictions of the two. For a
-/// Newtonian mud that is from 2100 to 2900, for `n = 0.2` from 3196 to 3996. Turbulent,
-/// `f = a/Re^b` with `a = (lg n + 3.93)/50` and `b = (1.75 − lg n)/7`: the explicit form of Dodge and Metzner
-/// (1959); for `n = 1` nearly Blasius'. A mud that thickens has the bounds of a Newtonian one. Where the
-/// turbulent law stays below the laminar one, as it does for the thinnest muds, friction stays laminar.
+/// API RP 13D with Metzner and Reed's Reynolds number and the flow index `n`: laminar to
+/// `Re₁ = 3470 − 1370 n`, turbulent from `Re₂ = 4270 − 1370 n` on, and a straight line in `Re`
+/// between the frictions of the two. For a Newtonian mud that is from 2100 to 2900, for `n = 0.2`
+/// from 3196 to 3996. Turbulent, `f = a/Re^b` with `a = (lg n + 3.93)/50` and
+/// `b = (1.75 − lg n)/7`: the explicit form of Dodge and Metzner (1959); for `n = 1` nearly
+/// Blasius'. A mud that thickens has the bounds of a Newtonian one. Where the turbulent law stays
+/// below the laminar one, as it does for the thinnest muds, friction stays laminar.
 pub(super) fn through_flow(reynolds: f64, flow_index: f64, laminar: f64) -> f64 {
     let laminar_to = 3470.0 - 1370.0 * flow_index.min(1.0);
     if reynolds <= laminar_to {
@@ -29,12 +30,12 @@ pub(super) fn through_flow(reynolds: f64, flow_index: f64, laminar: f64) -> f64 
     (friction * reynolds / laminar).max(1.0)
 }
 
-/// Torque on a cylinder that rotates in a hole at rest over that of laminar Couette flow; `eta` the ratio of the
-/// radii, `reynolds = ρ Ω r h/μ` with the gap `h`.
+/// Torque on a cylinder that rotates in a hole at rest over that of laminar Couette flow; `eta` the
+/// ratio of the radii, `reynolds = ρ Ω r h/μ` with the gap `h`.
 ///
-/// Wendt (1933), `T/(ρ ν² L) = 1.45 η^(3/2) (1 − η)^(−7/4) Re^1.5` to `Re = 1e4` and `0.23 … Re^1.7` above, as
-/// Lathrop, Fineberg and Swinney (1992) give him. It meets the laminar law within 40 % of the
-/// Reynolds number where Taylor's vortices set in.
+/// Wendt (1933), `T/(ρ ν² L) = 1.45 η^(3/2) (1 − η)^(−7/4) Re^1.5` to `Re = 1e4` and
+/// `0.23 … Re^1.7` above, as Lathrop, Fineberg and Swinney (1992) give him. It meets the laminar
+/// law within 40 % of the Reynolds number where Taylor's vortices set in.
 pub(super) fn rotation(reynolds: f64, eta: f64) -> f64 {
     let shape = eta.sqrt() * (1.0 + eta) * (1.0 - eta).powf(0.25) / (4.0 * PI);
     (shape * (1.45 * reynolds.sqrt()).max(0.23 * reynolds.powf(0.7))).max(1.0)
@@ -57,8 +58,9 @@ mod tests {
         }
     }
 
-    /// API RP 13D's friction, worked out by hand from its formulas to the digits given: 16/Re and 24/Re
-    /// below 3470 − 1370 n, `a/Re^b` above 4270 − 1370 n, and halfway between the two the mean of the frictions at them.
+    /// API RP 13D's friction, worked out by hand from its formulas to the digits given: 16/Re and
+    /// 24/Re below 3470 − 1370 n, `a/Re^b` above 4270 − 1370 n, and halfway between the two the
+    /// mean of the frictions at them.
     #[test]
     fn friction_is_that_of_api_rp_13d() {
         // Pipe and slot; flow index, Reynolds number, Fanning friction.
@@ -89,8 +91,9 @@ mod tests {
         }
     }
 
-    /// Nothing jumps, whatever the index: the factor goes as `Re²` or so where the transition is steepest, by 2e-4 in
-    /// a step of 1e-4 of the Reynolds number; a jump from one law to the other would be 0.1 to 0.4.
+    /// Nothing jumps, whatever the index: the factor goes as `Re²` or so where the transition is
+    /// steepest, by 2e-4 in a step of 1e-4 of the Reynolds number; a jump from one law to the other
+    /// would be 0.1 to 0.4.
     #[test]
     fn friction_is_continuous() {
         for n in [0.15, 0.3, 0.5, 0.7, 1.0, 1.4] {
@@ -107,8 +110,9 @@ mod tests {
         }
     }
 
-    /// Taylor's vortices set in at Re 68.2 for η = 0.5 and 85.8 for η = 0.75 (DiPrima and Swinney 1981): the
-    /// correlation leaves the laminar line within 40 % of that. Its two branches meet at 1e4.
+    /// Taylor's vortices set in at Re 68.2 for η = 0.5 and 85.8 for η = 0.75 (DiPrima and Swinney
+    /// 1981): the correlation leaves the laminar line within 40 % of that. Its two branches meet at
+    /// 1e4.
     #[test]
     fn rotation_leaves_the_laminar_line_where_vortices_set_in() {
         for (eta, critical) in [(0.5, 68.2), (0.75, 85.8)] {

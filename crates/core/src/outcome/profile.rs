@@ -14,9 +14,9 @@ pub(crate) const SLACK: f64 = 1e-3;
 /// Measured depth of the shallowest change between tension and compression, m; `None` if there is
 /// none.
 ///
-/// `md_m` grows, `tension_N` is the effective tension there. A string that hangs free has no neutral
-/// point: its tension reaches zero at the bit, but does not pass it. Nor has a string that lies
-/// slack in a horizontal hole: tensions below a thousandth of the largest one are passed over.
+/// `md_m` grows, `tension_N` is the effective tension there. A string that hangs free has no
+/// neutral point: its tension reaches zero at the bit, but does not pass it. Nor has a string that
+/// lies slack in a horizontal hole: tensions below a thousandth of the largest one are passed over.
 pub fn neutral_point_m(md_m: &[f64], tension_N: &[f64]) -> Option<f64> {
     let largest_N = tension_N
         .iter()
@@ -25,8 +25,8 @@ pub fn neutral_point_m(md_m: &[f64], tension_N: &[f64]) -> Option<f64> {
     neutral_point_among(tensions_N, largest_N, |index| md_m[index])
 }
 
-/// [`neutral_point_m`] of a profile that is read place by place, with their indices, and whose largest magnitude is
-/// known.
+/// [`neutral_point_m`] of a profile that is read place by place, with their indices, and whose
+/// largest magnitude is known.
 pub(crate) fn neutral_point_among(
     tension_N: impl Iterator<Item = (usize, f64)>,
     largest_N: f64,
@@ -55,8 +55,8 @@ pub(crate) fn neutral_point_among(
 /// How far below the build the cut-off is looked for, m.
 const BELOW_BUILD_M: f64 = 30.0;
 
-/// The cut-off of a string in its well: [`cutoff_depth_m`] from the kick-off to 30 m below the build, or to
-/// the bit where that is shallower.
+/// The cut-off of a string in its well: [`cutoff_depth_m`] from the kick-off to 30 m below the
+/// build, or to the bit where that is shallower.
 pub fn cutoff_in_build_m(
     path: &Path,
     bit_depth_m: f64,
@@ -122,7 +122,8 @@ struct Contact {
     force_N_per_m: f64,
 }
 
-/// The samples that touch, each with the length between `from_md_m` and `to_md_m` that it stands for.
+/// The samples that touch, each with the length between `from_md_m` and `to_md_m` that it stands
+/// for.
 fn contacts(md_m: &[f64], force_N_per_m: &[f64], from_md_m: f64, to_md_m: f64) -> Vec<Contact> {
     let count = md_m.len().min(force_N_per_m.len());
     let largest = force_N_per_m
@@ -191,8 +192,8 @@ mod tests {
     #[test]
     fn cutoff_is_the_deepest_change_of_the_mean_and_not_of_a_ripple() {
         let md: Vec<f64> = (0..1000).map(f64::from).collect();
-        // High to 200 m, low to 500 m, high to 600 m, low below; on it a ripple of 3 m, a tenth of the
-        // averaging length, that changes sides all the time.
+        // High to 200 m, low to 500 m, high to 600 m, low below; on it a ripple of 3 m, a tenth of
+        // the averaging length, that changes sides all the time.
         let force: Vec<f64> = md
             .iter()
             .map(|&md| {

@@ -28,8 +28,8 @@ pub struct BlockSpec {
     pub rock: Rock,
     /// Faces −x, +x, −y, +y, −z, +z.
     pub edges: [Edge; 6],
-    /// Pressure of what fills the hole, Pa: it presses on every free face, also on those that removed elements leave,
-    /// and is the initial stress across z.
+    /// Pressure of what fills the hole, Pa: it presses on every free face, also on those that
+    /// removed elements leave, and is the initial stress across z.
     pub pressure_Pa: f64,
     /// Initial pressure in the rock across x and y, Pa.
     pub confinement_Pa: f64,
@@ -93,7 +93,8 @@ pub struct SurfaceNode {
     pub position_m: [f64; 3],
     /// How it would move on if nothing pushed it, m/s.
     pub velocity_m_per_s: [f64; 3],
-    /// How it came here, m/s: before the rock's own forces acted on it. The difference times mass over step are those.
+    /// How it came here, m/s: before the rock's own forces acted on it. The difference times mass
+    /// over step are those.
     pub before_m_per_s: [f64; 3],
     /// Its mass, kg.
     pub mass_kg: f64,
@@ -103,8 +104,8 @@ pub struct SurfaceNode {
 
 /// A block of rock: elements of one rock in a grid, some of which have failed and are gone.
 ///
-/// It is plain data. Positions are those at the last step, velocities those half a step later, as central differences
-/// have them.
+/// It is plain data. Positions are those at the last step, velocities those half a step later, as
+/// central differences have them.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Block {
     pub(super) grid: Grid,
@@ -220,8 +221,8 @@ impl Block {
         };
     }
 
-    /// One step: nodes drift, elements answer, nodes are kicked, elements that have failed go. What touches the block pushes
-    /// between two steps. How many elements went.
+    /// One step: nodes drift, elements answer, nodes are kicked, elements that have failed go. What
+    /// touches the block pushes between two steps. How many elements went.
     pub fn step(&mut self, stepper: &Stepper, executor: &impl Executor) -> usize {
         let (grid, constants) = (self.grid, self.constants);
         let dt = constants.dt_s;
@@ -295,11 +296,12 @@ impl Block {
         })
     }
 
-    /// Pushes an exposed node with a force, N, through one step; the work that was done on the block, J. All that pushes
-    /// a node goes into one force.
+    /// Pushes an exposed node with a force, N, through one step; the work that was done on the
+    /// block, J. All that pushes a node goes into one force.
     ///
-    /// The work is the force times the mean of the velocities with which the node came and goes, as that of the rock's own
-    /// forces is. What holds a node of an outer face bears the push, and its motion stays as prescribed.
+    /// The work is the force times the mean of the velocities with which the node came and goes, as
+    /// that of the rock's own forces is. What holds a node of an outer face bears the push, and its
+    /// motion stays as prescribed.
     pub fn push(&mut self, index: usize, force_N: [f64; 3]) -> f64 {
         let inverse = self.inverse_mass[index];
         let mut work_J = 0.0;

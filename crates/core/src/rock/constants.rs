@@ -7,19 +7,21 @@ use super::{
     plasticity::Law,
 };
 
-/// An element whose shortest stretch falls below this is removed: `|F⁻¹|²` of one that is squeezed to a half.
+/// An element whose shortest stretch falls below this is removed: `|F⁻¹|²` of one that is squeezed
+/// to a half.
 pub const MAX_SQUEEZED: f64 = 6.0;
 
 /// How the elements are integrated.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Numerics {
-    /// Step as a part of the one that the stiffest element at rest bears. The rest is for elements that are squeezed.
+    /// Step as a part of the one that the stiffest element at rest bears. The rest is for elements
+    /// that are squeezed.
     pub step_fraction: f64,
-    /// Linear bulk viscosity: pressure per `ρ c_p h` and rate of swelling. Raising it damps the waves of one
-    /// element's length, and shortens the step.
+    /// Linear bulk viscosity: pressure per `ρ c_p h` and rate of swelling. Raising it damps the
+    /// waves of one element's length, and shortens the step.
     pub bulk_viscosity: f64,
-    /// Stiffness against hourglassing, as a part of the element's own. Too little lets it hourglass, too
-    /// much stiffens it in bending.
+    /// Stiffness against hourglassing, as a part of the element's own. Too little lets it
+    /// hourglass, too much stiffens it in bending.
     pub hourglass_stiffness: f64,
     /// Damping of hourglassing, as a part of the critical.
     pub hourglass_damping: f64,
@@ -85,7 +87,8 @@ impl Constants {
         let squares = size_m.map(|h| 1.0 / (h * h));
         let hourglass = numerics.hourglass_stiffness * (lame + 2.0 * shear) * volume_m3 / 16.0
             * squares.iter().sum::<f64>();
-        // An element's highest frequencies: it swells, it shears, it hourglasses. No mesh of it has a higher one.
+        // An element's highest frequencies: it swells, it shears, it hourglasses. No mesh of it has
+        // a higher one.
         let swelling = squares
             .iter()
             .map(|square| square * (lame * 3.0 + 2.0 * shear))

@@ -13,8 +13,9 @@ pub enum Edge {
     Held,
     /// Nodes move across the face as prescribed, and freely along it: a plane of symmetry.
     Guided,
-    /// More rock of the same kind, under the stress that the block had at first. Waves that arrive squarely pass: each
-    /// area `A` is a dashpot `ρ c_p A` across and `ρ c_s A` along the face (Lysmer and Kuhlemeyer 1969).
+    /// More rock of the same kind, under the stress that the block had at first. Waves that arrive
+    /// squarely pass: each area `A` is a dashpot `ρ c_p A` across and `ρ c_s A` along the face
+    /// (Lysmer and Kuhlemeyer 1969).
     Open,
 }
 
@@ -45,7 +46,8 @@ pub struct EdgeWork {
 }
 
 impl Edges {
-    /// Faces −x, +x, −y, +y, −z, +z; `stress_Pa` is the initial stress across x, y and z above that of the filling.
+    /// Faces −x, +x, −y, +y, −z, +z; `stress_Pa` is the initial stress across x, y and z above that
+    /// of the filling.
     pub fn new(grid: &Grid, faces: &[Edge; 6], stress_Pa: [f64; 3], constants: &Constants) -> Self {
         let mut found = Vec::new();
         for node in grid.each_node() {

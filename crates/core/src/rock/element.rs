@@ -1,13 +1,15 @@
 //! The eight-node hexahedral element with one point of integration.
 //!
-//! A field over the eight corners is turned into its sums over them with the signs of the products of the natural
-//! coordinates (Hadamard's transform): the mean, three **gradients**, four **hourglasses**. In an element at rest the
-//! hourglasses of the coordinates themselves vanish, so that those of the displacement feel neither rigid motion nor
-//! uniform strain, which is all that Flanagan and Belytschko ask of them (1981).
+//! A field over the eight corners is turned into its sums over them with the signs of the products
+//! of the natural coordinates (Hadamard's transform): the mean, three **gradients**, four
+//! **hourglasses**. In an element at rest the hourglasses of the coordinates themselves vanish, so
+//! that those of the displacement feel neither rigid motion nor uniform strain, which is all that
+//! Flanagan and Belytschko ask of them (1981).
 //!
-//! Everything refers to the element at rest, where gradients are constants of the grid. With the deformation gradient `F`
-//! and its rate over a step, the strain and rotation of the step are those at its middle (Hughes and Winget 1980),
-//! and the Kirchhoff stress `τ` pulls at the corners by `V₀ τ F⁻ᵀ`.
+//! Everything refers to the element at rest, where gradients are constants of the grid. With the
+//! deformation gradient `F` and its rate over a step, the strain and rotation of the step are those
+//! at its middle (Hughes and Winget 1980), and the Kirchhoff stress `τ` pulls at the corners by
+//! `V₀ τ F⁻ᵀ`.
 
 // Indices say which component meets which.
 #![allow(clippy::needless_range_loop)]
@@ -18,8 +20,9 @@ use crate::simd::number::Number;
 /// Nine numbers, by row.
 pub type Matrix<N> = [[N; 3]; 3];
 
-/// Sums over the corners with signs: the mean times eight, x, y, xy, z, xz, yz, xyz. Corner `c` lies on the far side
-/// in x, y and z where bits 0, 1 and 2 of `c` are set. The transform is its own transpose.
+/// Sums over the corners with signs: the mean times eight, x, y, xy, z, xz, yz, xyz. Corner `c`
+/// lies on the far side in x, y and z where bits 0, 1 and 2 of `c` are set. The transform is its
+/// own transpose.
 #[inline(always)]
 pub fn transform<N: Number>(corner: [N; 8]) -> [N; 8] {
     let mut sums = corner;
@@ -41,7 +44,8 @@ pub fn transform<N: Number>(corner: [N; 8]) -> [N; 8] {
     next
 }
 
-/// What the corners get of coefficients of the gradients and hourglasses: the transform's transpose.
+/// What the corners get of coefficients of the gradients and hourglasses: the transform's
+/// transpose.
 #[inline(always)]
 pub fn spread<N: Number>(gradients: [N; 3], hourglasses: [N; 4]) -> [N; 8] {
     let [x, y, z] = gradients;
@@ -91,7 +95,8 @@ impl<N: Number> Modes<N> {
     }
 }
 
-// No closures in what follows: a closure knows nothing of the instructions that its function is compiled for.
+// No closures in what follows: a closure knows nothing of the instructions that its function is
+// compiled for.
 
 #[inline(always)]
 fn dot<N: Number>(a: [N; 3], b: [N; 3]) -> N {
@@ -156,8 +161,9 @@ impl<N: Number> Motion<N> {
                 inverse[i][j] = inverse[i][j] * over;
             }
         }
-        // Referred to the end of the step, `E = ΔF F⁻¹`; to its middle, `E (1 − E/2)⁻¹ = E + E²/2 + ...`: the next term
-        // is beyond the tenth digit for the steps that are stable.
+        // Referred to the end of the step, `E = ΔF F⁻¹`; to its middle,
+        // `E (1 − E/2)⁻¹ = E + E²/2 + ...`: the next term is beyond the tenth digit for the steps
+        // that are stable.
         let end = product(&change, &inverse);
         let square = product(&end, &end);
         let mut m = end;

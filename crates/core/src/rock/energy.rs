@@ -4,8 +4,9 @@ use serde::{Deserialize, Serialize};
 
 /// Energies of a block, J.
 ///
-/// What the block holds is that at the middle between its last step and the next, where its velocities live; positions
-/// are brought on by half a step, so that the sums are second-order accurate in the step.
+/// What the block holds is that at the middle between its last step and the next, where its
+/// velocities live; positions are brought on by half a step, so that the sums are second-order
+/// accurate in the step.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Energies {
     /// In motion.
@@ -53,8 +54,8 @@ impl Energies {
         self.held_J() + self.lost_J() - self.given_J()
     }
 
-    /// Kinetic energy over the energy that deformation took: small where inertia does not matter, and the density
-    /// may be scaled.
+    /// Kinetic energy over the energy that deformation took: small where inertia does not matter,
+    /// and the density may be scaled.
     pub fn kinetic_fraction(&self) -> f64 {
         let deformation =
             self.elastic_J + self.hourglass_J - self.entered_J + self.plastic_J + self.removed_J;

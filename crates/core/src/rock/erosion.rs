@@ -27,7 +27,8 @@ impl Block {
         eroded
     }
 
-    /// Takes an element out. Its mass goes with it, and what it holds; its neighbours' faces are free.
+    /// Takes an element out. Its mass goes with it, and what it holds; its neighbours' faces are
+    /// free.
     pub fn remove(&mut self, element: [usize; 3]) {
         let place = self.grid.element(element);
         if self.intact[place] < 0.0 {

@@ -2,13 +2,15 @@
 
 use std::sync::{Mutex, PoisonError};
 
-/// Does pieces of work, side by side if it can. The rock comes to the same bits whoever does them, in whatever order.
+/// Does pieces of work, side by side if it can. The rock comes to the same bits whoever does them,
+/// in whatever order.
 pub trait Executor: Sync {
     /// Calls `work` once with each number below `count`, and returns when all is done.
     fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync));
 
-    /// Whether what the work is for is no longer wanted. Work of many steps that leaves nothing behind, such as the
-    /// run-in of a bit before the first step of a string, asks between them; never by default.
+    /// Whether what the work is for is no longer wanted. Work of many steps that leaves nothing
+    /// behind, such as the run-in of a bit before the first step of a string, asks between them;
+    /// never by default.
     fn stopped(&self) -> bool {
         false
     }

@@ -34,8 +34,8 @@ impl Block {
             .count()
     }
 
-    /// Drops the layers at the top of which nothing is left, and puts as many of fresh rock below, which move with the last
-    /// layer of nodes. How many. Indices of nodes are then others.
+    /// Drops the layers at the top of which nothing is left, and puts as many of fresh rock below,
+    /// which move with the last layer of nodes. How many. Indices of nodes are then others.
     pub fn follow(&mut self) -> usize {
         let grid = self.grid;
         let layers = self.spent_layers().min(grid.cells[2] - 1);

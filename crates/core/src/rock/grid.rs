@@ -5,7 +5,8 @@ use serde::{Deserialize, Serialize};
 /// Elements that are looked after together: the widest register.
 pub const GROUP: usize = 8;
 
-/// A grid of elements in rows along x, rows in layers along y, layers along z, which points down the hole.
+/// A grid of elements in rows along x, rows in layers along y, layers along z, which points down
+/// the hole.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Grid {
     /// Elements along x, y and z.
@@ -20,7 +21,8 @@ impl Grid {
         self.cells[0].next_multiple_of(GROUP)
     }
 
-    /// Places of a row of nodes: one node more than there are elements, and nothing that is read beyond the end.
+    /// Places of a row of nodes: one node more than there are elements, and nothing that is read
+    /// beyond the end.
     pub fn node_row(&self) -> usize {
         self.element_row() + GROUP
     }
@@ -83,7 +85,8 @@ impl Grid {
         [place % row, over % rows, over / rows].map(|at| at as usize)
     }
 
-    /// Places of an element's corners; bits 0, 1, 2 of a corner's number tell whether it is the far one in x, y, z.
+    /// Places of an element's corners; bits 0, 1, 2 of a corner's number tell whether it is the far
+    /// one in x, y, z.
     pub fn corners(&self, [i, j, k]: [usize; 3]) -> [usize; 8] {
         let first = self.node([i, j, k]);
         [0, 1, 2, 3, 4, 5, 6, 7].map(|corner| {

@@ -24,13 +24,14 @@ pub struct Rock {
     pub tensile_fracture_energy_J_per_m2: f64,
     /// Energy that a crushed band takes per area in uniaxial compression, J/m².
     pub compressive_fracture_energy_J_per_m2: f64,
-    /// Energy that failure takes per volume at least, in tension and in compression, J/m³: where cracks stand closer than an element is
-    /// wide it is crushed as a whole. Zero: there are single cracks alone, which take the energies per area.
+    /// Energy that failure takes per volume at least, in tension and in compression, J/m³: where
+    /// cracks stand closer than an element is wide it is crushed as a whole. Zero: there are single
+    /// cracks alone, which take the energies per area.
     pub crushing_energy_J_per_m3: f64,
 }
 
-/// Energy that crushing takes per volume, over the unconfined strength. Calibrated: a bit's work per drilled volume is then
-/// about the strength.
+/// Energy that crushing takes per volume, over the unconfined strength. Calibrated: a bit's work
+/// per drilled volume is then about the strength.
 const CRUSHING: f64 = 0.085;
 
 /// Width of a band that takes as much to crush per area as per volume, m: a few grains.
@@ -49,7 +50,8 @@ pub enum RockError {
         /// What it may be.
         expected: &'static str,
     },
-    /// The elastic energy of an element is more than what its failure takes: it would snap, not soften.
+    /// The elastic energy of an element is more than what its failure takes: it would snap, not
+    /// soften.
     #[error(
         "elements of {size_m:.2e} m are too large for the fracture energy of the rock: \
          they must be smaller than {largest_m:.2e} m"
@@ -85,10 +87,11 @@ fn slope(angle_rad: f64) -> f64 {
 impl Rock {
     /// A rock known by its unconfined compressive strength, Pa, alone.
     ///
-    /// The rest is typical of sandstone and limestone: a modulus of 300 times the strength (the middle of Deere and
-    /// Miller's class of average modulus ratio, 200 to 500), Poisson's ratio 0.25, 2500 kg/m³, friction angle 35° and dilation
-    /// angle 10°, a tenth of the strength in tension, 80 J/m² for a tensile crack and a hundred times that, the
-    /// square of the ratio of the strengths, for a crushed band. Nothing is crushed as a whole.
+    /// The rest is typical of sandstone and limestone: a modulus of 300 times the strength (the
+    /// middle of Deere and Miller's class of average modulus ratio, 200 to 500), Poisson's ratio
+    /// 0.25, 2500 kg/m³, friction angle 35° and dilation angle 10°, a tenth of the strength in
+    /// tension, 80 J/m² for a tensile crack and a hundred times that, the square of the ratio of
+    /// the strengths, for a crushed band. Nothing is crushed as a whole.
     pub fn of_strength(ucs_Pa: f64) -> Self {
         let friction_angle_rad = 35.0_f64.to_radians();
         let (sin, cos) = friction_angle_rad.sin_cos();
@@ -108,10 +111,11 @@ impl Rock {
 
     /// A rock to be drilled, known by its unconfined compressive strength, Pa, alone.
     ///
-    /// Under a cutter it is crushed all through: failure takes 0.085 of the strength per volume, whatever the size of its elements, down
-    /// to 2 mm, below which crushed bands take an energy per area. With that number, which is calibrated, a bit's work per
-    /// drilled volume is about the strength, as for sharp cutters (Detournay and Defourny, 1992; Richard, Dagrain, Poyol and
-    /// Detournay, 2012). The rest is that of [`of_strength`](Self::of_strength).
+    /// Under a cutter it is crushed all through: failure takes 0.085 of the strength per volume,
+    /// whatever the size of its elements, down to 2 mm, below which crushed bands take an energy
+    /// per area. With that number, which is calibrated, a bit's work per drilled volume is about
+    /// the strength, as for sharp cutters (Detournay and Defourny, 1992; Richard, Dagrain, Poyol
+    /// and Detournay, 2012). The rest is that of [`of_strength`](Self::of_strength).
     pub fn for_drilling(ucs_Pa: f64) -> Self {
         let crushing_energy_J_per_m3 = CRUSHING * ucs_Pa;
         Self {
@@ -151,7 +155,8 @@ impl Rock {
         slope(self.dilation_angle_rad)
     }
 
-    /// Sum of the principal stresses that the rock bears at most, Pa: the tensile strength, or the cone's apex.
+    /// Sum of the principal stresses that the rock bears at most, Pa: the tensile strength, or the
+    /// cone's apex.
     pub fn largest_tension_Pa(&self) -> f64 {
         let Cone { alpha, k_Pa } = self.cone();
         if self.tensile_strength_Pa * alpha < k_Pa {

@@ -1,19 +1,21 @@
-//! Return mapping, from a strain increment to the stress: elasticity, the cone, its truncated tip, softening.
+//! Return mapping, from a strain increment to the stress: elasticity, the cone, its truncated tip,
+//! softening.
 //!
-//! The stress is Kirchhoff's, Cauchy's times the change of volume. Six components stand in the order xx, yy, zz, xy,
-//! yz, zx; shear strains are those of the tensor, half of the engineer's.
+//! The stress is Kirchhoff's, Cauchy's times the change of volume. Six components stand in the
+//! order xx, yy, zz, xy, yz, zx; shear strains are those of the tensor, half of the engineer's.
 //!
-//! A point of the rock has one variable of its own, the **intact** part `s` of its cohesion and its tensile strength:
-//! 1 at first, 0 when it has failed. The admissible stresses are
+//! A point of the rock has one variable of its own, the **intact** part `s` of its cohesion and its
+//! tensile strength: 1 at first, 0 when it has failed. The admissible stresses are
 //!
 //! ```text
 //! √J₂ + α I₁ <= k s        the cone
 //! I₁ <= t s                its tip cut off by the tensile strength (the apex itself where t = k/α)
 //! ```
 //!
-//! and both returns, the return to the edge between them included, are closed forms. At the tip the whole stress shrinks: the
-//! rock opens the way it was strained, so that a crack between intact rock does not lock. `s` falls linearly with the
-//! plastic strain, so that a band one element wide takes the fracture energy whatever the element's size.
+//! and both returns, the return to the edge between them included, are closed forms. At the tip the
+//! whole stress shrinks: the rock opens the way it was strained, so that a crack between intact
+//! rock does not lock. `s` falls linearly with the plastic strain, so that a band one element wide
+//! takes the fracture energy whatever the element's size.
 
 use serde::{Deserialize, Serialize};
 
@@ -32,8 +34,8 @@ pub struct Law {
     tension: f64,
     /// Fall of the intact part per plastic multiplier of the cone.
     softening_rate: f64,
-    /// Fall of the intact part per first invariant that the tip takes, 1/Pa: at most, its part from swelling, and that from
-    /// shear by the square of √J₂/I₁.
+    /// Fall of the intact part per first invariant that the tip takes, 1/Pa: at most, its part from
+    /// swelling, and that from shear by the square of √J₂/I₁.
     tensile_softening: f64,
     tensile_softening_bulk: f64,
     tensile_softening_shear: f64,
@@ -78,7 +80,8 @@ impl Law {
         let [tensile, compressive] = rock.failure_J_per_m2(size_m);
         let per_size = 0.5 * k * share / compressive;
         let softening_rate = per_size * size_m;
-        // The work of a stress that shrinks is twice its elastic energy; above that of uniaxial tension it is shear's.
+        // The work of a stress that shrinks is twice its elastic energy; above that of uniaxial
+        // tension it is shear's.
         let tensile_softening = 0.5 * tension * size_m / tensile;
         let hard = shear + 9.0 * bulk * alpha * dilation;
         let edge = k - alpha * tension;
@@ -178,8 +181,8 @@ impl Law {
             .neg_mul_add(N::splat(self.softening_rate), intact)
             .max(zero);
 
-        // Where nothing yields, what follows would give the same to the last bit. Elements that are gone, whose intact part is −1,
-        // are not asked.
+        // Where nothing yields, what follows would give the same to the last bit. Elements that are
+        // gone, whose intact part is −1, are not asked.
         let beyond = cone_intact.neg_mul_add(N::splat(self.tension), cone_first);
         let yields = (intact + one).if_positive(flow.max(beyond), zero);
         if !yields.any_positive() {
@@ -190,7 +193,8 @@ impl Law {
             };
         }
 
-        // The tip, and its edge with the cone. What is not beyond it is not a number here, and not taken.
+        // The tip, and its edge with the cone. What is not beyond it is not a number here, and not
+        // taken.
         let inverse = one / first;
         let slope = second * inverse * inverse;
         let tensile_softening = slope
@@ -259,7 +263,8 @@ mod tests {
         parts
     }
 
-    /// An elastic element gets the same bits alone, where its return is left out, and beside one that yields.
+    /// An elastic element gets the same bits alone, where its return is left out, and beside one
+    /// that yields.
     #[test]
     fn a_return_that_is_left_out_would_have_changed_nothing() {
         let law = Law::new(&Rock::of_strength(30e6), 1e-3).expect("a intact rock");

@@ -17,10 +17,11 @@ pub struct Pressed {
 }
 
 impl Block {
-    /// Presses a face on the block after a step. All nodes meet it before the first is pushed; sums run in the order of
-    /// [`Self::exposed`].
+    /// Presses a face on the block after a step. All nodes meet it before the first is pushed; sums
+    /// run in the order of [`Self::exposed`].
     ///
-    /// Of a thousand nodes in reach a dozen touch: what is asked of each is no more than that takes.
+    /// Of a thousand nodes in reach a dozen touch: what is asked of each is no more than that
+    /// takes.
     pub fn press(&mut self, face: &BitFace, pose: &Pose, law: &ContactLaw) -> Pressed {
         let dt_s = self.dt_s();
         // A wall one element thick has two sides that look apart: it must be met all the same.
@@ -50,7 +51,8 @@ impl Block {
                 Vector3::from(area_m2).norm().max(min_m2)
             };
             if let Some(force) = contact.touch(&node, area_m2) {
-                // What the sum with the rock's own force rounds away is not pushed: the node would not feel it either.
+                // What the sum with the rock's own force rounds away is not pushed: the node would
+                // not feel it either.
                 pushes.push((index, (force_N + force) - force_N));
             }
         }

@@ -1,4 +1,5 @@
-//! A block that was stored, compared with what it is to be made of: the loops of the kernel trust its lengths.
+//! A block that was stored, compared with what it is to be made of: the loops of the kernel trust
+//! its lengths.
 
 use super::{
     block::{Block, BlockSpec},

@@ -42,7 +42,8 @@ impl Surface {
         surface
     }
 
-    /// Whether the same nodes are exposed by the same faces, in whatever order, and each stands where its place says.
+    /// Whether the same nodes are exposed by the same faces, in whatever order, and each stands
+    /// where its place says.
     pub fn is_like(&self, other: &Self) -> bool {
         let stands = |(node, place): (usize, &u32)| match *place {
             NOWHERE => true,
@@ -135,7 +136,8 @@ impl Surface {
 mod tests {
     use super::*;
 
-    /// What is exposed of a block in which elements were removed one by one is what is exposed of the block that is left.
+    /// What is exposed of a block in which elements were removed one by one is what is exposed of
+    /// the block that is left.
     #[test]
     fn a_surface_follows_the_elements_that_go() {
         let grid = Grid {

@@ -1,18 +1,18 @@
 //! A bend fixed in the body: a bent housing, a bent sub, one of the many bends of a curved rod.
 //!
-//! At a node with a bend the element below stands on another face of the body than the element above.
-//! The element above sees the node's director `d`; the element below sees
+//! At a node with a bend the element below stands on another face of the body than the element
+//! above. The element above sees the node's director `d`; the element below sees
 //!
 //! ```text
 //! d' = cos θ d + sin θ m
 //! ```
 //!
-//! with the angle `θ` of the bend and its direction `m`, a unit vector across `d` that is fixed in the body and so is
-//! carried by its whole angular velocity `ω = w + s d`. To the element below, the node turns with
-//! `w' = ω − (ω·d') d'` across `d'` and spins with `s' = ω·d'`. Seen like this it is an ordinary
-//! [`element`](super::element), and what it does to the node is the moment `m₁ + M d'`, of which the part along `d`
-//! acts on the spin. Nothing else of the element knows about bends, so its forces are the gradient of
-//! one energy with them as without.
+//! with the angle `θ` of the bend and its direction `m`, a unit vector across `d` that is fixed in
+//! the body and so is carried by its whole angular velocity `ω = w + s d`. To the element below,
+//! the node turns with `w' = ω − (ω·d') d'` across `d'` and spins with `s' = ω·d'`. Seen like this
+//! it is an ordinary [`element`](super::element), and what it does to the node is the moment
+//! `m₁ + M d'`, of which the part along `d` acts on the spin. Nothing else of the element knows
+//! about bends, so its forces are the gradient of one energy with them as without.
 
 use super::element::{Pose, Reaction};
 use crate::simd::vector::Vector;
@@ -23,8 +23,8 @@ pub fn director_below(director: Vector<f64>, toward: Vector<f64>, angle_rad: f64
     director.scaled(cosine).plus(toward, sine)
 }
 
-/// The pose of the element below a bend: `pose` is the one that the node's own director gives, `spin` the node's
-/// spin about it, rad/s, `below` the [director below](director_below).
+/// The pose of the element below a bend: `pose` is the one that the node's own director gives,
+/// `spin` the node's spin about it, rad/s, `below` the [director below](director_below).
 pub fn pose_below(pose: &Pose<f64>, spin: f64, below: Vector<f64>) -> Pose<f64> {
     let turn = pose.w1.plus(pose.d1, spin);
     let about = turn.dot(below);
@@ -36,7 +36,8 @@ pub fn pose_below(pose: &Pose<f64>, spin: f64, below: Vector<f64>) -> Pose<f64> 
     }
 }
 
-/// The whole moment of an element on its upper node, N·m; `d1` is the director that the element sees there.
+/// The whole moment of an element on its upper node, N·m; `d1` is the director that the element
+/// sees there.
 pub fn moment_above(reaction: &Reaction<f64>, d1: Vector<f64>) -> Vector<f64> {
     reaction.moment1(d1).plus(d1, reaction.torque)
 }
@@ -46,8 +47,9 @@ pub fn moment_below(reaction: &Reaction<f64>, d2: Vector<f64>) -> Vector<f64> {
     reaction.moment2(d2).minus(d2, reaction.torque)
 }
 
-/// `vector` turned by the least rotation that takes the unit vector `from` to `to`. A rod that bends without
-/// twisting carries directions across its axis along it like this; so does a node that moves without spinning.
+/// `vector` turned by the least rotation that takes the unit vector `from` to `to`. A rod that
+/// bends without twisting carries directions across its axis along it like this; so does a node
+/// that moves without spinning.
 pub fn transported(vector: Vector<f64>, from: Vector<f64>, to: Vector<f64>) -> Vector<f64> {
     // For a vector across `from`; a part along it goes to `to`.
     let along = vector.dot(from);
@@ -56,8 +58,9 @@ pub fn transported(vector: Vector<f64>, from: Vector<f64>, to: Vector<f64>) -> V
     across.minus(from + to, share).plus(to, along)
 }
 
-/// A direction across the director and fixed in the body, after the director went from `from` to `to` and the
-/// body spun by `turn_rad` about it. Of unit length and across the director to rounding.
+/// A direction across the director and fixed in the body, after the director went from `from` to
+/// `to` and the body spun by `turn_rad` about it. Of unit length and across the director to
+/// rounding.
 pub fn carried(
     mark: Vector<f64>,
     from: Vector<f64>,
@@ -71,9 +74,9 @@ pub fn carried(
     across.scaled(1.0 / across.dot(across).sqrt())
 }
 
-/// Twist of an element whose ends carry the marks `m1` and `m2`, fixed in the body and parallel where it is not
-/// twisted, rad, between −π and π: the angle of `m2` against `m1` brought along the element without twisting. Its
-/// rate is the `τ'` of the [element](super::element).
+/// Twist of an element whose ends carry the marks `m1` and `m2`, fixed in the body and parallel
+/// where it is not twisted, rad, between −π and π: the angle of `m2` against `m1` brought along the
+/// element without twisting. Its rate is the `τ'` of the [element](super::element).
 pub fn twist(m1: Vector<f64>, d1: Vector<f64>, m2: Vector<f64>, d2: Vector<f64>) -> f64 {
     let brought = transported(m1, d1, d2);
     d2.dot(brought.cross(m2)).atan2(brought.dot(m2))

@@ -11,12 +11,12 @@
 //! a = (2/15 + φ/6 + φ²/12)/(1 + φ)²,  b = (1/30 + φ/6 + φ²/12)/(1 + φ)²
 //! ```
 //!
-//! For small angles this is the Timoshenko beam with its geometric stiffness: `1 − c²` is the square
-//! of a director's angle to the chord and `c12 − c1 c2` the product of the two. Without shear, `a`
-//! and `b` are the 2/15 and 1/30 of the beam-column. The twist `τ` is integrated from rates,
-//! `τ' = s2 − s1 + (w2·d1 − w1·d2)/(1 + c12)`, `s` the spin about the director and `w` the angular
-//! velocity across it, so that thousands of revolutions are harmless; the moments below are the ones
-//! that do the work `M τ'`.
+//! For small angles this is the Timoshenko beam with its geometric stiffness: `1 − c²` is the
+//! square of a director's angle to the chord and `c12 − c1 c2` the product of the two. Without
+//! shear, `a` and `b` are the 2/15 and 1/30 of the beam-column. The twist `τ` is integrated from
+//! rates, `τ' = s2 − s1 + (w2·d1 − w1·d2)/(1 + c12)`, `s` the spin about the director and `w` the
+//! angular velocity across it, so that thousands of revolutions are harmless; the moments below are
+//! the ones that do the work `M τ'`.
 
 use super::section::Section;
 pub use super::section::shear_factor;
@@ -106,8 +106,8 @@ pub struct Reaction<N> {
     pub bend1: Vector<N>,
     /// Bends end 2, N·m: the moment `bend2 × d2`.
     pub bend2: Vector<N>,
-    /// Moment of torque and bending damping on end 1, N·m; end 2 takes the opposite. It holds the torque about
-    /// the director, too.
+    /// Moment of torque and bending damping on end 1, N·m; end 2 takes the opposite. It holds the
+    /// torque about the director, too.
     pub couple: Vector<N>,
     /// Torque `M`, N·m: about the director, `+M` on end 1 and `−M` on end 2.
     pub torque: N,
@@ -131,19 +131,21 @@ impl<N: Number> Reaction<N> {
     }
 }
 
-/// Moment across a director: what bends, and a couple less what of it is about the director. Sums over the
-/// elements of a node serve as well as those of one element.
+/// Moment across a director: what bends, and a couple less what of it is about the director. Sums
+/// over the elements of a node serve as well as those of one element.
 #[inline(always)]
 pub fn across<N: Number>(bend: Vector<N>, couple: Vector<N>, director: Vector<N>) -> Vector<N> {
     bend.cross(director) + couple.minus(director, couple.dot(director))
 }
 
 /// Forces of an element that stands as `pose`, its twist first carried on by `dt`, with
-/// stiffness-proportional damping of time constant `beta`: its [`chord`], its [`strain`], its [`bend`] and its [`twist`].
+/// stiffness-proportional damping of time constant `beta`: its [`chord`], its [`strain`], its
+/// [`bend`] and its [`twist`].
 ///
 /// The damping acts on the rates of the chord's length, of the twist and of the directors' rotation
 /// against one another, `w2 − w1`. None of them is there when a bent pipe spins in place, so the
-/// damping never drives whirl; a bent pipe that whirls as one rigid body loses a little by the last.
+/// damping never drives whirl; a bent pipe that whirls as one rigid body loses a little by the
+/// last.
 #[inline(always)]
 pub fn react<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Reaction<N> {
     let twisted = twist(k, p, dt, beta);
@@ -204,8 +206,8 @@ pub fn chord<N: Number>(k: &Stiffness<N>, p: &Pose<N>) -> Chord<N> {
 
 /// How an element is strained: what its chord and its two directors are pulled by.
 ///
-/// `U`'s gradients are `b d2 − s1 t` and `b d1 − s2 t` on the directors, but for what lies along the own director, and
-/// `−(s1 d1 + s2 d2)/l` on the chord, but for what lies along it.
+/// `U`'s gradients are `b d2 − s1 t` and `b d1 − s2 t` on the directors, but for what lies along
+/// the own director, and `−(s1 d1 + s2 d2)/l` on the chord, but for what lies along it.
 #[derive(Debug, Clone, Copy)]
 pub struct Strain<N> {
     /// `s1 = a c1 + b c2`, N·m.
@@ -231,9 +233,9 @@ pub struct Strained<N> {
 
 /// Tension and bending.
 ///
-/// Angles are small beside one: everything that they enter is written over the differences `d1 − t`, `d2 − t`
-/// and `d2 − d1`, which are exact, and their squares `2(1 − cos)`; a cosine's own last digit is a large part
-/// of `1 − c²`. `apart`, `1 − c12`, comes from the [`twist`].
+/// Angles are small beside one: everything that they enter is written over the differences
+/// `d1 − t`, `d2 − t` and `d2 − d1`, which are exact, and their squares `2(1 − cos)`; a cosine's
+/// own last digit is a large part of `1 − c²`. `apart`, `1 − c12`, comes from the [`twist`].
 #[inline(always)]
 pub fn strain<N: Number>(
     k: &Stiffness<N>,
@@ -329,8 +331,8 @@ pub fn twist<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Twiste
     let half = N::splat(0.5);
     let bend = p.d2 - p.d1;
     let e = half * bend.dot(bend);
-    // 1/(1 + c12) by its series in e = 1 − c12: within 1e-8 for a bend of 12° in an element, 4e-8 for 15°, and the
-    // same in the rate and in its moments, so that no work is lost.
+    // 1/(1 + c12) by its series in e = 1 − c12: within 1e-8 for a bend of 12° in an element, 4e-8
+    // for 15°, and the same in the rate and in its moments, so that no work is lost.
     let share = e.mul_add(
         e.mul_add(e.mul_add(N::splat(0.0625), N::splat(0.125)), N::splat(0.25)),
         half,

@@ -39,23 +39,23 @@ struct Mark {
     fixed: bool,
 }
 
-/// Blades that are shorter than this touch at their middle, m: the tilt that they allow in their clearance
-/// is more than a string bends over their length.
+/// Blades that are shorter than this touch at their middle, m: the tilt that they allow in their
+/// clearance is more than a string bends over their length.
 const SHORT_BLADE_M: f64 = 0.5;
 
-/// A component without blades of its own that stands out over both its neighbours and is no longer than this touches as one
-/// point, at its middle, m.
+/// A component without blades of its own that stands out over both its neighbours and is no longer
+/// than this touches as one point, at its middle, m.
 const LONGEST_BLADE_M: f64 = 4.0;
 
-/// A joint nearer to the bit, the top, a stabiliser or the joint below than this part of the element
-/// length, and than [`CROWDED_M`], has no node of its own.
+/// A joint nearer to the bit, the top, a stabiliser or the joint below than this part of the
+/// element length, and than [`CROWDED_M`], has no node of its own.
 const CROWDED: f64 = 0.5;
 
 /// Longest distance over which joints give way, m.
 const CROWDED_M: f64 = 2.0;
 
-/// Part of an element that a stretch may lack and still be cut once more. Between marks the elements
-/// are rather longer than asked than shorter: short ones bound the step.
+/// Part of an element that a stretch may lack and still be cut once more. Between marks the
+/// elements are rather longer than asked than shorter: short ones bound the step.
 const SLACK: f64 = 0.2;
 
 /// How much longer than asked an element may be.
@@ -68,11 +68,12 @@ const SAME_M: f64 = 0.05;
 const BLADE_HEIGHT_M: f64 = 1e-3;
 
 impl Mesh {
-    /// Cuts `string` into elements of about `element_length_m`, with a node at the bit, at the top, on
-    /// every stabiliser, at every bend of a body and on every tool joint that is not crowded by another.
+    /// Cuts `string` into elements of about `element_length_m`, with a node at the bit, at the top,
+    /// on every stabiliser, at every bend of a body and on every tool joint that is not crowded by
+    /// another.
     ///
-    /// Blades touch at both edges where they are longer than half a metre and half an element, so that a
-    /// stabiliser resists tilting in its hole; shorter ones touch at their middle.
+    /// Blades touch at both edges where they are longer than half a metre and half an element, so
+    /// that a stabiliser resists tilting in its hole; shorter ones touch at their middle.
     pub fn new(string: &DrillString, element_length_m: f64) -> Self {
         let marks = marks(string, element_length_m);
         let mut nodes = Vec::new();
@@ -133,8 +134,8 @@ impl Mesh {
             .expect("a bend has a node between the ends")
     }
 
-    /// From how many nodes to how many most of the string has a node that stands out over the one below it, as tool joints
-    /// do; one where there is no such rule.
+    /// From how many nodes to how many most of the string has a node that stands out over the one
+    /// below it, as tool joints do; one where there is no such rule.
     pub fn nodes_per_joint(&self) -> usize {
         let stands_out = |pair: &[MeshNode]| {
             pair[0].contact_radius_m > pair[1].contact_radius_m + BLADE_HEIGHT_M
@@ -182,7 +183,8 @@ fn body_radius_m(string: &DrillString, from_bit_m: f64) -> f64 {
     component.od_m / 2.0
 }
 
-/// Where the blades of a component touch that reaches from `bottom` to `top`: distances from the bit, m.
+/// Where the blades of a component touch that reaches from `bottom` to `top`: distances from the
+/// bit, m.
 fn blade_places_m(blades: &Blades, bottom: f64, top: f64, element_length_m: f64) -> Vec<f64> {
     let middle = 0.5 * (bottom + top);
     let half = 0.5 * blades.length_m;

@@ -1,8 +1,9 @@
 //! The rod: the drill string as a chain of two-node beam elements.
 //!
-//! One element serves every solver. Its forces come from one energy ([`element`]), written once over
-//! a [`number::Number`]: an `f64`, or as many numbers as the processor's registers hold. Those are not to be had from
-//! outside: their operators are safe to write, and sound only where the processor was found to have the registers.
+//! One element serves every solver. Its forces come from one energy ([`element`]), written once
+//! over a [`number::Number`]: an `f64`, or as many numbers as the processor's registers hold. Those
+//! are not to be had from outside: their operators are safe to write, and sound only where the
+//! processor was found to have the registers.
 //!
 //! ```compile_fail
 //! use wholestring::rod::wide;

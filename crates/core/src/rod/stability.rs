@@ -39,14 +39,14 @@ pub struct StepPlan {
     pub added_axial_mass_fraction: f64,
 }
 
-/// Chooses the longest step at which the string is stable with no more than 0.3 % of its mass added by scaling, and that
-/// to less than half of it: ordinary pipe keeps its mass and its wave speed.
+/// Chooses the longest step at which the string is stable with no more than 0.3 % of its mass added
+/// by scaling, and that to less than half of it: ordinary pipe keeps its mass and its wave speed.
 ///
 /// The highest frequency of a chain with lumped masses lies below the highest of its elements taken
 /// alone (Irons and Treharne 1971), so each element is asked for its own: axial `ω² = 4 EA/(L m)`,
-/// torsional `4 GJ/(L J)`, and the two bending modes. `lateral_kg_per_m` is the lateral mass per length of
-/// each element, `stiffness_damping_s` the time constant that shortens the limit by `√(1 + ξ²) − ξ`,
-/// `ξ = βω/2`.
+/// torsional `4 GJ/(L J)`, and the two bending modes. `lateral_kg_per_m` is the lateral mass per
+/// length of each element, `stiffness_damping_s` the time constant that shortens the limit by
+/// `√(1 + ξ²) − ξ`, `ξ = βω/2`.
 pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> StepPlan {
     let bare: Vec<(Stiffness<f64>, ElementInertia)> = mesh
         .elements
@@ -119,7 +119,8 @@ fn frequency_limit(dt: f64, beta: f64) -> f64 {
     bare / (1.0 + bare * beta).sqrt()
 }
 
-/// The inertia with which an element stays below `limit`, rad/s; none where only a shorter step helps.
+/// The inertia with which an element stays below `limit`, rad/s; none where only a shorter step
+/// helps.
 fn scaled_inertia(k: &Stiffness<f64>, bare: &ElementInertia, limit: f64) -> Option<ElementInertia> {
     let square = limit * limit;
     let over_length = 1.0 / k.length;

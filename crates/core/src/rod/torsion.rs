@@ -2,7 +2,8 @@
 
 use super::{mesh::Mesh, section::Section};
 
-/// Characteristic torsional impedance `√(GJ · ρJ)`, N·m·s: torque over speed of a wave that runs one way.
+/// Characteristic torsional impedance `√(GJ · ρJ)`, N·m·s: torque over speed of a wave that runs
+/// one way.
 pub fn impedance_N_m_s(section: &Section) -> f64 {
     (section.torsional_stiffness_N_m2 * section.polar_inertia_kg_m).sqrt()
 }
@@ -16,8 +17,8 @@ pub fn impedance_N_m_s(section: &Section) -> f64 {
 /// T' = T cos kL + θ ω Z sin kL
 /// ```
 ///
-/// and the lowest `ω` at which nothing turns at the top is found by steps and bisection. A uniform string's is
-/// that of a quarter wave, `c/4L`.
+/// and the lowest `ω` at which nothing turns at the top is found by steps and bisection. A uniform
+/// string's is that of a quarter wave, `c/4L`.
 pub fn lowest_frequency_Hz(mesh: &Mesh) -> f64 {
     let turn_at_top = |omega: f64| {
         let (mut turn, mut torque) = (1.0, 0.0);

@@ -11,7 +11,8 @@ use super::number::{Number, Real};
 
 /// Floating-point operations by their kinds.
 ///
-/// What the processor does to signs, and what it chooses (the larger, the smaller, the positive), is not counted.
+/// What the processor does to signs, and what it chooses (the larger, the smaller, the positive),
+/// is not counted.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 pub struct Flops {
     /// Additions and subtractions.
@@ -62,7 +63,8 @@ fn note(more: impl FnOnce(&mut Flops)) {
     TALLY.set(flops);
 }
 
-/// A number that reckons like the one it holds, without fused multiply-add, and notes it for [`count`].
+/// A number that reckons like the one it holds, without fused multiply-add, and notes it for
+/// [`count`].
 #[derive(Debug, Clone, Copy)]
 pub struct Counted<R>(R);
 

@@ -1,4 +1,5 @@
-//! The instruction sets that kernels are compiled for, and the choice between them while the program runs.
+//! The instruction sets that kernels are compiled for, and the choice between them while the
+//! program runs.
 
 #[cfg(not(target_arch = "x86_64"))]
 use super::wide::Pair;
@@ -23,9 +24,9 @@ pub type Baseline<R> = Pair<<R as Registers>::Fused>;
 #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
 pub type Baseline<R> = Pair<R>;
 
-/// Expands a macro once for each instruction set of the target, with the name of a module, the type of this file that its
-/// code computes with, whether a multiplication with addition is one instruction of it, and the features that it is
-/// compiled with, if it needs any.
+/// Expands a macro once for each instruction set of the target, with the name of a module, the type
+/// of this file that its code computes with, whether a multiplication with addition is one
+/// instruction of it, and the features that it is compiled with, if it needs any.
 macro_rules! for_each_instruction_set {
     ($compile:ident) => {
         #[cfg(target_arch = "x86_64")]
@@ -36,8 +37,8 @@ macro_rules! for_each_instruction_set {
     };
 }
 
-/// What a macro makes of the module and the name of each instruction set that this processor has, the fastest first; the
-/// baseline always is the last.
+/// What a macro makes of the module and the name of each instruction set that this processor has,
+/// the fastest first; the baseline always is the last.
 macro_rules! available_instruction_sets {
     ($entry:ident) => {{
         let mut all = Vec::new();

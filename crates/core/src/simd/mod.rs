@@ -1,4 +1,5 @@
-//! Numbers: what the mechanics is written over, and the processor's registers that hold several of them.
+//! Numbers: what the mechanics is written over, and the processor's registers that hold several of
+//! them.
 
 pub mod counted;
 pub(crate) mod dispatch;

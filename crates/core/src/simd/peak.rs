@@ -4,12 +4,13 @@ use std::hint::black_box;
 
 use super::{lanes::SINGLES, number::Number};
 
-/// Chains of arithmetic that do not wait for one another. Two units that take four or five cycles for a result are
-/// busy with ten; with two constants, more chains do not fit the sixteen registers of AVX2.
+/// Chains of arithmetic that do not wait for one another. Two units that take four or five cycles
+/// for a result are busy with ten; with two constants, more chains do not fit the sixteen registers
+/// of AVX2.
 const CHAINS: usize = 12;
 
-/// Multiplies and adds numbers in registers, `rounds` times, and does nothing else; how many floating-point
-/// operations that was, a multiplication with addition being two.
+/// Multiplies and adds numbers in registers, `rounds` times, and does nothing else; how many
+/// floating-point operations that was, a multiplication with addition being two.
 #[inline(always)]
 pub fn work<N: Number>(rounds: usize) -> u64 {
     let (factor, term) = (N::splat(black_box(1.0)), N::splat(black_box(0.0)));
@@ -23,7 +24,8 @@ pub fn work<N: Number>(rounds: usize) -> u64 {
     2 * (CHAINS * N::WIDTH * rounds) as u64
 }
 
-/// The same where a multiplication with addition is two instructions: half of the chains multiply, the others add.
+/// The same where a multiplication with addition is two instructions: half of the chains multiply,
+/// the others add.
 #[inline(always)]
 pub fn work_apart<N: Number>(rounds: usize) -> u64 {
     const HALF: usize = CHAINS / 2;

@@ -1,16 +1,18 @@
 //! [`Number`]s that are several numbers at once: one register of the processor, or two.
 //!
-//! The compiler widens a loop over plain numbers, too, but how well changes with every line of it: some loops came
-//! out with gathers, some with half the registers' width. What stands here is what the processor does.
+//! The compiler widens a loop over plain numbers, too, but how well changes with every line of it:
+//! some loops came out with gathers, some with half the registers' width. What stands here is what
+//! the processor does.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::number::{Fused, Number, Real};
 
-/// What a kind of number is worked on in: for code that is compiled for a processor and runs where it is that one.
+/// What a kind of number is worked on in: for code that is compiled for a processor and runs where
+/// it is that one.
 ///
-/// The operators of a register are safe to write and sound only in such code, so that neither they nor the ways to them
-/// leave this crate.
+/// The operators of a register are safe to write and sound only in such code, so that neither they
+/// nor the ways to them leave this crate.
 pub trait Registers: Real {
     /// One of them, with fused multiply-add.
     type Fused: Number<Real = Self>;
@@ -151,8 +153,8 @@ impl<N: Number> Number for Pair<N> {
 
 /// Registers of x86.
 ///
-/// Their operations are compiled into code of the same instruction set and nowhere else: a value exists only inside
-/// a step that the processor was found to be able to run.
+/// Their operations are compiled into code of the same instruction set and nowhere else: a value
+/// exists only inside a step that the processor was found to be able to run.
 #[cfg(target_arch = "x86_64")]
 mod x86 {
     // The intrinsics have the processor's names.

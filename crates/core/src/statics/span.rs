@@ -1,10 +1,11 @@
 //! A pipe between two tool joints that lie on the wall.
 //!
-//! Where only tool joints touch, the body between them is a beam that the side force per length `q` bends further
-//! towards the wall. Its joints are held at the hole's curvature by their neighbours, so that the slope against the
-//! hole is zero at the joints and half-way. With half the spacing `l`, the bending stiffness `EI` and the tension
-//! `T`, the beam `EI y'''' − T y'' = q` has, in the direction of `q`, the curvature `A + B` more than the hole at the
-//! joints and `A − B` half-way, with
+//! Where only tool joints touch, the body between them is a beam that the side force per length `q`
+//! bends further towards the wall. Its joints are held at the hole's curvature by their neighbours,
+//! so that the slope against the hole is zero at the joints and half-way. With half the spacing
+//! `l`, the bending stiffness `EI` and the tension `T`, the beam `EI y'''' − T y'' = q` has, in the
+//! direction of `q`, the curvature `A + B` more than the hole at the joints and `A − B` half-way,
+//! with
 //!
 //! ```text
 //! A = q l² J/(4 EI),      J = (z coth z − 1)/z²,   z = (l/2) √(T/EI)
@@ -13,14 +14,16 @@
 //! A + B = √(2 q c/EI),  A − B = 0       where a segment about the middle lies on the wall,
 //! ```
 //!
-//! `c = (D_j − D)/2` what joints stand out by. Without weight `q = T κ`, and the first is Lubinski's magnification:
-//! `2z coth 2z` times the hole's curvature at the joints, `2z/sinh 2z` half-way (*Maximum Permissible Dog-Legs in Rotary
-//! Boreholes*, JPT, February 1961); the other two are the point and wrap contact of Paslay and Cernocky (*Bending Stress
-//! Magnification in Constant Curvature Doglegs With Impact on Drillstring and Casing*, SPE 22547, 1991).
+//! `c = (D_j − D)/2` what joints stand out by. Without weight `q = T κ`, and the first is
+//! Lubinski's magnification: `2z coth 2z` times the hole's curvature at the joints, `2z/sinh 2z`
+//! half-way (*Maximum Permissible Dog-Legs in Rotary Boreholes*, JPT, February 1961); the other two
+//! are the point and wrap contact of Paslay and Cernocky (*Bending Stress Magnification in Constant
+//! Curvature Doglegs With Impact on Drillstring and Casing*, SPE 22547, 1991).
 //!
-//! In compression `coth` becomes `cot` and `z` imaginary: bending is relieved at the joints and grows half-way. The
-//! shape has the joints' symmetry. Beyond Euler's load of a span, `π² EI/(2l)²`, spans that are not held by the
-//! wall may bow to alternate sides: what is found here is then less than what such a string bears.
+//! In compression `coth` becomes `cot` and `z` imaginary: bending is relieved at the joints and
+//! grows half-way. The shape has the joints' symmetry. Beyond Euler's load of a span,
+//! `π² EI/(2l)²`, spans that are not held by the wall may bow to alternate sides: what is found
+//! here is then less than what such a string bears.
 
 use crate::string::Component;
 
@@ -77,7 +80,8 @@ impl JointSpan {
         })
     }
 
-    /// How a span under an effective tension, N, is bent by the magnitude of its load on the wall, N/m.
+    /// How a span under an effective tension, N, is bent by the magnitude of its load on the wall,
+    /// N/m.
     pub fn bending(&self, tension_N: f64, load_N_per_m: f64) -> SpanBending {
         if load_N_per_m <= 0.0 {
             return SpanBending::STRAIGHT;
@@ -120,7 +124,8 @@ impl JointSpan {
     }
 }
 
-/// `(z coth z − 1)/z²` of `z²`; of a negative one `(1 − y cot y)/y²` with `y² = −z²`, up to `y = π`.
+/// `(z coth z − 1)/z²` of `z²`; of a negative one `(1 − y cot y)/y²` with `y² = −z²`, up to
+/// `y = π`.
 fn shape(square: f64) -> f64 {
     // The series' next term, 2/93555 z⁸, is then below rounding.
     const SMALL: f64 = 5e-3;
@@ -140,8 +145,8 @@ fn shape(square: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// The series meets the closed form on both sides of zero: their arguments are 1e-11 apart, at a slope of 1/45, and rounding in
-    /// the closed form is 1e-16 over the argument.
+    /// The series meets the closed form on both sides of zero: their arguments are 1e-11 apart, at
+    /// a slope of 1/45, and rounding in the closed form is 1e-16 over the argument.
     #[test]
     fn the_shape_is_continuous() {
         for square in [5e-3_f64, -5e-3] {
@@ -151,7 +156,8 @@ mod tests {
         assert_eq!(shape(0.0), 1.0 / 3.0);
     }
 
-    /// The curvature goes over from one kind of contact to the next without a jump, in tension and compression.
+    /// The curvature goes over from one kind of contact to the next without a jump, in tension and
+    /// compression.
     #[test]
     fn contacts_follow_each_other_without_a_jump() {
         let span = JointSpan {

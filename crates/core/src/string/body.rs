@@ -11,19 +11,20 @@ pub struct BodyBend {
     pub angle_rad: f64,
     /// Distance of the bend from the component's lower end, m.
     pub from_lower_end_m: f64,
-    /// Tool face at the start: the direction to which the part below is bent, rad from the high side, clockwise
-    /// as one looks down the hole.
+    /// Tool face at the start: the direction to which the part below is bent, rad from the high
+    /// side, clockwise as one looks down the hole.
     pub toolface_rad: f64,
 }
 
-/// Nearest that a bend may be to the bit, to the surface or to a stabiliser's middle and still have a node of its
-/// own, m.
+/// Nearest that a bend may be to the bit, to the surface or to a stabiliser's middle and still have
+/// a node of its own, m.
 pub const NEAREST_BEND_M: f64 = 0.3;
 
 /// What is in the place of the steel that an eccentric component lacks on one side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub enum Cavity {
-    /// The mud: a bore off the axis, a slot, a worn side. It makes up for part of the missing steel.
+    /// The mud: a bore off the axis, a slot, a worn side. It makes up for part of the missing
+    /// steel.
     #[default]
     Mud,
     /// Air or next to nothing: a sealed pocket.
@@ -41,16 +42,16 @@ pub struct Eccentricity {
     pub cavity: Cavity,
 }
 
-/// Largest offset, as a part of the outside diameter. More is no pipe: a bore that touches the outside of a collar
-/// moves the centre of mass by a tenth of the diameter or so.
+/// Largest offset, as a part of the outside diameter. More is no pipe: a bore that touches the
+/// outside of a collar moves the centre of mass by a tenth of the diameter or so.
 pub const MAX_ECCENTRIC: f64 = 0.1;
 
 impl Eccentricity {
     /// The offset that the steel alone would need for the same imbalance, m.
     ///
-    /// Steel of the volume `V` is missing at the distance `a`: that moves the centre of mass of what is left by
-    /// `e = V a/V_s`, and leaves an imbalance `ρ_s V a = m_s e`. Mud in its place, which moves and is weighed with the pipe,
-    /// makes it `(ρ_s − ρ_m) V a = m_s e (1 − ρ_m/ρ_s)`.
+    /// Steel of the volume `V` is missing at the distance `a`: that moves the centre of mass of
+    /// what is left by `e = V a/V_s`, and leaves an imbalance `ρ_s V a = m_s e`. Mud in its place,
+    /// which moves and is weighed with the pipe, makes it `(ρ_s − ρ_m) V a = m_s e (1 − ρ_m/ρ_s)`.
     pub fn effective_offset_m(&self, mud_kg_per_m3: f64, steel: &Material) -> f64 {
         match self.cavity {
             Cavity::Sealed => self.offset_m,

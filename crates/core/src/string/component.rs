@@ -16,8 +16,8 @@ pub struct ToolJoints {
     pub spacing_m: f64,
 }
 
-/// Blades of a stabiliser, a reamer, a centraliser: a short stretch at the middle of its component that
-/// stands out, and the only part of it that usually touches the wall.
+/// Blades of a stabiliser, a reamer, a centraliser: a short stretch at the middle of its component
+/// that stands out, and the only part of it that usually touches the wall.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Blades {
     /// Diameter over the blades, m: the gauge.
@@ -126,8 +126,8 @@ impl Component {
             .is_some_and(|word| word.eq_ignore_ascii_case("bit"))
     }
 
-    /// Radius on which the component touches the wall, m: that of the blades or of the joints where it has
-    /// either, the body's otherwise.
+    /// Radius on which the component touches the wall, m: that of the blades or of the joints where
+    /// it has either, the body's otherwise.
     pub fn contact_radius_m(&self) -> f64 {
         let joints = self.joints.map(|joints| joints.od_m);
         let blades = self.blades.map(|blades| blades.od_m);
@@ -149,7 +149,8 @@ impl Component {
         Some(self.area_m2() * self.yield_strength_Pa?)
     }
 
-    /// Torque at which the body's surface yields, N·m; `None` where the yield strength is not known.
+    /// Torque at which the body's surface yields, N·m; `None` where the yield strength is not
+    /// known.
     ///
     /// `Q = 2 J (0.577 Y) / D`: the shear stress at the surface reaches von Mises' `Y/√3`, with the
     /// 0.577 of API RP 7G (in inches, psi and ft·lbf its `0.096167 J Y / D`), 0.06 % below `1/√3`.

@@ -16,8 +16,8 @@ pub struct Material {
 }
 
 impl Material {
-    /// Poisson's ratio that goes with the two moduli of an isotropic metal, `ν = E/(2G) - 1`, at most
-    /// the 0.5 of an incompressible one: beyond, contact stiffness would turn negative.
+    /// Poisson's ratio that goes with the two moduli of an isotropic metal, `ν = E/(2G) - 1`, at
+    /// most the 0.5 of an incompressible one: beyond, contact stiffness would turn negative.
     pub fn poisson_ratio(&self) -> f64 {
         (self.youngs_modulus_Pa / (2.0 * self.shear_modulus_Pa) - 1.0).min(0.5)
     }

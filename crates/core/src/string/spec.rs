@@ -211,7 +211,8 @@ impl ComponentSpec {
 /// The string from the bit up, from which a [`DrillString`] is assembled for any depth of the bit.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct StringSpec {
-    /// Components from the bit up. At most one is [`ComponentLength::ToSurface`], and it is the last.
+    /// Components from the bit up. At most one is [`ComponentLength::ToSurface`], and it is the
+    /// last.
     pub components: Vec<ComponentSpec>,
 }
 

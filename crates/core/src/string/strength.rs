@@ -26,18 +26,20 @@ impl BodySection {
         }
     }
 
-    /// Von Mises stress, Pa, on the outside of the bend, at the outer or the inner surface, whichever bears more, of a
-    /// body that carries an effective tension `T`, N, a bending moment `M` and a torque `M_t`, N·m. `burst_square_Pa2`
-    /// is the square of what the pressure inside has over that outside, Pa².
+    /// Von Mises stress, Pa, on the outside of the bend, at the outer or the inner surface,
+    /// whichever bears more, of a body that carries an effective tension `T`, N, a bending moment
+    /// `M` and a torque `M_t`, N·m. `burst_square_Pa2` is the square of what the pressure inside
+    /// has over that outside, Pa².
     ///
-    /// Lamé's stresses of a thick tube with the pressures `p_o` and `p_i` leave, whatever their mean,
+    /// Lamé's stresses of a thick tube with the pressures `p_o` and `p_i` leave, whatever their
+    /// mean,
     ///
     /// ```text
     /// σ² = (|T|/A + σ_b)² + 3τ² + 3 (A_o/A (p_i − p_o))²        inside,  A_i for A_o outside,
     /// ```
     ///
-    /// with `σ_b = M D/2I` and `τ = M_t D/4I` outside, the part `d/D` of both inside: the axial stress
-    /// `(T + p_i A_i − p_o A_o)/A` is `T/A` more than the mean of radial and hoop stress.
+    /// with `σ_b = M D/2I` and `τ = M_t D/4I` outside, the part `d/D` of both inside: the axial
+    /// stress `(T + p_i A_i − p_o A_o)/A` is `T/A` more than the mean of radial and hoop stress.
     #[inline(always)]
     pub fn von_mises_Pa(
         &self,
@@ -65,9 +67,9 @@ impl Component {
         self.second_moment_m4() / (0.5 * self.od_m)
     }
 
-    /// Force in the metal, N, `T + p_i A_i − p_o A_o + ρ Q²/A_i`: effective tension `T`, what the mud's pressures
-    /// outside and inside pull and press the metal with, and the momentum of the stream in the bore. `stream_N_m2` is
-    /// `ρ Q²`, N·m²; without a bore there is no stream.
+    /// Force in the metal, N, `T + p_i A_i − p_o A_o + ρ Q²/A_i`: effective tension `T`, what the
+    /// mud's pressures outside and inside pull and press the metal with, and the momentum of the
+    /// stream in the bore. `stream_N_m2` is `ρ Q²`, N·m²; without a bore there is no stream.
     pub fn true_tension_N(
         &self,
         effective_N: f64,
@@ -81,7 +83,8 @@ impl Component {
         } else {
             0.0
         };
-        // `p_o A_o − p_i A_i`: nothing is left of digits that cancel where the pressures are the same.
+        // `p_o A_o − p_i A_i`: nothing is left of digits that cancel where the pressures are the
+        // same.
         let pressed_N = outside_Pa * self.area_m2() + (outside_Pa - inside_Pa) * bore_m2;
         effective_N - pressed_N + stream_N
     }

@@ -5,20 +5,21 @@ use crate::well::{Hole, HoleSection, Path, PathPoint, Relief, Roughness};
 /// Change of radius with depth in the cone that a step in diameter becomes.
 const SLOPE: f64 = 0.01;
 
-/// Longest way over which a smooth wall is known well enough from one of its points, m. The path is then
-/// known to the third order in it: for a dogleg that changes by 3 deg/30 m within 30 m, to 2e-9 m.
+/// Longest way over which a smooth wall is known well enough from one of its points, m. The path is
+/// then known to the third order in it: for a dogleg that changes by 3 deg/30 m within 30 m, to
+/// 2e-9 m.
 const REACH_M: f64 = 0.05;
 
-/// Part of a wave that may be lost on the way from one point to the next. It sets the ways over which a
-/// rough wall is known from one of its points: the radius to second order, `(k z)²/2` of a wave; the axis to third,
-/// `(k z)³/6`.
+/// Part of a wave that may be lost on the way from one point to the next. It sets the ways over
+/// which a rough wall is known from one of its points: the radius to second order, `(k z)²/2` of a
+/// wave; the axis to third, `(k z)³/6`.
 const LOST: f64 = 1e-4;
 
 /// The hole as the string feels it while it moves along: sections joined by cones, rough or smooth.
 ///
 /// A tool joint that slides over the casing shoe climbs a chamfer in a real hole; in a model a step
-/// would push it out with an unphysical blow. Each step becomes a cone of slope 1:100, centred on it;
-/// where a section is shorter than its cones, they add up and the radius stays continuous.
+/// would push it out with an unphysical blow. Each step becomes a cone of slope 1:100, centred on
+/// it; where a section is shorter than its cones, they add up and the radius stays continuous.
 #[derive(Debug, Clone)]
 pub struct Bore {
     hole: Hole,
@@ -56,7 +57,8 @@ impl Bore {
         self.relief.is_some() && self.hole.roughness().is_some_and(|r| r.radius_rms_m > 0.0)
     }
 
-    /// Longest way along the hole over which the wall is known well enough from one of its points, m.
+    /// Longest way along the hole over which the wall is known well enough from one of its points,
+    /// m.
     pub fn reach_m(&self) -> f64 {
         let Some(roughness) = self.hole.roughness().filter(|_| self.relief.is_some()) else {
             return REACH_M;
@@ -88,8 +90,8 @@ impl Bore {
         }
     }
 
-    /// Radius of the smooth hole at a measured depth, m. Above its first section and below its last the
-    /// hole continues as it begins and ends.
+    /// Radius of the smooth hole at a measured depth, m. Above its first section and below its last
+    /// the hole continues as it begins and ends.
     pub fn smooth_radius_m(&self, md_m: f64) -> f64 {
         self.smooth(md_m)[0]
     }
@@ -115,8 +117,9 @@ impl Bore {
         [radius, slope]
     }
 
-    /// How much of the roughness there is at a measured depth, and its first two derivatives: none above
-    /// the hole, each section's own in it. Where that changes, it does over the shortest wavelength.
+    /// How much of the roughness there is at a measured depth, and its first two derivatives: none
+    /// above the hole, each section's own in it. Where that changes, it does over the shortest
+    /// wavelength.
     fn share(&self, md_m: f64) -> [f64; 3] {
         let sections = self.hole.sections();
         let width = self.hole.roughness().map_or(1.0, |r| r.shortest_m);
@@ -155,12 +158,13 @@ fn smooth_step(x: f64) -> [f64; 3] {
     }
 }
 
-/// A point of the path moved by what lies across the path of an offset that is given with its first two
-/// derivatives along it.
+/// A point of the path moved by what lies across the path of an offset that is given with its first
+/// two derivatives along it.
 ///
-/// `δ = g − (g·t) t`. With `t' = κ` its derivatives are `δ' = g' − (g'·t + g·κ) t − (g·t) κ` and, but for terms in
-/// `κ'` and `κ²`, `δ'' = g'' − (g''·t + 2 g'·κ) t − 2 (g'·t) κ`: what is left out bends the axis by 1e-7 1/m where the
-/// path's dogleg changes by 3 deg/30 m within 30 m and the offset is 2 mm.
+/// `δ = g − (g·t) t`. With `t' = κ` its derivatives are `δ' = g' − (g'·t + g·κ) t − (g·t) κ` and,
+/// but for terms in `κ'` and `κ²`, `δ'' = g'' − (g''·t + 2 g'·κ) t − 2 (g'·t) κ`: what is left out
+/// bends the axis by 1e-7 1/m where the path's dogleg changes by 3 deg/30 m within 30 m and the
+/// offset is 2 mm.
 fn shifted(point: &PathPoint, [g, g1, g2]: [nalgebra::Vector3<f64>; 3]) -> PathPoint {
     let (t, kappa) = (point.tangent, point.curvature_per_m);
     let along = g.dot(&t);

@@ -1,10 +1,10 @@
 //! Normal contact between string and wall, solved implicitly within a step.
 //!
-//! Penetration is geometry: `α = u + r − R`. Both laws take it at the end of the step, which makes any
-//! stiffness stable and the mean forces independent of it. The price is restitution: a blow shorter than
-//! a few steps loses most of its energy. At 0.55 ms, about the step of 3.2 m elements, a node of 120 kg on rock
-//! with the default dissipation rebounds with 0.47 of 0.01 m/s, 0.33 of 0.1, 0.22 of 0.5 and 0.13 of 2 m/s;
-//! the law itself gives 0.997, 0.97, 0.86 and 0.59.
+//! Penetration is geometry: `α = u + r − R`. Both laws take it at the end of the step, which makes
+//! any stiffness stable and the mean forces independent of it. The price is restitution: a blow
+//! shorter than a few steps loses most of its energy. At 0.55 ms, about the step of 3.2 m elements,
+//! a node of 120 kg on rock with the default dissipation rebounds with 0.47 of 0.01 m/s, 0.33 of
+//! 0.1, 0.22 of 0.5 and 0.13 of 2 m/s; the law itself gives 0.997, 0.97, 0.86 and 0.59.
 
 use serde::Serialize;
 
@@ -60,9 +60,10 @@ pub fn hertz_stiffness(modulus_Pa: f64, hole_radius_m: f64, pipe_radius_m: f64) 
 /// approach is the one without contact, not that of the step's end.
 ///
 /// With `y = √α` the law is the cubic `y² + G y³ = α_free`, `G = K (1 + d v_n) dt²/m`; with
-/// `r = G √α_free` and `y = β √α_free` it is `β² + r β³ = 1`, one curve for every contact, and the force is `β³` of
-/// what it would be without giving way. A rational function fits `β³` within 3e-6 for `r < 60`; beyond (walls stiffer
-/// than any) the force stays between zero and the one that takes all penetration away. `d` is never allowed to pull.
+/// `r = G √α_free` and `y = β √α_free` it is `β² + r β³ = 1`, one curve for every contact, and the
+/// force is `β³` of what it would be without giving way. A rational function fits `β³` within 3e-6
+/// for `r < 60`; beyond (walls stiffer than any) the force stays between zero and the one that
+/// takes all penetration away. `d` is never allowed to pull.
 #[inline(always)]
 pub fn hertz<N: Number>(alpha: N, v_n: N, stiffness: N, dissipation: N, give: N) -> N {
     let one = N::splat(1.0);
@@ -73,8 +74,8 @@ pub fn hertz<N: Number>(alpha: N, v_n: N, stiffness: N, dissipation: N, give: N)
     s * alpha * (polynomial(&ABOVE, r) / polynomial(&BELOW, r))
 }
 
-/// Coefficients of the rational fit of `β³`, from the highest power down: the least largest relative error on 800
-/// points of `0 < r < 60`, found by reweighted least squares.
+/// Coefficients of the rational fit of `β³`, from the highest power down: the least largest
+/// relative error on 800 points of `0 < r < 60`, found by reweighted least squares.
 const ABOVE: [f64; 5] = [
     1.462_374_706_377_161_2e-3,
     1.040_899_064_463_644_8e-1,
@@ -100,8 +101,8 @@ fn polynomial<N: Number, const TERMS: usize>(coefficients: &[f64; TERMS], x: N) 
     sum
 }
 
-/// `N = max(0, k α + c v_n)` while the surfaces overlap, at the end of the step `dt` of a node to which one
-/// newton gives `mobility`, `dt/m`, of speed.
+/// `N = max(0, k α + c v_n)` while the surfaces overlap, at the end of the step `dt` of a node to
+/// which one newton gives `mobility`, `dt/m`, of speed.
 #[inline(always)]
 pub fn linear<N: Number>(alpha: N, v_n: N, k: N, c: N, mobility: N, dt: N) -> N {
     let free = k.mul_add(alpha, c * v_n);
@@ -113,8 +114,8 @@ pub fn linear<N: Number>(alpha: N, v_n: N, k: N, c: N, mobility: N, dt: N) -> N 
 mod tests {
     use super::*;
 
-    /// The force is that of the root of its cubic, found by halving, for every stiffness and depth of a contact. The
-    /// tolerance is that of its fit (see [`hertz`]).
+    /// The force is that of the root of its cubic, found by halving, for every stiffness and depth
+    /// of a contact. The tolerance is that of its fit (see [`hertz`]).
     #[test]
     fn hertz_solves_its_cubic() {
         let inertia = 150.0 / 3e-7;

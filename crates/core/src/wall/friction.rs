@@ -5,12 +5,13 @@
 
 use crate::simd::number::Number;
 
-/// Sliding speed at which the coefficient at rest has half decayed to the kinetic one where nothing else
-/// is said, m/s.
+/// Sliding speed at which the coefficient at rest has half decayed to the kinetic one where nothing
+/// else is said, m/s.
 pub const STRIBECK_SPEED_M_PER_S: f64 = 0.1;
 
 /// Coefficient of friction at the sliding speed whose square is `speed2`:
-/// `μ = μ_k + (μ_s − μ_k)/(1 + (v/v_s)²)`, a rational form of Stribeck's decay; `decay` is `1/v_s²`.
+/// `μ = μ_k + (μ_s − μ_k)/(1 + (v/v_s)²)`, a rational form of Stribeck's decay; `decay` is
+/// `1/v_s²`.
 #[inline(always)]
 pub fn coefficient<N: Number>(kinetic: N, rise: N, speed2: N, decay: N) -> N {
     kinetic + rise / speed2.mul_add(decay, N::splat(1.0))
@@ -19,15 +20,15 @@ pub fn coefficient<N: Number>(kinetic: N, rise: N, speed2: N, decay: N) -> N {
 /// Friction on a contact that would slide at `axial` and `around` without it, N, in the direction
 /// of these velocities (the string feels the opposite).
 ///
-/// `limit` is `μ N`; `g_axial` and `g_around` are the speeds that one newton takes away in the step.
-/// The exact law is `f_i (g_i + λ) = u_i` with `λ ≥ 0` the ratio of the remaining speed to the limit.
-/// `|f| = limit` gives `λ = |u|/limit − Σ g u²/Σ u²`, to second order in `g/λ`, and so the direction
-/// of `f`; its length is the limit, or what stops the motion if that is less. A contact that can stick
-/// (`|u_i/g_i| ≤ limit`) always has `λ = 0` by this formula, the exact stop.
+/// `limit` is `μ N`; `g_axial` and `g_around` are the speeds that one newton takes away in the
+/// step. The exact law is `f_i (g_i + λ) = u_i` with `λ ≥ 0` the ratio of the remaining speed to
+/// the limit. `|f| = limit` gives `λ = |u|/limit − Σ g u²/Σ u²`, to second order in `g/λ`, and so
+/// the direction of `f`; its length is the limit, or what stops the motion if that is less. A
+/// contact that can stick (`|u_i/g_i| ≤ limit`) always has `λ = 0` by this formula, the exact stop.
 ///
 /// For `g` that differ by no more than 4 the direction is within 7e-8 rad of the exact one where
-/// `λ > 100 g`, within 6e-5 where `λ > 10 g` and within 0.02 where `λ > g`. In a step that all but stops
-/// the contact, 0.2 rad (`λ = g/5`).
+/// `λ > 100 g`, within 6e-5 where `λ > 10 g` and within 0.02 where `λ > g`. In a step that all but
+/// stops the contact, 0.2 rad (`λ = g/5`).
 #[inline(always)]
 pub fn vector<N: Number>(limit: N, axial: N, around: N, g_axial: N, g_around: N) -> (N, N) {
     let (a2, t2) = (axial * axial, around * around);
@@ -56,8 +57,8 @@ mod tests {
     use super::*;
 
     /// Where it slides, the friction is on Coulomb's cone and against the remaining velocity; where
-    /// it can stick, nothing remains. Far from sticking (`λ/g > 100`) the direction holds to 1e-4 by
-    /// its cosine, the rounding of which is no finer.
+    /// it can stick, nothing remains. Far from sticking (`λ/g > 100`) the direction holds to 1e-4
+    /// by its cosine, the rounding of which is no finer.
     #[test]
     fn vector_friction_obeys_coulomb() {
         let (ga, gt) = (4e-6, 9e-6);

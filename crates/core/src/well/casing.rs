@@ -1,7 +1,7 @@
 //! Casing by its size and weight, as API Spec 5CT lists it.
 //!
-//! Only dimensions are stored, as facts with the standard that they come from: what casing is called by is its
-//! outside diameter, while the string moves in the inside one.
+//! Only dimensions are stored, as facts with the standard that they come from: what casing is
+//! called by is its outside diameter, while the string moves in the inside one.
 
 use crate::string::catalogue::parts::{Part, parts};
 
@@ -86,8 +86,8 @@ pub struct UnknownCasing {
     pub nearest: Vec<String>,
 }
 
-/// How much the drift mandrel is smaller than the inside diameter, in: 1/8 below a size of 9-5/8, 5/32 up to
-/// 13-3/8, 3/16 above (API Spec 5CT).
+/// How much the drift mandrel is smaller than the inside diameter, in: 1/8 below a size of 9-5/8,
+/// 5/32 up to 13-3/8, 3/16 above (API Spec 5CT).
 fn drift_allowance_in(od_in: f64) -> f64 {
     if od_in < 9.625 {
         1.0 / 8.0
@@ -133,8 +133,8 @@ pub fn of_outside_diameter(od_m: f64) -> Vec<Casing> {
 
 /// The casing of a designation.
 ///
-/// Understood are `9-5/8 in 40 lb/ft` and the usual other spellings, a grade and a connection among them:
-/// `9 5/8" 47# L-80 casing`, `13.375 in 68 ppf K55 BTC`.
+/// Understood are `9-5/8 in 40 lb/ft` and the usual other spellings, a grade and a connection among
+/// them: `9 5/8" 47# L-80 casing`, `13.375 in 68 ppf K55 BTC`.
 ///
 /// ```
 /// use wholestring::well::casing;
@@ -196,7 +196,8 @@ pub fn find(designation: &str) -> Result<Casing, UnknownCasing> {
     })
 }
 
-/// Outside diameter in inches and weight in lb/ft, if there is one; `None` where a word is not understood.
+/// Outside diameter in inches and weight in lb/ft, if there is one; `None` where a word is not
+/// understood.
 fn size_and_weight(designation: &str) -> Option<(f64, Option<f64>)> {
     let mut numbers = Vec::new();
     let mut parts = parts(designation).into_iter().peekable();
@@ -207,7 +208,8 @@ fn size_and_weight(designation: &str) -> Option<(f64, Option<f64>)> {
                 "in" | "inch" | "inches" | "od" | "lb" | "lbs" | "lbm" | "ft" | "ppf" | "per"
                 | "casing" | "csg" | "liner" | "lnr" | "grade" | "btc" | "ltc" | "stc" | "lc"
                 | "sc" | "bc" => {}
-                // Grades: H-40, J-55, K-55, M-65, N-80, L-80, R-95, C-90, T-95, C-110, P-110, Q-125.
+                // Grades: H-40, J-55, K-55, M-65, N-80, L-80, R-95, C-90, T-95, C-110, P-110,
+                // Q-125.
                 "h" | "j" | "k" | "m" | "n" | "l" | "r" | "c" | "t" | "p" | "q"
                     if matches!(parts.peek(), Some(Part::Number(_))) =>
                 {
@@ -228,8 +230,9 @@ fn size_and_weight(designation: &str) -> Option<(f64, Option<f64>)> {
 mod tests {
     use super::*;
 
-    /// The plain end of steel weighs `10.69 (D - t) t` lb/ft (API Bulletin 5C3); thread and coupling add to it.
-    /// All entries are 0 to 4.9 % above it. A misprint of 0.02 in in a wall moves it by 4 to 9 %.
+    /// The plain end of steel weighs `10.69 (D - t) t` lb/ft (API Bulletin 5C3); thread and
+    /// coupling add to it. All entries are 0 to 4.9 % above it. A misprint of 0.02 in in a wall
+    /// moves it by 4 to 9 %.
     #[test]
     fn walls_weigh_what_their_names_say() {
         for casing in entries() {

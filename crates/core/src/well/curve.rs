@@ -87,7 +87,8 @@ impl Piece {
         t0 * (cos_beta * cos_phi) + e * (cos_beta * sin_phi) + n * sin_beta
     }
 
-    /// Unit tangent and curvature vector, the derivative of the tangent, at `x` metres into the piece.
+    /// Unit tangent and curvature vector, the derivative of the tangent, at `x` metres into the
+    /// piece.
     pub(super) fn heading(&self, x: f64) -> (Vector3<f64>, Vector3<f64>) {
         let (sin_phi, cos_phi) = value(&self.longitude, x).sin_cos();
         let (sin_beta, cos_beta) = value(&self.latitude, x).sin_cos();

@@ -15,8 +15,8 @@ pub enum HoleKind {
 
 /// Coulomb friction of a wall.
 ///
-/// Along the hole and around it the coefficient may differ: a pipe that turns rolls over cuttings that it
-/// ploughs when it slides.
+/// Along the hole and around it the coefficient may differ: a pipe that turns rolls over cuttings
+/// that it ploughs when it slides.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Friction {
     /// Coefficient while sliding along the hole.
@@ -158,9 +158,9 @@ impl Hole {
     /// The same hole with a rough wall, or with a smooth one.
     ///
     /// # Errors
-    /// A root mean square that is negative or not finite; wavelengths that are not positive, or of which
-    /// the longest is less than 1.2 times the shortest: waves of one length would add up to a single one of
-    /// any height.
+    /// A root mean square that is negative or not finite; wavelengths that are not positive, or of
+    /// which the longest is less than 1.2 times the shortest: waves of one length would add up to a
+    /// single one of any height.
     pub fn with_roughness(self, roughness: Option<Roughness>) -> Result<Self, HoleError> {
         if let Some(r) = roughness {
             for (quantity, value, valid, expected) in [
@@ -220,9 +220,9 @@ impl Hole {
         &self.sections[index.min(self.sections.len() - 1)]
     }
 
-    /// The same hole with one kinetic coefficient of friction everywhere. Coefficients at rest and around
-    /// the hole keep their ratios to the kinetic one along it (where that was zero, the one at rest
-    /// becomes `kinetic`).
+    /// The same hole with one kinetic coefficient of friction everywhere. Coefficients at rest and
+    /// around the hole keep their ratios to the kinetic one along it (where that was zero, the one
+    /// at rest becomes `kinetic`).
     ///
     /// # Errors
     /// A coefficient that is negative or not finite.

@@ -57,7 +57,8 @@ impl PathPoint {
         self.tangent.x.hypot(self.tangent.y).atan2(self.tangent.z)
     }
 
-    /// Azimuth from north, clockwise seen from above, rad, 0 to 2π; zero where the hole is vertical.
+    /// Azimuth from north, clockwise seen from above, rad, 0 to 2π; zero where the hole is
+    /// vertical.
     pub fn azimuth_rad(&self) -> f64 {
         let azimuth = self.tangent.y.atan2(self.tangent.x);
         if azimuth < 0.0 {
@@ -314,9 +315,9 @@ impl Path {
     ///
     /// Where the hole is inclined by more than 0.001 rad this is [`PathPoint::high_side`]. In a
     /// vertical part it keeps the bearing that it takes below (just under a kick-off the high side
-    /// faces the way the hole deviates), or, down to the end of the well, the one that it had above;
-    /// between two inclined parts its bearing turns evenly with depth from one to the other, the
-    /// short way. In a wholly vertical well it is north.
+    /// faces the way the hole deviates), or, down to the end of the well, the one that it had
+    /// above; between two inclined parts its bearing turns evenly with depth from one to the other,
+    /// the short way. In a wholly vertical well it is north.
     pub fn high_side_at(&self, md_m: f64) -> Vector3<f64> {
         self.high_side_of(md_m, &self.heading_at(md_m).tangent)
     }
@@ -339,9 +340,9 @@ impl Path {
     /// Of the survey, thinned to stations at least 25 m apart, this takes the first station whose
     /// direction is more than 3° off the first one's, and goes up from there as long as each
     /// interval turns away at least a quarter as sharply as the one that crossed the 3°. So neither
-    /// the wander of a nominally vertical hole nor a slow start of the build moves it far. A station
-    /// left out counts again if the hole reaches it straight from there. `None` for a hole that
-    /// stays within 3° of its first direction.
+    /// the wander of a nominally vertical hole nor a slow start of the build moves it far. A
+    /// station left out counts again if the hole reaches it straight from there. `None` for a hole
+    /// that stays within 3° of its first direction.
     pub fn kick_off_md_m(&self) -> Option<f64> {
         kick_off::kick_off_md_m(&self.stations)
     }

@@ -25,15 +25,16 @@ pub struct Roughness {
 /// Number of waves that a wall is made of.
 const WAVES: usize = 32;
 
-/// Each wavelength lies in the middle half of its part of the band: no two waves beat for kilometres.
+/// Each wavelength lies in the middle half of its part of the band: no two waves beat for
+/// kilometres.
 const JITTER: [f64; 2] = [0.25, 0.5];
 
-/// The wall that a [`Roughness`] stands for, a function of measured depth alone: 32 sinusoids of equal
-/// amplitude, their wavelengths evenly spread over the logarithm of the band and jittered within, their
-/// phases random.
+/// The wall that a [`Roughness`] stands for, a function of measured depth alone: 32 sinusoids of
+/// equal amplitude, their wavelengths evenly spread over the logarithm of the band and jittered
+/// within, their phases random.
 ///
-/// The generator is SplitMix64; wave by wave it gives the jitter, then the phases of the radius and of the
-/// axis' offset to north, east and down. Numbers agree on every machine to 1e-9 m: only the
+/// The generator is SplitMix64; wave by wave it gives the jitter, then the phases of the radius and
+/// of the axis' offset to north, east and down. Numbers agree on every machine to 1e-9 m: only the
 /// rounding of the machine's sine differs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Relief {
@@ -63,8 +64,8 @@ impl Relief {
         let mut random = Random::new(roughness.seed);
         let band = (roughness.longest_m / roughness.shortest_m).ln();
         let count = WAVES as f64;
-        // A sinusoid's mean square is half its amplitude's square. Of three offsets of the same rms, two
-        // lie across the hole, and add up to the distance from the path.
+        // A sinusoid's mean square is half its amplitude's square. Of three offsets of the same
+        // rms, two lie across the hole, and add up to the distance from the path.
         let radius = roughness.radius_rms_m * (2.0 / count).sqrt();
         let offset = roughness.tortuosity_rms_m / count.sqrt();
         let waves = std::array::from_fn(|index| {
@@ -106,7 +107,8 @@ impl Relief {
 }
 
 impl ReliefPoint {
-    /// The relief where its size changes along the hole by `factor`, given with its first two derivatives.
+    /// The relief where its size changes along the hole by `factor`, given with its first two
+    /// derivatives.
     pub fn scaled(&self, factor: [f64; 3]) -> Self {
         let [f, f1, f2] = factor;
         let [radius, slope] = self.radius;

@@ -10,7 +10,8 @@ const NEAR_VERTICAL: f64 = 1e-3;
 /// Stretches nearer to each other than this are one, m.
 const TOUCHING_M: f64 = 1e-6;
 
-/// The near-vertical stretches of a path, from the top down, each with the bearing of its high side.
+/// The near-vertical stretches of a path, from the top down, each with the bearing of its high
+/// side.
 #[derive(Debug, Clone)]
 pub(super) struct NearVertical {
     intervals: Vec<Interval>,

@@ -167,11 +167,11 @@ pub fn rpm(revolutions_per_minute: f64) -> f64 {
 /// Length of the arc of a [`capstan_model`], m.
 pub const CAPSTAN_ARC_M: f64 = 500.0;
 
-/// An arc between two directions (inclination and azimuth in degrees) through which a weightless string
-/// runs under a tension at its lower end.
+/// An arc between two directions (inclination and azimuth in degrees) through which a weightless
+/// string runs under a tension at its lower end.
 ///
-/// The pipe in the arc is as dense as the mud, so it weighs nothing there; the tension is the weight of
-/// denser pipe in a straight, frictionless hole of 100 m below the arc.
+/// The pipe in the arc is as dense as the mud, so it weighs nothing there; the tension is the
+/// weight of denser pipe in a straight, frictionless hole of 100 m below the arc.
 pub fn capstan_model(
     top_deg: [f64; 2],
     bottom_deg: [f64; 2],

@@ -1,5 +1,5 @@
-//! The string of `cases/np13-x1042.toml`: the engine reads no case files. A test of `crates/case` holds the two
-//! against each other.
+//! The string of `cases/np13-x1042.toml`: the engine reads no case files. A test of `crates/case`
+//! holds the two against each other.
 
 use wholestring::string::{ComponentLength, ComponentSpec, Material, ToolJoints};
 

@@ -11,12 +11,14 @@ const TENSION_N: f64 = 2e5;
 const RADIUS_M: f64 = 0.06;
 const BUILD_DEG: f64 = 40.0;
 
-/// A weightless pipe under tension in an arc lies against its inside at every node and bends more there than
-/// the hole: by `x/tanh x`, `x = (l/2)√(T/EI)`, with `l` from one support to the next (A. Lubinski, *Maximum
-/// Permissible Dog-Legs in Rotary Boreholes*, J. Petroleum Technology, February 1961, for tool joints).
+/// A weightless pipe under tension in an arc lies against its inside at every node and bends more
+/// there than the hole: by `x/tanh x`, `x = (l/2)√(T/EI)`, with `l` from one support to the next
+/// (A. Lubinski, *Maximum Permissible Dog-Legs in Rotary Boreholes*, J. Petroleum Technology,
+/// February 1961, for tool joints).
 ///
-/// Here `x` is 0.64 and the factor 1.132. An element has it to the second order, `1 + x²/3`: 0.32 % more, the
-/// tolerance is 0.4 %. Left out are 30 m at the ends of the arc, where the curvature jumps: `e^(−30 m √(T/EI))` is 6e-6.
+/// Here `x` is 0.64 and the factor 1.132. An element has it to the second order, `1 + x²/3`: 0.32 %
+/// more, the tolerance is 0.4 %. Left out are 30 m at the ends of the arc, where the curvature
+/// jumps: `e^(−30 m √(T/EI))` is 6e-6.
 #[test]
 fn a_pipe_in_an_arc_bends_most_where_it_is_held() {
     let model = capstan_model([0.0, 0.0], [BUILD_DEG, 0.0], 0.0, RADIUS_M, TENSION_N);
@@ -53,7 +55,8 @@ fn a_pipe_in_an_arc_bends_most_where_it_is_held() {
         close("stress", nodes.von_mises_stress_Pa[i], stress);
         // What is left of the start's swinging is in it.
         assert!(nodes.von_mises_stress_max_Pa[i] >= nodes.von_mises_stress_Pa[i]);
-        // As dense as the mud, the pipe hangs in it as if there were none: its metal feels the pressure.
+        // As dense as the mud, the pipe hangs in it as if there were none: its metal feels the
+        // pressure.
         let path = &case.model.well.path;
         let pressure = case
             .model
@@ -70,7 +73,8 @@ fn a_pipe_in_an_arc_bends_most_where_it_is_held() {
             ContactClass::Continuous
         );
         assert!(nodes.side_force_N_per_m[i] > 0.0, "on the high side");
-        // Nothing but the tension in its curve presses it there, the signed force's median as its mean.
+        // Nothing but the tension in its curve presses it there, the signed force's median as its
+        // mean.
         let [p05, p50, p95] = [
             nodes.side_force_p05_N_per_m[i],
             nodes.side_force_p50_N_per_m[i],

@@ -69,8 +69,8 @@ fn statistic(outcome: &DynamicOutcome, name: &str) -> Statistic {
 }
 
 /// Turning fast enough, a drag bit under a whole string drills steadily: weight, torque and rate of
-/// penetration are those of the cutting law's closed form. Expected is rounding and what is left of the
-/// start: 1e-4 within a minute.
+/// penetration are those of the cutting law's closed form. Expected is rounding and what is left of
+/// the start: 1e-4 within a minute.
 #[test]
 fn a_fast_drag_bit_drills_steadily() {
     let mut case = vertical(200.0);
@@ -115,9 +115,9 @@ fn a_fast_drag_bit_drills_steadily() {
     assert!(weight.std < 1e-3 * weight.mean, "{weight:?}");
 }
 
-/// By Detournay and Defourny's law the same bit drills steadily at a speed at which the blades' history would make it stick
-/// and slip: weight, torque and rate of penetration are the closed form's, the rate is that of the bit's own depth, and
-/// the energy's books stay in balance.
+/// By Detournay and Defourny's law the same bit drills steadily at a speed at which the blades'
+/// history would make it stick and slip: weight, torque and rate of penetration are the closed
+/// form's, the rate is that of the bit's own depth, and the energy's books stay in balance.
 #[test]
 fn a_bit_without_history_drills_steadily() {
     let mut case = vertical(100.0);
@@ -164,7 +164,8 @@ fn a_bit_without_history_drills_steadily() {
     assert!(residual.abs() < 1e-5, "{residual:e}");
 }
 
-/// A string that slides with a mud motor, its bit by a table: steady at the speed that the motor has under the table's torque.
+/// A string that slides with a mud motor, its bit by a table: steady at the speed that the motor
+/// has under the table's torque.
 #[test]
 fn a_motor_turns_the_bit_of_a_sliding_string() {
     let mut case = vertical(0.0);
@@ -202,7 +203,8 @@ fn a_motor_turns_the_bit_of_a_sliding_string() {
     case.settings.settle_s = 30.0;
     case.settings.duration_s = 15.0;
     let outcome = case.run();
-    // Torque and speed meet where 3600 N·m less 1 for each rev/min is what the motor's speed leaves.
+    // Torque and speed meet where 3600 N·m less 1 for each rev/min is what the motor's speed
+    // leaves.
     let free = 150.0;
     let fall = 0.1 * free / motor.max_torque_N_m();
     let turns = (free - fall * 3600.0) / (1.0 - fall);
@@ -243,9 +245,9 @@ fn a_motor_turns_the_bit_of_a_sliding_string() {
     assert_eq!(outcome.bit_table.expect("a table").outside_fraction, 0.0);
 }
 
-/// Turning slowly, the same bit sticks and slips by itself, and drills on in the mean as fast as a steady one
-/// would. It sticks at 100 rev/min and below, swings without stopping from 105 to 180, and is quiet from 190
-/// up (in steps of 5 and 10). The energy's books stay in balance.
+/// Turning slowly, the same bit sticks and slips by itself, and drills on in the mean as fast as a
+/// steady one would. It sticks at 100 rev/min and below, swings without stopping from 105 to 180,
+/// and is quiet from 190 up (in steps of 5 and 10). The energy's books stay in balance.
 #[test]
 fn a_slow_drag_bit_sticks_and_slips() {
     let case = vertical(40.0);
@@ -270,9 +272,9 @@ fn a_slow_drag_bit_sticks_and_slips() {
     assert!(residual.abs() < 1e-4, "{residual:e}");
 }
 
-/// An hour's drilling with a tricone bit on a rough bottom, a minute of it: the weight on bit swings with three
-/// lobes and noise and keeps its mean, the torque with it and its own fluctuation, and the energy's books
-/// stay in balance.
+/// An hour's drilling with a tricone bit on a rough bottom, a minute of it: the weight on bit
+/// swings with three lobes and noise and keeps its mean, the torque with it and its own
+/// fluctuation, and the energy's books stay in balance.
 #[test]
 fn a_rough_bottom_shakes_the_string() {
     let mut case = np13(0.3);
@@ -299,8 +301,8 @@ fn a_rough_bottom_shakes_the_string() {
     assert!((torque.mean / 3100.0 - 1.0).abs() < 0.01, "{torque:?}");
     assert!((spin.mean / rpm(70.0) - 1.0).abs() < 0.01, "{spin:?}");
     // A front that moves at v meets the collar's impedance √(EA m) = 7.7e5 N·s/m: 0.8 mm of three
-    // lobes at 70 rev/min are 10 kN rms, 0.2 mm at some 30 rad/s of roughness 5 kN; the short pieces above
-    // the bit throw back what adds to that or takes from it.
+    // lobes at 70 rev/min are 10 kN rms, 0.2 mm at some 30 rad/s of roughness 5 kN; the short
+    // pieces above the bit throw back what adds to that or takes from it.
     assert!((5e3..20e3).contains(&weight.std), "{weight:?}");
     // Independent factors: 1 + var = (1 + var of the weight)(1 + var of the fluctuation).
     let share = (weight.std / weight.mean).powi(2);

@@ -1,4 +1,5 @@
-//! What a run must not depend on: its settling, its elements, where its survey begins, how its hoist is asked.
+//! What a run must not depend on: its settling, its elements, where its survey begins, how its
+//! hoist is asked.
 
 use wholestring::{
     dynamics::HoistControl,
@@ -12,11 +13,11 @@ use crate::{
     wells::{Case, STRAIGHT_DEG, each, go, mean_between, model, moderate, section, straight, tool},
 };
 
-/// A block velocity that is requested as a setting is the string's speed: reaming 500 m at 0.5 m/s drags and
-/// rubs and pulls alike, whatever speed the operation names.
+/// A block velocity that is requested as a setting is the string's speed: reaming 500 m at 0.5 m/s
+/// drags and rubs and pulls alike, whatever speed the operation names.
 ///
-/// The two runs are the same problem but for the twist of their starts, which the named speed has a part in; 1e-5 of it
-/// is left after five seconds.
+/// The two runs are the same problem but for the twist of their starts, which the named speed has a
+/// part in; 1e-5 of it is left after five seconds.
 #[test]
 fn a_block_velocity_is_the_trip_speed() {
     let found = each(&[None, Some(0.2)], |named| {
@@ -49,15 +50,16 @@ fn a_trip_by_block_velocity_has_its_hook_load() {
         case.settings.duration_s = 3.0;
         case.run().scalars.hook_load_N
     });
-    // Where it starts, the friction around differs by the named speed; it has settled to 1e-4 after 3 s.
+    // Where it starts, the friction around differs by the named speed; it has settled to 1e-4 after
+    // 3 s.
     assert_close("hook load", found[1], found[0], 1e-4);
 }
 
-/// A prepared start is the operation itself: a window from time zero has the means of one that settled
-/// first, and its first row is like every other.
+/// A prepared start is the operation itself: a window from time zero has the means of one that
+/// settled first, and its first row is like every other.
 ///
-/// Within 1 % of the hook load, and 3 % of side force, axial friction and torque, which the first seconds' rolling
-/// up the wall takes part in.
+/// Within 1 % of the hook load, and 3 % of side force, axial friction and torque, which the first
+/// seconds' rolling up the wall takes part in.
 #[test]
 fn a_run_without_settling_is_like_a_settled_one() {
     for kind in [OperationKind::TripOut, OperationKind::RotateOffBottom] {
@@ -111,13 +113,13 @@ fn a_run_without_settling_is_like_a_settled_one() {
     }
 }
 
-/// A hole that builds from the surface: the top of the string, on its axis, slides ten metres into the build.
-/// Its hook load is the soft string's, within 1 %, though samples are half a metre apart, and its
-/// top stays on the axis to a hundredth of a millimetre: the wall is known to the third order of the distance between
-/// anchors, centimetres here.
+/// A hole that builds from the surface: the top of the string, on its axis, slides ten metres into
+/// the build. Its hook load is the soft string's, within 1 %, though samples are half a metre
+/// apart, and its top stays on the axis to a hundredth of a millimetre: the wall is known to the
+/// third order of the distance between anchors, centimetres here.
 ///
-/// Friction is a fifth of the hook load here, and 4 % of it is missing: what the clamped top and the bit carry,
-/// 12 m of 600 at either end.
+/// Friction is a fifth of the hook load here, and 4 % of it is missing: what the clamped top and
+/// the bit carry, 12 m of 600 at either end.
 #[test]
 fn a_build_from_the_surface_keeps_its_hook_load() {
     let mut stations: Vec<[f64; 3]> = (0..=10)
@@ -148,11 +150,11 @@ fn a_build_from_the_surface_keeps_its_hook_load() {
     }
 }
 
-/// A survey that begins a kilometre down, at the wellhead of that depth or below a tie-in: dynamics and soft
-/// string stretch alike, for mud presses on both alike.
+/// A survey that begins a kilometre down, at the wellhead of that depth or below a tie-in: dynamics
+/// and soft string stretch alike, for mud presses on both alike.
 ///
-/// Without friction both are the integral of the same tension: 0.5 % of the stretch for the bending that the dynamic
-/// string has.
+/// Without friction both are the integral of the same tension: 0.5 % of the stretch for the bending
+/// that the dynamic string has.
 #[test]
 fn a_survey_that_begins_deep_stretches_alike() {
     for tvd_m in [0.0, 1000.0] {
@@ -180,8 +182,8 @@ fn a_survey_that_begins_deep_stretches_alike() {
     }
 }
 
-/// A bit of four metres, which fills its hole, has a node inside where elements are short and none where they
-/// are long: the torque of the string above does not know, within 1 %.
+/// A bit of four metres, which fills its hole, has a node inside where elements are short and none
+/// where they are long: the torque of the string above does not know, within 1 %.
 #[test]
 fn a_long_bit_has_the_torque_of_any_mesh() {
     let torques = each(&[3.2, 1.6], |element_length_m| {
@@ -203,8 +205,9 @@ fn a_long_bit_has_the_torque_of_any_mesh() {
     assert_close("torque", torques[0], torques[1], 0.01);
 }
 
-/// A motor of 9 m that all but fills its hole lies on the wall, whether or not a bit is listed below it: no node of it leaves
-/// the hole by more than the contact gives way, and the deepest penetration is what the nodes' offsets say.
+/// A motor of 9 m that all but fills its hole lies on the wall, whether or not a bit is listed
+/// below it: no node of it leaves the hole by more than the contact gives way, and the deepest
+/// penetration is what the nodes' offsets say.
 ///
 /// Its clearance is 1.95 mm; without a wall a node of it was 36 mm off the axis.
 #[test]
@@ -240,8 +243,8 @@ fn a_snug_motor_touches_the_wall() {
     }
 }
 
-/// A bit that its spring lets off the axis is in the wall by as much as the geometry says, though no wall acts on it: it
-/// fills its hole, so by all of its offset.
+/// A bit that its spring lets off the axis is in the wall by as much as the geometry says, though
+/// no wall acts on it: it fills its hole, so by all of its offset.
 #[test]
 fn a_held_bit_shows_its_penetration() {
     let mut case = Case::new(
@@ -266,8 +269,8 @@ fn a_held_bit_shows_its_penetration() {
     assert!(deepest_m < 2.0 * offset_m, "{deepest_m} {offset_m}");
 }
 
-/// Elements of half a metre take six times as many steps a second: ten seconds after its start a drilling string has
-/// its weight on bit within 3 % all the same.
+/// Elements of half a metre take six times as many steps a second: ten seconds after its start a
+/// drilling string has its weight on bit within 3 % all the same.
 ///
 /// 3 % is what every operation is held to at the usual length.
 #[test]

@@ -59,12 +59,13 @@ fn weight_N(case: &Case) -> f64 {
 }
 
 /// Pulled out steadily at `V`, a string in a straight hole needs `W cos i + μ(V) N`, with
-/// `μ = μ_k + (μ_s − μ_k)/(1 + (V/v_s)²)`: nearly all of the friction at rest when it creeps, little more than the
-/// kinetic when it moves; falling in between.
+/// `μ = μ_k + (μ_s − μ_k)/(1 + (V/v_s)²)`: nearly all of the friction at rest when it creeps,
+/// little more than the kinetic when it moves; falling in between.
 ///
-/// `N` is the run's own sum of contact forces: what the clamped top and the bit carry does not rub. The law is exact
-/// in steady motion, but that the step takes the coefficient at the speed before friction, `μ g dt` too fast: with the
-/// 0.15 ms of elements of 0.8 m, 0.4 mm/s, up to 0.12 % of the coefficient where it falls fastest. 0.2 % is held.
+/// `N` is the run's own sum of contact forces: what the clamped top and the bit carry does not rub.
+/// The law is exact in steady motion, but that the step takes the coefficient at the speed before
+/// friction, `μ g dt` too fast: with the 0.15 ms of elements of 0.8 m, 0.4 mm/s, up to 0.12 % of
+/// the coefficient where it falls fastest. 0.2 % is held.
 #[test]
 fn friction_falls_with_the_speed_of_sliding() {
     let case = case();
@@ -87,12 +88,12 @@ fn friction_falls_with_the_speed_of_sliding() {
     }
 }
 
-/// Held by the friction at rest, it takes `W cos i + μ_s N` to move a string: 3 % of the friction less do not, 3 %
-/// more do, and then it gains speed by what the hook has more than the kinetic friction takes, `m v' = F − W cos i −
-/// μ(v) N`.
+/// Held by the friction at rest, it takes `W cos i + μ_s N` to move a string: 3 % of the friction
+/// less do not, 3 % more do, and then it gains speed by what the hook has more than the kinetic
+/// friction takes, `m v' = F − W cos i − μ(v) N`.
 ///
-/// The hook load is raised in steps of 1 % of the friction, so that what a step adds by its axial wave, as
-/// much again, stays below the limit.
+/// The hook load is raised in steps of 1 % of the friction, so that what a step adds by its axial
+/// wave, as much again, stays below the limit.
 #[test]
 fn a_string_at_rest_breaks_away_at_its_static_friction() {
     let case = case();

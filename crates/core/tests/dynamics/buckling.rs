@@ -1,4 +1,5 @@
-//! A string under load in a straight hole: straight below the load of Dawson and Paslay, buckled above it.
+//! A string under load in a straight hole: straight below the load of Dawson and Paslay, buckled
+//! above it.
 
 use wholestring::{
     dynamics::{HoistControl, Simulation},
@@ -24,7 +25,8 @@ struct Pushed {
     along_N_per_m: f64,
 }
 
-/// The row of 5 in pipe in an 8-1/2 in hole at an inclination, frictionless, `waves` wavelengths long.
+/// The row of 5 in pipe in an 8-1/2 in hole at an inclination, frictionless, `waves` wavelengths
+/// long.
 fn row(inclination_deg: f64, waves: f64) -> Pushed {
     let file = verification("C01_straight_hole_critical_loads.json");
     let rows = file["cases"].as_array().expect("a list of cases");
@@ -95,8 +97,8 @@ struct Shape {
     load: f64,
 }
 
-/// The shape under `load` times the critical load at the lower end, `seconds` after the start. `ends` wavelengths at either
-/// end are left out.
+/// The shape under `load` times the critical load at the lower end, `seconds` after the start.
+/// `ends` wavelengths at either end are left out.
 fn shape(row: &Pushed, load: f64, seconds: f64, ends: f64) -> Shape {
     let mut case = row.case.clone();
     let length_m = case.operation.bit_depth_m;
@@ -141,9 +143,10 @@ fn shape(row: &Pushed, load: f64, seconds: f64, ends: f64) -> Shape {
     }
 }
 
-/// Amplitude `A` of the snake `θ = A sin kz` under `load` times the critical load: the least of the energy
-/// `EI r²/2 (θ″² + θ′⁴) − F r²/2 θ′² + w r (1 − cos θ)` per length over `A` and `k`, to the fourth order in `A`:
-/// `load = √(1 − A²/8) (1 + 3A²/4)`. Derived here; at `A = 0` it is Dawson and Paslay's load.
+/// Amplitude `A` of the snake `θ = A sin kz` under `load` times the critical load: the least of the
+/// energy `EI r²/2 (θ″² + θ′⁴) − F r²/2 θ′² + w r (1 − cos θ)` per length over `A` and `k`, to the
+/// fourth order in `A`: `load = √(1 − A²/8) (1 + 3A²/4)`. Derived here; at `A = 0` it is Dawson and
+/// Paslay's load.
 fn amplitude_rad(load: f64) -> f64 {
     let (mut low, mut high) = (0.0f64, 1.0f64);
     for _ in 0..60 {
@@ -157,21 +160,23 @@ fn amplitude_rad(load: f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// Waves of the string, and waves left out at either end: the ends are held to the hole's axis and lift the string
-/// off the low side there, which fades within two waves.
+/// Waves of the string, and waves left out at either end: the ends are held to the hole's axis and
+/// lift the string off the low side there, which fades within two waves.
 const WAVES: f64 = 16.0;
 const ENDS: f64 = 4.0;
 
-/// Straight: the seeded disturbance of a micrometre turns the string by 2e-5 rad at the start, and it must not
-/// have grown.
+/// Straight: the seeded disturbance of a micrometre turns the string by 2e-5 rad at the start, and
+/// it must not have grown.
 const STRAIGHT_RAD: f64 = 2e-5;
 
-/// At 0.9 of Dawson and Paslay's load the string lies straight on the low side, at 1.25 it snakes, with waves as long as
-/// the critical one within 10 %: the wave that grows fastest is shorter by `1/√1.25`, that of the least energy 1 % longer,
-/// and one wave more or less between the held ends is 6 %.
+/// At 0.9 of Dawson and Paslay's load the string lies straight on the low side, at 1.25 it snakes,
+/// with waves as long as the critical one within 10 %: the wave that grows fastest is shorter by
+/// `1/√1.25`, that of the least energy 1 % longer, and one wave more or less between the held ends
+/// is 6 %.
 ///
-/// The load stands at the bit. In a hole of 60 degrees it falls by 120 N per metre upwards, so that the lower 316 m,
-/// 12 waves, are above the critical load when the bit is at 1.25 of it; at 0.9 no part is.
+/// The load stands at the bit. In a hole of 60 degrees it falls by 120 N per metre upwards, so that
+/// the lower 316 m, 12 waves, are above the critical load when the bit is at 1.25 of it; at 0.9 no
+/// part is.
 #[test]
 fn straight_below_the_critical_load_and_buckled_above() {
     let cases = [(90.0, 0.9), (90.0, 1.25), (60.0, 0.9), (60.0, 1.25)];
@@ -229,12 +234,12 @@ fn snaking<'a>(quantity: &'a str, shape: &Shape) -> Row<'a> {
     }
 }
 
-/// In the horizontal hole the string is still straight at 0.99 and 1.00 of the critical load and snakes at 1.02, with
-/// the amplitude of [`amplitude_rad`]: 16 waves between held ends buckle within 2 % of an endless string (C01's own
-/// tolerance for more than ten waves).
+/// In the horizontal hole the string is still straight at 0.99 and 1.00 of the critical load and
+/// snakes at 1.02, with the amplitude of [`amplitude_rad`]: 16 waves between held ends buckle
+/// within 2 % of an endless string (C01's own tolerance for more than ten waves).
 ///
-/// The amplitude is right to `A⁴` and at one wavelength out of those that fit: 2 % up to 1.1 of the load. So little above it the snake
-/// grows for half a minute from a micrometre.
+/// The amplitude is right to `A⁴` and at one wavelength out of those that fit: 2 % up to 1.1 of the
+/// load. So little above it the snake grows for half a minute from a micrometre.
 #[test]
 fn the_onset_and_the_amplitude_of_snaking() {
     let loads = [0.99, 1.0, 1.02, 1.05, 1.1];
@@ -259,9 +264,10 @@ fn the_onset_and_the_amplitude_of_snaking() {
     }
 }
 
-/// The effect of length and mesh: strings of 12, 24 and 48 waves and elements of 1.6 and 3.2 m buckle between 0.99 and
-/// 1.02 of the load. In a hole of 60 degrees two and a half waves are above the critical load with 1.05 of it at the bit, which
-/// leaves the string straight, and five with 1.10, which buckles it.
+/// The effect of length and mesh: strings of 12, 24 and 48 waves and elements of 1.6 and 3.2 m
+/// buckle between 0.99 and 1.02 of the load. In a hole of 60 degrees two and a half waves are above
+/// the critical load with 1.05 of it at the bit, which leaves the string straight, and five with
+/// 1.10, which buckles it.
 #[test]
 #[ignore = "minutes: run by cargo xtask verify"]
 fn the_onset_hardly_depends_on_length_and_mesh() {

@@ -11,8 +11,9 @@ use wholestring::{
 
 use crate::wells::{Case, each, go, moderate, np13};
 
-/// Drilling with the autodriller, tripping with the independent law from a centred start, sliding with
-/// the motor, drilling in single precision, drilling by a table with noise, a motor that yields and side cutting: what changes in a run changes in one of them.
+/// Drilling with the autodriller, tripping with the independent law from a centred start, sliding
+/// with the motor, drilling in single precision, drilling by a table with noise, a motor that
+/// yields and side cutting: what changes in a run changes in one of them.
 fn cases() -> [Case; 5] {
     let mut trip = moderate(OperationKind::TripIn, 0.3);
     trip.settings.friction_law = FrictionLaw::Independent;
@@ -98,7 +99,8 @@ fn a_run_taken_up_again_ends_with_the_same_bits() {
     }
 }
 
-/// A run that settles until it is steady, in pieces of so long; `stopped` gets it after each and gives back what continues.
+/// A run that settles until it is steady, in pieces of so long; `stopped` gets it after each and
+/// gives back what continues.
 fn settled(
     case: &Case,
     piece_s: f64,
@@ -115,7 +117,8 @@ fn settled(
     }
 }
 
-/// Written to a checkpoint while it settles, again and again, a run begins its window with the same sample, in either precision.
+/// Written to a checkpoint while it settles, again and again, a run begins its window with the same
+/// sample, in either precision.
 #[test]
 fn a_run_taken_up_again_settles_at_the_same_sample() {
     let cases = [Precision::Double, Precision::Single].map(|precision| {
@@ -137,7 +140,8 @@ fn a_run_taken_up_again_settles_at_the_same_sample() {
         });
         [straight, resumed]
     }) {
-        // It was written to a checkpoint before the window: that begins after the damping of the start and a stretch, 10 s, at the earliest.
+        // It was written to a checkpoint before the window: that begins after the damping of the
+        // start and a stretch, 10 s, at the earliest.
         let settle_s = straight.numerics.settle_s;
         assert!(settle_s > 10.0, "{settle_s}");
         assert_eq!(straight.numerics.settled, Some(true), "{settle_s}");

@@ -10,8 +10,9 @@ use crate::{
 const LENGTH_M: f64 = 300.0;
 
 /// Left out at either end, m. The top is clamped on the hole's axis and the bit held to it: between
-/// axis and wall the pipe spans `(72 EI c/(w sin i))^¼` = 12 m (a clamped beam laid on a floor `c` below,
-/// `c` the clearance), and the bending that it takes to the wall dies out over as much again.
+/// axis and wall the pipe spans `(72 EI c/(w sin i))^¼` = 12 m (a clamped beam laid on a floor `c`
+/// below, `c` the clearance), and the bending that it takes to the wall dies out over as much
+/// again.
 const END_M: f64 = 30.0;
 
 /// What the run shows away from the ends: contact force per metre, slope of torque with depth, mean
@@ -32,13 +33,14 @@ fn middle(outcome: &DynamicOutcome) -> [f64; 3] {
     [force, -line(&md, &torque).0, climb]
 }
 
-/// E05: a plain pipe that turns clockwise in a straight inclined hole climbs to `atan μ` on the right of
-/// the low side; there it is pressed with `w sin i cos ψ` and rubs `r w sin i sin ψ` per metre.
+/// E05: a plain pipe that turns clockwise in a straight inclined hole climbs to `atan μ` on the
+/// right of the low side; there it is pressed with `w sin i cos ψ` and rubs `r w sin i sin ψ` per
+/// metre.
 ///
-/// Expected values: the rows of the file, the balance of a rigid cylinder in a trough, exact wherever the
-/// pipe lies straight. The file requires 1 %; 2e-4 is held. Found: less than 8e-5 for both element lengths,
-/// which is what the pipe's slow rolling has left after ten seconds; the steady state itself knows of neither
-/// element length nor step.
+/// Expected values: the rows of the file, the balance of a rigid cylinder in a trough, exact
+/// wherever the pipe lies straight. The file requires 1 %; 2e-4 is held. Found: less than 8e-5 for
+/// both element lengths, which is what the pipe's slow rolling has left after ten seconds; the
+/// steady state itself knows of neither element length nor step.
 #[test]
 fn a_turning_pipe_climbs_to_the_angle_of_friction() {
     let data = verification("E05_rotating_pipe_climb_angle.json");

@@ -1,4 +1,5 @@
-//! The three ways in which the hoist is controlled, on a string whose answer is known in closed form.
+//! The three ways in which the hoist is controlled, on a string whose answer is known in closed
+//! form.
 
 use wholestring::{
     dynamics::{Autodriller, BitLaw, HoistControl, RodDamping},
@@ -14,8 +15,8 @@ const LENGTH_M: f64 = 1000.0;
 const WEIGHT_N: f64 = 20e3;
 const RATE_M_PER_S: f64 = 5.0 / 3600.0;
 
-/// Drilling with 20 kN at 5 m/h in a straight hole without friction: nothing but the string's stretch
-/// stands between the block and the rock.
+/// Drilling with 20 kN at 5 m/h in a straight hole without friction: nothing but the string's
+/// stretch stands between the block and the rock.
 fn drilling() -> Case {
     let drill = Operation {
         weight_on_bit_N: WEIGHT_N,
@@ -50,9 +51,9 @@ fn stiffness_N_per_m(case: &Case) -> f64 {
 /// With the block stopped, the bit drills off: the string stretches as the front advances at
 /// `v = v₀ W/W₀`, so `dW/dt = −k v₀ W/W₀` and the weight decays with the time constant `W₀/(k v₀)`.
 ///
-/// `k` is that of pipe, line and rock in series. Within 0.2 %: the string follows the bit as a spring
-/// without mass up to `(L/c)²/τ²` = 1e-4, `L/c` = 0.19 s the travel of an axial wave, τ = 18 s; the rest is its
-/// ringing after the stop.
+/// `k` is that of pipe, line and rock in series. Within 0.2 %: the string follows the bit as a
+/// spring without mass up to `(L/c)²/τ²` = 1e-4, `L/c` = 0.19 s the travel of an axial wave, τ = 18
+/// s; the rest is its ringing after the stop.
 #[test]
 fn a_stopped_block_drills_off() {
     let case = drilling();
@@ -70,10 +71,10 @@ fn a_stopped_block_drills_off() {
     assert!(weight[weight.len() - 1] < 0.2 * WEIGHT_N);
 }
 
-/// Under a constant hook load the bit carries what the hook does not: 5 kN more above are 5 kN less below.
-/// Without friction that is a balance of forces. The string rings on its bit after the change, damped by
-/// 0.1/s and by the rock's own rate; after 40 s less than 1 % of the 5 kN is left of it, and less than 20 N (0.1 %
-/// of the weight on bit) in a mean over 5 s.
+/// Under a constant hook load the bit carries what the hook does not: 5 kN more above are 5 kN less
+/// below. Without friction that is a balance of forces. The string rings on its bit after the
+/// change, damped by 0.1/s and by the rock's own rate; after 40 s less than 1 % of the 5 kN is left
+/// of it, and less than 20 N (0.1 % of the weight on bit) in a mean over 5 s.
 #[test]
 fn a_constant_hook_load_sets_the_weight_on_bit() {
     let mut case = drilling();
@@ -100,11 +101,12 @@ fn a_constant_hook_load_sets_the_weight_on_bit() {
     );
 }
 
-/// The autodriller brings a bit that has too little weight back to its target, at the rate of the slower
-/// root of `(s + k v₀/W₀)(1 + τ s) + k g = 0`: the drill-off of a stopped block, closed by a gain `g` on a
-/// weight that is filtered over `τ`.
+/// The autodriller brings a bit that has too little weight back to its target, at the rate of the
+/// slower root of `(s + k v₀/W₀)(1 + τ s) + k g = 0`: the drill-off of a stopped block, closed by a
+/// gain `g` on a weight that is filtered over `τ`.
 ///
-/// Within 0.5 %: as above, and the faster root is down to `e⁻⁶` of the slower one where the fit begins.
+/// Within 0.5 %: as above, and the faster root is down to `e⁻⁶` of the slower one where the fit
+/// begins.
 #[test]
 fn the_autodriller_recovers_its_weight() {
     let case = drilling();

@@ -42,7 +42,8 @@ fn free_string() -> Simulation {
             stiffness_s: 0.0,
         },
         hoist_control: Some(HoistControl::BlockVelocity(0.0)),
-        // So stiff that the top does not move: it neither stores energy nor, solved implicitly, loses any.
+        // So stiff that the top does not move: it neither stores energy nor, solved implicitly,
+        // loses any.
         hoist_line: HoistLine {
             block_mass_kg: 0.0,
             stiffness_N_per_m: 1e15,
@@ -57,18 +58,19 @@ fn free_string() -> Simulation {
     case.start()
 }
 
-/// A hanging string, struck sideways and in torsion (2.7 kJ), keeps its energy for 60 s within 1e-4 of the
-/// largest kinetic energy, and without drift: the line through it rises or falls by less than 1e-6 of that
-/// in 60 s.
+/// A hanging string, struck sideways and in torsion (2.7 kJ), keeps its energy for 60 s within 1e-4
+/// of the largest kinetic energy, and without drift: the line through it rises or falls by less
+/// than 1e-6 of that in 60 s.
 ///
-/// Expected: no change, for nothing takes energy away. The leapfrog conserves an energy that differs from
-/// the one that is read by terms of order (ω dt)², which come and go with the motion but do not add up.
-/// 3e-3 would be good; found are 8e-6 and, for the drift, 6e-9. A damping of 1e-6 1/s would show.
+/// Expected: no change, for nothing takes energy away. The leapfrog conserves an energy that
+/// differs from the one that is read by terms of order (ω dt)², which come and go with the motion
+/// but do not add up. 3e-3 would be good; found are 8e-6 and, for the drift, 6e-9. A damping of
+/// 1e-6 1/s would show.
 #[test]
 fn an_undamped_string_keeps_its_energy() {
     let mut simulation = free_string();
-    // Half a sine over 60 m at a depth of 500 m moves at 2.2 m/s sideways, one over 200 m at 1000 m turns
-    // at 5 rad/s.
+    // Half a sine over 60 m at a depth of 500 m moves at 2.2 m/s sideways, one over 200 m at 1000 m
+    // turns at 5 rad/s.
     let bump = |from_bit_m: f64, depth_m: f64, width_m: f64| {
         let part = (LENGTH_M - from_bit_m - depth_m) / width_m + 0.5;
         if (0.0..1.0).contains(&part) {
@@ -125,18 +127,21 @@ fn an_undamped_string_keeps_its_energy() {
     }
 }
 
-/// A string that starts centred and cold is set turning, reams 18 m down, falls on its wall, bounces and rubs: over 60 s from
-/// its first sample on, work put in is what the string gained and what it lost to friction, impacts, mud and damping.
+/// A string that starts centred and cold is set turning, reams 18 m down, falls on its wall,
+/// bounces and rubs: over 60 s from its first sample on, work put in is what the string gained and
+/// what it lost to friction, impacts, mud and damping.
 ///
-/// 1 % would do; found are 9e-6 of the work, 5e-5 is held. And each part that the time series tell, too:
+/// 1 % would do; found are 9e-6 of the work, 5e-5 is held. And each part that the time series tell,
+/// too:
 ///
-/// - the hoist's work is `−∫ F v dt` of hook load and block velocity, up to what the line stores and loses (½F²/k of 4 kJ in 7 MJ):
-///   1e-3;
+/// - the hoist's work is `−∫ F v dt` of hook load and block velocity, up to what the line stores
+///   and loses (½F²/k of 4 kJ in 7 MJ): 1e-3;
 /// - the top drive's is `∫ M Ω dt`: 2e-4, samples against steps in the second of the start;
-/// - gravity's is the buoyed weight of every element times the descent of its place in the hole: 2e-3, the fall on
-///   the wall (0.04 m of 18) left out;
-/// - friction's loss is `∫ (M_f Ω − F_f v) dt` with the whole string's friction torque and drag at the motion of its top:
-///   1 %, for in the first seconds the string does not yet move as its top does (0.3 %).
+/// - gravity's is the buoyed weight of every element times the descent of its place in the hole:
+///   2e-3, the fall on the wall (0.04 m of 18) left out;
+/// - friction's loss is `∫ (M_f Ω − F_f v) dt` with the whole string's friction torque and drag at
+///   the motion of its top: 1 %, for in the first seconds the string does not yet move as its top
+///   does (0.3 %).
 #[test]
 fn what_comes_in_goes_out() {
     let mut case = moderate(OperationKind::Ream, 0.3);

@@ -56,8 +56,8 @@ fn middle(outcome: &DynamicOutcome) -> [f64; 3] {
     ]
 }
 
-/// A pipe that turns while it goes down, in a straight hole: with `q = w sin i`, surface speeds `v` and `Ω r`,
-/// `V = hypot(v, Ω r)` and coefficients `μ`, `μ'` along and around,
+/// A pipe that turns while it goes down, in a straight hole: with `q = w sin i`, surface speeds `v`
+/// and `Ω r`, `V = hypot(v, Ω r)` and coefficients `μ`, `μ'` along and around,
 ///
 /// vector: `tan ψ = μ' Ω r/V`, `N = q cos ψ`, axial `−μ N v/V`, torque `r N tan ψ`,
 /// wear per second `N (μ v² + μ' (Ω r)²)/V`;
@@ -65,8 +65,8 @@ fn middle(outcome: &DynamicOutcome) -> [f64; 3] {
 ///
 /// And the wear of the hole, away from the ends of the string, is that of the string.
 ///
-/// The balance of a rigid cylinder, exact where the pipe lies straight. Held to 2e-4; found is 4e-5, what the pipe's
-/// slow rolling has left after 15 seconds.
+/// The balance of a rigid cylinder, exact where the pipe lies straight. Held to 2e-4; found is
+/// 4e-5, what the pipe's slow rolling has left after 15 seconds.
 #[test]
 fn friction_and_wear_of_a_pipe_that_turns_and_goes_down() {
     let mu = 0.25;

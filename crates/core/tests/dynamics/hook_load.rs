@@ -36,7 +36,8 @@ fn drilling(mu: f64) -> Case {
 
 /// Without friction lift and weight on bit carry the string between them, `F + W = w L cos i`.
 ///
-/// Within 0.1 % of the string's weight: what is left of the momentum that the start gave it, over the window.
+/// Within 0.1 % of the string's weight: what is left of the momentum that the start gave it, over
+/// the window.
 #[test]
 fn without_friction_it_is_the_weight_that_the_bit_does_not_bear() {
     let case = drilling(0.0);
@@ -66,8 +67,9 @@ fn without_friction_it_is_the_weight_that_the_bit_does_not_bear() {
     );
 }
 
-/// Where friction holds the string against its lift the weight does not follow it one for one, and has to be searched. What
-/// is found holds for a run with that lift to the last bit, and the finished run comes with it.
+/// Where friction holds the string against its lift the weight does not follow it one for one, and
+/// has to be searched. What is found holds for a run with that lift to the last bit, and the
+/// finished run comes with it.
 #[test]
 fn with_friction_it_is_found_and_holds() {
     let mut case = drilling(0.3);

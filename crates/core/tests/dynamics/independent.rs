@@ -7,12 +7,13 @@ use crate::{
     wells::{Case, each, straight},
 };
 
-/// A plain pipe that reams slides along and around at every contact. By the article's law the sum of its
-/// contact forces `Σ N` drags with all of `μ Σ N` along the hole and rubs with all of `μ r Σ N` around it; by Coulomb's
-/// cone with the parts `V/s` and `Ω r/s` of it, `s = √(V² + Ω²r²)`.
+/// A plain pipe that reams slides along and around at every contact. By the article's law the sum
+/// of its contact forces `Σ N` drags with all of `μ Σ N` along the hole and rubs with all of
+/// `μ r Σ N` around it; by Coulomb's cone with the parts `V/s` and `Ω r/s` of it,
+/// `s = √(V² + Ω²r²)`.
 ///
-/// `Σ N` is the run's own; the laws are exact for every node at steady motion, whatever presses it. Within 0.1 %:
-/// what is left of the pipe's rolling after twenty seconds changes the sliding speed.
+/// `Σ N` is the run's own; the laws are exact for every node at steady motion, whatever presses it.
+/// Within 0.1 %: what is left of the pipe's rolling after twenty seconds changes the sliding speed.
 #[test]
 fn reaming_slides_both_ways() {
     let (length, mu, radius) = (300.0, 0.25, 0.06985);

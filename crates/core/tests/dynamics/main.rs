@@ -1,7 +1,7 @@
 //! Verification of the dynamics as a whole: what a run of a string in its well must show.
 //!
-//! "Quiet" means constant speed, smooth wall, vector friction, nothing that excites: what such a run
-//! settles to is known from statics.
+//! "Quiet" means constant speed, smooth wall, vector friction, nothing that excites: what such a
+//! run settles to is known from statics.
 
 #[path = "../common/mod.rs"]
 mod common;

@@ -118,12 +118,13 @@ fn a_rotating_string_needs_couettes_torque() {
     assert!(soft.scalars.friction_torque_N_m.abs() < 1e-9);
 }
 
-/// Hook load, torque, stretch and pressures of the dynamics are the soft string's, for tripping, circulating,
-/// rotating and drilling, in a Bingham and a power-law mud.
+/// Hook load, torque, stretch and pressures of the dynamics are the soft string's, for tripping,
+/// circulating, rotating and drilling, in a Bingham and a power-law mud.
 ///
-/// Both take the mud's forces from the same annulus, the dynamics with each element's own motion, found
-/// anew when it has changed by 1 %. Where nothing rubs what remains is what is left of the start: 0.1 % of the
-/// mud's part of hook load and stretch, of all torque and of the pressure is allowed. The energy balance closes to 1e-5.
+/// Both take the mud's forces from the same annulus, the dynamics with each element's own motion,
+/// found anew when it has changed by 1 %. Where nothing rubs what remains is what is left of the
+/// start: 0.1 % of the mud's part of hook load and stretch, of all torque and of the pressure is
+/// allowed. The energy balance closes to 1e-5.
 #[test]
 fn dynamics_and_soft_string_agree_in_a_mud_that_flows() {
     use OperationKind::*;
@@ -192,8 +193,8 @@ fn dynamics_and_soft_string_agree_in_a_mud_that_flows() {
     }
 }
 
-/// When the pumps start the string becomes lighter by what the soft string says: the stream lifts it, the bit's jets
-/// push it up. The work of both is booked, and the energy balance closes.
+/// When the pumps start the string becomes lighter by what the soft string says: the stream lifts
+/// it, the bit's jets push it up. The work of both is booked, and the energy balance closes.
 #[test]
 fn the_pumps_lift_the_string() {
     let mut on = case(OperationKind::RotateOffBottom, heavy(BINGHAM));
@@ -219,12 +220,14 @@ fn the_pumps_lift_the_string() {
     assert!(outcome.numerics.energy_residual.abs() < 1e-5, "{energy:?}");
 }
 
-/// Pumps that start by the plan, and what the metal feels when they run: its own weight, the pressures on its ends and
-/// the shear of the mud on its walls, none of which is an effective tension. In a Newtonian mud all of them have
-/// closed forms (Hagen and Poiseuille; Bird, Stewart and Lightfoot, *Transport Phenomena*, for the annulus).
+/// Pumps that start by the plan, and what the metal feels when they run: its own weight, the
+/// pressures on its ends and the shear of the mud on its walls, none of which is an effective
+/// tension. In a Newtonian mud all of them have closed forms (Hagen and Poiseuille; Bird, Stewart
+/// and Lightfoot, *Transport Phenomena*, for the annulus).
 ///
-/// 1e-8 of the pressure is held (1e-10 found, what still swings), and 9 N of the tension, where the momentum of the mud in the
-/// bore is 117 N: the string is 0.15 m longer than without load, which is 5.5 N of pressure, and the swinging leaves 2 N.
+/// 1e-8 of the pressure is held (1e-10 found, what still swings), and 9 N of the tension, where the
+/// momentum of the mud in the bore is 117 N: the string is 0.15 m longer than without load, which
+/// is 5.5 N of pressure, and the swinging leaves 2 N.
 #[test]
 fn the_metal_feels_the_pressures_of_a_mud_that_flows() {
     let (viscosity, flow, bit_loss) = (0.6, 0.03, 8e6);
@@ -275,8 +278,9 @@ fn the_metal_feels_the_pressures_of_a_mud_that_flows() {
         close("inside", nodes.inside_pressure_Pa[i], inside(*md_m));
     }
 
-    // On the metal below a depth: its weight, the pressures on the bit less the thrust of what leaves it faster than it
-    // came, the stream's shear on the bore, downwards, and on the outside, upwards.
+    // On the metal below a depth: its weight, the pressures on the bit less the thrust of what
+    // leaves it faster than it came, the stream's shear on the bore, downwards, and on the outside,
+    // upwards.
     let steel = case.model.string.components()[0].mass_per_length_kg_per_m;
     let jets = density * flow * ((2.0 * bit_loss / density).sqrt() - flow / bore);
     let end = inside(LENGTH_M) * bore - outside(LENGTH_M) * body - at_rest * LENGTH_M * area - jets;

@@ -28,9 +28,9 @@ fn assert_agree(what: &str, a: &Scalars, b: &Scalars, tolerance: f64) {
     }
 }
 
-/// Hook load and friction torque do not depend on the mesh: elements of 1.6, 3.2 and 4.8 m agree within
-/// 0.1 %, a third of what a driller could notice. Found: 1e-5 and 4e-4, the torque falling evenly as elements
-/// grow, for longer chords bend less well into the ends of the build.
+/// Hook load and friction torque do not depend on the mesh: elements of 1.6, 3.2 and 4.8 m agree
+/// within 0.1 %, a third of what a driller could notice. Found: 1e-5 and 4e-4, the torque falling
+/// evenly as elements grow, for longer chords bend less well into the ends of the build.
 #[test]
 fn element_length_does_not_matter() {
     let lengths = [3.2, 1.6, 4.8];
@@ -45,9 +45,10 @@ fn element_length_does_not_matter() {
     assert_agree("longest against shortest", &found[2], &found[1], 1e-3);
 }
 
-/// Nor on the stiffness of the wall: linear contact of 2e7, 2e9 and 2e11 N/m agree within 2e-4. The softest
-/// wall gives way by 0.15 mm under a joint of 3 kN, a hundredth of the clearance of 20 mm; only where the string
-/// bridges its change of sides does that count. Found: 1e-6 for the hook load, 5e-5 for the torque.
+/// Nor on the stiffness of the wall: linear contact of 2e7, 2e9 and 2e11 N/m agree within 2e-4. The
+/// softest wall gives way by 0.15 mm under a joint of 3 kN, a hundredth of the clearance of 20 mm;
+/// only where the string bridges its change of sides does that count. Found: 1e-6 for the hook
+/// load, 5e-5 for the torque.
 #[test]
 fn wall_stiffness_does_not_matter() {
     let stiffnesses = [2e9, 2e7, 2e11];
@@ -69,16 +70,18 @@ fn wall_stiffness_does_not_matter() {
     }
 }
 
-/// A quiet string carries what the soft string says: its hook load within 0.1 %; its friction torque,
-/// lowered by the climb of a turning pipe, within 0.6 % of `1/√(1 + μ²)` of the soft string's.
+/// A quiet string carries what the soft string says: its hook load within 0.1 %; its friction
+/// torque, lowered by the climb of a turning pipe, within 0.6 % of `1/√(1 + μ²)` of the soft
+/// string's.
 ///
-/// Found: the hook load 0.02 to 0.04 % higher, the torque 0.41 to 0.42 % lower, whatever the friction factor.
-/// Of the torque, 0.35 % are missing within 30 m of the end of the build and 0.08 % at the kick-off, where the
-/// string's stiffness bridges what is a sudden change of load to a soft string; 0.17 % at the bottom-hole
-/// assembly, where the bit, held by its hole without friction, carries the motor up to the stabiliser;
-/// 0.16 % are gained in the build, where bending adds to the load. Along the tangent the two agree to 0.02 %.
-/// The hook load gains from the stretch, which leaves 0.9 m more of the string above the build, in steeper hole
-/// (150 N), and from the axial part of the missing friction (60 N).
+/// Found: the hook load 0.02 to 0.04 % higher, the torque 0.41 to 0.42 % lower, whatever the
+/// friction factor. Of the torque, 0.35 % are missing within 30 m of the end of the build and 0.08
+/// % at the kick-off, where the string's stiffness bridges what is a sudden change of load to a
+/// soft string; 0.17 % at the bottom-hole assembly, where the bit, held by its hole without
+/// friction, carries the motor up to the stabiliser; 0.16 % are gained in the build, where bending
+/// adds to the load. Along the tangent the two agree to 0.02 %. The hook load gains from the
+/// stretch, which leaves 0.9 m more of the string above the build, in steeper hole (150 N), and
+/// from the axial part of the missing friction (60 N).
 #[test]
 fn quiet_rotation_agrees_with_the_soft_string() {
     let frictions = [0.1, 0.2, 0.3, 0.4];
@@ -101,8 +104,8 @@ fn quiet_rotation_agrees_with_the_soft_string() {
     }
 }
 
-/// Above the kick-off the string hangs free but for the last 30 m; in the build it lies on the high side
-/// above the cut-off and on the low side below it.
+/// Above the kick-off the string hangs free but for the last 30 m; in the build it lies on the high
+/// side above the cut-off and on the low side below it.
 #[test]
 fn it_touches_where_it_must() {
     let case = np13(0.3);
@@ -123,8 +126,8 @@ fn it_touches_where_it_must() {
                 "contact at {md} m, above the kick-off"
             );
         }
-        // The side flips where the load across the pipe vanishes: half a joint's spacing to either side
-        // belongs to both.
+        // The side flips where the load across the pipe vanishes: half a joint's spacing to either
+        // side belongs to both.
         let force = nodes.side_force_N_per_m[i];
         if (kick_off..cutoff - 10.0).contains(md) {
             assert!(
@@ -149,10 +152,11 @@ fn it_touches_where_it_must() {
     assert!(touched(kick_off, cutoff) && touched(build_end, build_end + 100.0));
 }
 
-/// While it turns, vector friction leaves the axial drag next to nothing whatever the friction factor: from
-/// 0.1 to 0.3 the hook load falls by less than 0.5 % (the share of the speed of drilling in that of the
-/// surface is 1/230, and so is that of the drag: 1 kN). The article's independent law drags in full: the
-/// hook load falls by more than 30 % (188 kN of 538 kN found), as that of a sliding string does.
+/// While it turns, vector friction leaves the axial drag next to nothing whatever the friction
+/// factor: from 0.1 to 0.3 the hook load falls by less than 0.5 % (the share of the speed of
+/// drilling in that of the surface is 1/230, and so is that of the drag: 1 kN). The article's
+/// independent law drags in full: the hook load falls by more than 30 % (188 kN of 538 kN found),
+/// as that of a sliding string does.
 #[test]
 fn hook_load_spreads_with_friction_only_in_the_independent_law() {
     let laws = [FrictionLaw::Vector, FrictionLaw::Independent];

@@ -143,8 +143,8 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
     all
 }
 
-/// Drilling the NP13-like well, and two harder cases: reaming with the independent law, and a string that
-/// does not turn.
+/// Drilling the NP13-like well, and two harder cases: reaming with the independent law, and a
+/// string that does not turn.
 fn cases() -> Vec<Case> {
     let mut ream = moderate(OperationKind::Ream, 0.3);
     ream.settings.friction_law = FrictionLaw::Independent;
@@ -156,12 +156,12 @@ fn cases() -> Vec<Case> {
     cases
 }
 
-/// A run answers in finite numbers; it gives less than 0.5 % of the axial mass to short elements; its
-/// energy balance closes; it penetrates the wall by less than 0.2 mm, its bit apart.
+/// A run answers in finite numbers; it gives less than 0.5 % of the axial mass to short elements;
+/// its energy balance closes; it penetrates the wall by less than 0.2 mm, its bit apart.
 ///
-/// The balance closes to the energy that comes and goes within a step: found are 5e-9 to 3e-7 of what was
-/// exchanged, 1e-6 is held. A force, a damping or a moving anchor that were not accounted for show at 1e-4 or
-/// more. 0.2 mm of penetration are a hundredth of the clearance.
+/// The balance closes to the energy that comes and goes within a step: found are 5e-9 to 3e-7 of
+/// what was exchanged, 1e-6 is held. A force, a damping or a moving anchor that were not accounted
+/// for show at 1e-4 or more. 0.2 mm of penetration are a hundredth of the clearance.
 #[test]
 fn a_run_is_sound() {
     let cases = cases();
@@ -179,8 +179,8 @@ fn a_run_is_sound() {
         let numerics = outcome.numerics;
         assert!(numerics.added_axial_mass_fraction < 0.005, "{numerics:?}");
         assert!(numerics.energy_residual.abs() < 1e-6, "{numerics:?}");
-        // A bit that fills its hole goes into it as far as its lateral spring lets it; its forces are
-        // averages over a sample, of half a swing 2/π of the largest.
+        // A bit that fills its hole goes into it as far as its lateral spring lets it; its forces
+        // are averages over a sample, of half a swing 2/π of the largest.
         let series = &outcome.series;
         let forces = series
             .bit_force_high_N
@@ -196,8 +196,9 @@ fn a_run_is_sound() {
     }
 }
 
-/// The same case gives the same bits, run after run; another seed gives others, and the same answer: hook
-/// load within 10 N and torque within 0.1 %, what is left of the start after five seconds.
+/// The same case gives the same bits, run after run; another seed gives others, and the same
+/// answer: hook load within 10 N and torque within 0.1 %, what is left of the start after five
+/// seconds.
 #[test]
 fn the_same_case_gives_the_same_bits() {
     let mut cases = vec![np13(0.3), np13(0.3), np13(0.3)];
@@ -214,8 +215,9 @@ fn the_same_case_gives_the_same_bits() {
     assert!((a.surface_torque_N_m / b.surface_torque_N_m - 1.0).abs() < 1e-3);
 }
 
-/// Absurd set points end a run within a sample of where it left its range, by name and place, and what was
-/// sampled before stays finite: a lift of ten thousand tonnes, and a blow that makes a node spin at ten million rad/s.
+/// Absurd set points end a run within a sample of where it left its range, by name and place, and
+/// what was sampled before stays finite: a lift of ten thousand tonnes, and a blow that makes a
+/// node spin at ten million rad/s.
 #[test]
 fn what_diverges_is_named_and_leaves_numbers() {
     let mut lifted = moderate(OperationKind::TripOut, 0.3);

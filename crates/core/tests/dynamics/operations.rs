@@ -1,12 +1,12 @@
 //! Every operation in the dynamics, against the soft string.
 //!
-//! The dynamics and the soft string differ in what is known beforehand. A turning pipe climbs the wall
-//! until friction carries it: pressed by the load `q` at the angle `ψ` from its direction, `tan ψ` the part
-//! of the friction that acts around, it feels `q cos ψ`. So the soft string is solved with `μ cos ψ`. What
-//! is left, 1 to 2 % of friction and torque and up to 0.35 % of the hook load, comes from the bit, which its
-//! hole holds to the axis: it carries the collars up to where they touch,
-//! `½ q (24 EI c/q)^¼` = 3.5 kN or 1 % of all side force, without friction; and from the bending stiffness
-//! that bridges the place where the string changes sides.
+//! The dynamics and the soft string differ in what is known beforehand. A turning pipe climbs the
+//! wall until friction carries it: pressed by the load `q` at the angle `ψ` from its direction,
+//! `tan ψ` the part of the friction that acts around, it feels `q cos ψ`. So the soft string is
+//! solved with `μ cos ψ`. What is left, 1 to 2 % of friction and torque and up to 0.35 % of the
+//! hook load, comes from the bit, which its hole holds to the axis: it carries the collars up to
+//! where they touch, `½ q (24 EI c/q)^¼` = 3.5 kN or 1 % of all side force, without friction; and
+//! from the bending stiffness that bridges the place where the string changes sides.
 
 use wholestring::{
     dynamics::{ContactLaw, DynamicOutcome, DynamicsSettings, FrictionLaw, Precision},
@@ -93,8 +93,8 @@ fn assert_drag_agrees(case: &Case, found: &Scalars, expected: &Scalars) {
     }
 }
 
-/// Friction is split by the ratio of the axial to the circumferential speed: each operation has the hook
-/// load, the axial friction (sign and size) and the torque of the soft string with `μ cos ψ`,
+/// Friction is split by the ratio of the axial to the circumferential speed: each operation has the
+/// hook load, the axial friction (sign and size) and the torque of the soft string with `μ cos ψ`,
 /// `tan ψ = μ Ωr/V`; whichever the contact law.
 #[test]
 fn vector_friction_agrees_with_the_soft_string_in_every_operation() {
@@ -131,9 +131,10 @@ fn vector_friction_agrees_with_the_soft_string_in_every_operation() {
     }
 }
 
-/// The article's independent law drags in full along the hole however fast the string turns: drilling as
-/// sliding, reaming as tripping, with `tan ψ = μ` where it turns. Off bottom without axial motion, its axial
-/// friction is at rest, and carries nothing that the start has not given it.
+/// The article's independent law drags in full along the hole however fast the string turns:
+/// drilling as sliding, reaming as tripping, with `tan ψ = μ` where it turns. Off bottom without
+/// axial motion, its axial friction is at rest, and carries nothing that the start has not given
+/// it.
 #[test]
 fn independent_friction_drags_as_a_sliding_string() {
     for (case, outcome) in run_all(FrictionLaw::Independent) {
@@ -160,9 +161,10 @@ fn independent_friction_drags_as_a_sliding_string() {
     }
 }
 
-/// Twist and stretch of the nodes are summed from the bit up, sample by sample: at the bit they are nothing, at the top
-/// the scalars but for the rounding of the means (1e-9 of sums of some hundred samples). Friction works at its mean
-/// rate. In both kinds of number, and where the string moves so far that the hole is found anew.
+/// Twist and stretch of the nodes are summed from the bit up, sample by sample: at the bit they are
+/// nothing, at the top the scalars but for the rounding of the means (1e-9 of sums of some hundred
+/// samples). Friction works at its mean rate. In both kinds of number, and where the string moves
+/// so far that the hole is found anew.
 #[test]
 fn twist_and_stretch_of_the_nodes_end_in_the_scalars() {
     let kinds = [

@@ -36,11 +36,13 @@ fn assert_same(quantity: &str, [expected, computed]: [f64; 2], tolerance: Tolera
     });
 }
 
-/// A string that turns quietly for `duration_s`: torque within 0.05 % and hook load within 0.3 kN of double precision
-/// over the whole of it, and over its last tenth, where what drifts has drifted farthest.
+/// A string that turns quietly for `duration_s`: torque within 0.05 % and hook load within 0.3 kN
+/// of double precision over the whole of it, and over its last tenth, where what drifts has drifted
+/// farthest.
 ///
-/// That is far less than a rig's gauges show. Rounding itself moves a node to and fro, and the tension of its elements
-/// brings it back: found over 10 s and over 600 s alike are a ten-millionth and 0.1 N.
+/// That is far less than a rig's gauges show. Rounding itself moves a node to and fro, and the
+/// tension of its elements brings it back: found over 10 s and over 600 s alike are a ten-millionth
+/// and 0.1 N.
 #[track_caller]
 fn assert_quiet_rotation_is_the_same(duration_s: f64) {
     let mut case = np13(0.3);
@@ -80,8 +82,9 @@ fn ten_minutes_of_quiet_rotation_do_not_drift_from_double_precision() {
     assert_quiet_rotation_is_the_same(600.0);
 }
 
-/// Node by node, too, the string is that of double precision: as it stands after a second, and in the statistics of that
-/// second. Three last digits of a position, 6e-9 m, are a thousandth of the largest contact force, 6 kN; found: 3e-4 of it.
+/// Node by node, too, the string is that of double precision: as it stands after a second, and in
+/// the statistics of that second. Three last digits of a position, 6e-9 m, are a thousandth of the
+/// largest contact force, 6 kN; found: 3e-4 of it.
 #[test]
 fn every_node_is_that_of_double_precision() {
     let found = each(&[Precision::Double, Precision::Single], |precision| {
@@ -118,8 +121,9 @@ fn every_node_is_that_of_double_precision() {
     each_of!(double, single, tension_p50_N);
 }
 
-/// A string whose bit is shaken by three waves per revolution and by broadband noise: means within 0.1 %, standard
-/// deviations within 1 % of double precision over 60 s. Another seed moves them by 0.1 % and by 5 %; found: 7e-7 and 6e-5.
+/// A string whose bit is shaken by three waves per revolution and by broadband noise: means within
+/// 0.1 %, standard deviations within 1 % of double precision over 60 s. Another seed moves them by
+/// 0.1 % and by 5 %; found: 7e-7 and 6e-5.
 #[test]
 fn a_shaken_string_has_the_same_statistics() {
     let mut case = np13(0.3);

@@ -35,7 +35,8 @@ fn law() -> RockLaw {
     RockLaw { drilling }
 }
 
-/// Collars and pipe in a vertical hole without friction and mud, the block going down steadily: what the bit feels is felt above.
+/// Collars and pipe in a vertical hole without friction and mud, the block going down steadily:
+/// what the bit feels is felt above.
 fn case() -> Case {
     let mut vertical = model(
         path(
@@ -75,8 +76,8 @@ fn statistic(outcome: &DynamicOutcome, name: &str) -> Statistic {
     found.expect("a statistic").1
 }
 
-/// Weight and torque of the rock are what the top of the string lacks and gives, the bit advances as fast as it says, and as the block,
-/// and the energy of the string is accounted for.
+/// Weight and torque of the rock are what the top of the string lacks and gives, the bit advances
+/// as fast as it says, and as the block, and the energy of the string is accounted for.
 #[test]
 fn what_the_rock_takes_the_top_gives() {
     let case = case();
@@ -175,7 +176,8 @@ fn what_the_rock_takes_the_top_gives() {
         tolerance: Tolerance::Absolute(0.05),
         reason: "first order in the string's step: elements of 3.2, 1.6, 0.8 m have 3.5, 1.3, 1.0 %",
     });
-    // The start neither drops the string nor throws it: the hook load departs no further than later.
+    // The start neither drops the string nor throws it: the hook load departs no further than
+    // later.
     let begins = series.time_s.partition_point(|t| *t < 0.3);
     let departure = |hook_N: &[f64]| {
         let off = hook_N.iter().map(|n| (n / hook.mean - 1.0).abs());
@@ -208,7 +210,8 @@ impl Executor for Pair {
 /// When the runs stop: before the window and within it.
 const STOPS_S: [f64; 3] = [0.06, 0.12, 0.2];
 
-/// Written to bytes, dropped, read back, and worked on by two threads from then on; in double and in single precision.
+/// Written to bytes, dropped, read back, and worked on by two threads from then on; in double and
+/// in single precision.
 #[test]
 fn a_run_on_rock_ends_with_the_same_bits_whoever_works_on_it() {
     let cases = [Precision::Double, Precision::Single].map(|precision| {
@@ -284,7 +287,8 @@ impl Executor for Impatient {
     }
 }
 
-/// A run-in takes minutes on small elements: it is requested between any two of its steps whether to continue.
+/// A run-in takes minutes on small elements: it is requested between any two of its steps whether
+/// to continue.
 #[test]
 fn a_run_in_stops_within_a_step() {
     let case = case();

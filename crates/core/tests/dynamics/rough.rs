@@ -41,7 +41,8 @@ fn std(outcome: &DynamicOutcome, name: &str) -> f64 {
     found.expect("a statistic").1.std
 }
 
-/// Standard deviation of the contact force of a node, over its mean, on average between 50 and 250 m.
+/// Standard deviation of the contact force of a node, over its mean, on average between 50 and 250
+/// m.
 fn swing(outcome: &DynamicOutcome) -> f64 {
     let nodes = &outcome.nodes;
     let inside: Vec<usize> = (0..nodes.md_m.len())
@@ -51,15 +52,16 @@ fn swing(outcome: &DynamicOutcome) -> f64 {
     sum(&nodes.contact_force_std_N) / sum(&nodes.contact_force_N)
 }
 
-/// Quiet reaming on a smooth wall varies by nothing; on a rough one every contact does, and torque and hook load
-/// with them, more on the rougher, otherwise with another seed, and the same to the last bit with the same. Means
-/// stay: a string carries its weight. Energy is accounted for as on a smooth wall.
+/// Quiet reaming on a smooth wall varies by nothing; on a rough one every contact does, and torque
+/// and hook load with them, more on the rougher, otherwise with another seed, and the same to the
+/// last bit with the same. Means stay: a string carries its weight. Energy is accounted for as on a
+/// smooth wall.
 ///
-/// Expected: a smooth run is steady but for what its start leaves, 6e-4 of a contact force. Nodes that climb and
-/// leave asperities of 1 mm in 2 m and more at 0.1 m/s carry half as much or half as much again (found: 0.33 to 0.56);
-/// 94 of them together hardly vary, 1e-3 of the torque. The mean torque stays within 1 %. The balance of
-/// energy closes to 2.4e-5 where the axis winds and to 2e-8 where the radius undulates; 1e-4 is held, a hundredth of
-/// what is requested.
+/// Expected: a smooth run is steady but for what its start leaves, 6e-4 of a contact force. Nodes
+/// that climb and leave asperities of 1 mm in 2 m and more at 0.1 m/s carry half as much or half as
+/// much again (found: 0.33 to 0.56); 94 of them together hardly vary, 1e-3 of the torque. The mean
+/// torque stays within 1 %. The balance of energy closes to 2.4e-5 where the axis winds and to 2e-8
+/// where the radius undulates; 1e-4 is held, a hundredth of what is requested.
 #[test]
 fn a_rough_wall_makes_a_quiet_run_noisy() {
     let cases = [

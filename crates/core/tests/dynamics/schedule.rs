@@ -37,8 +37,8 @@ fn moving(at_s: f64, ramp_s: f64, hoist: HoistSetPoint) -> ScheduleStep {
     }
 }
 
-/// 300 m off bottom in a slant hole, at rest for two seconds, then brought to 60 rev/min in three by a drive with
-/// inertia.
+/// 300 m off bottom in a slant hole, at rest for two seconds, then brought to 60 rev/min in three
+/// by a drive with inertia.
 fn start_up() -> Case {
     let turn = operation(OperationKind::RotateOffBottom, 300.0);
     let mut case = Case::new(straight(300.0, MU), turn);
@@ -55,11 +55,12 @@ fn start_up() -> Case {
     case
 }
 
-/// Before the first line changes something the string lies untwisted and still; in the end it carries the torque of
-/// the same string that has turned all along, and its set point is the plan's at every sample. The drive's inertia
-/// is in the energy balance.
+/// Before the first line changes something the string lies untwisted and still; in the end it
+/// carries the torque of the same string that has turned all along, and its set point is the plan's
+/// at every sample. The drive's inertia is in the energy balance.
 ///
-/// The mean torque of the two windows agrees within 0.5 %, what the contact's slow rolling has left after ten seconds.
+/// The mean torque of the two windows agrees within 0.5 %, what the contact's slow rolling has left
+/// after ten seconds.
 #[test]
 fn a_string_starts_to_turn_by_the_plan() {
     let case = start_up();
@@ -102,12 +103,12 @@ fn a_plan_is_taken_up_where_it_was_left() {
     assert_eq!(whole.outcome(), resumed.outcome());
 }
 
-/// The block stops by the plan while the bit drills, and the weight on bit decays at the drill-off's rate
-/// `k v₀/W₀`, `k` that of pipe, line and rock in series; then the autodriller brings it to another target by an
-/// integral, without which it would stay short of it.
+/// The block stops by the plan while the bit drills, and the weight on bit decays at the
+/// drill-off's rate `k v₀/W₀`, `k` that of pipe, line and rock in series; then the autodriller
+/// brings it to another target by an integral, without which it would stay short of it.
 ///
-/// Within 0.2 % for the rate, as where the block is stopped by hand; 0.5 % for the weight, of which an integral of
-/// 10 s has left `e^(−50 s/12 s)` of the half that was missing.
+/// Within 0.2 % for the rate, as where the block is stopped by hand; 0.5 % for the weight, of which
+/// an integral of 10 s has left `e^(−50 s/12 s)` of the half that was missing.
 #[test]
 fn the_block_stops_and_the_autodriller_takes_over_by_the_plan() {
     let (length, weight, rate) = (1000.0, 20e3, 5.0 / 3600.0);

@@ -13,8 +13,9 @@ use crate::{
 /// Ten seconds after the prepared start of a quiet run the string has settled: torque and hook load
 /// stand still to 0.1 kN·m and 0.1 kN, the weight on bit is within 3 % of its target.
 ///
-/// Expected: nothing varies in a quiet run. The limits are a few thousandths of the torque (38 kN·m) and
-/// less of the hook load (660 kN). Found: 0.013 kN·m, 0.006 kN, and 0.1 % for the weight on bit.
+/// Expected: nothing varies in a quiet run. The limits are a few thousandths of the torque (38
+/// kN·m) and less of the hook load (660 kN). Found: 0.013 kN·m, 0.006 kN, and 0.1 % for the weight
+/// on bit.
 #[test]
 fn a_prepared_start_is_settled_in_ten_seconds() {
     let mut case = np13(0.3);
@@ -45,13 +46,14 @@ fn a_prepared_start_is_settled_in_ten_seconds() {
     }
 }
 
-/// Over 600 s of quiet rotation the torque drifts by less than 0.2 %: the means over windows of 30 s all
-/// lie within that of the first.
+/// Over 600 s of quiet rotation the torque drifts by less than 0.2 %: the means over windows of 30
+/// s all lie within that of the first.
 ///
-/// What drift there is belongs to the depth: 1.6 m are drilled. A string initialised anew at the depth of the last
-/// window has the same torque within 1e-5, half of what a string settles by between 40 and 100 s after its
-/// start. (The soft string gains 10 N·m per metre on average; here the gain swings about that as
-/// tool joints enter and leave the ends of the build, and repeats itself with their spacing.)
+/// What drift there is belongs to the depth: 1.6 m are drilled. A string initialised anew at the
+/// depth of the last window has the same torque within 1e-5, half of what a string settles by
+/// between 40 and 100 s after its start. (The soft string gains 10 N·m per metre on average; here
+/// the gain swings about that as tool joints enter and leave the ends of the build, and repeats
+/// itself with their spacing.)
 #[test]
 fn ten_minutes_of_quiet_rotation_do_not_drift() {
     let long = drilling(NP13_M, 10.0, 600.0).run();
@@ -72,7 +74,8 @@ fn ten_minutes_of_quiet_rotation_do_not_drift() {
     assert_close("torque after ten minutes", last, expected, 1e-5);
 }
 
-/// Quiet drilling with a window of `duration_s` after `settle_s`, the bit at `bit_depth_m` in its middle.
+/// Quiet drilling with a window of `duration_s` after `settle_s`, the bit at `bit_depth_m` in its
+/// middle.
 fn drilling(bit_depth_m: f64, settle_s: f64, duration_s: f64) -> Case {
     let mut case = np13_at(0.3, bit_depth_m);
     case.settings.element_length_m = 4.8;
@@ -93,9 +96,9 @@ fn to_its_end(simulation: &mut Simulation) {
     }
 }
 
-/// A string that slides is drilled by its autodriller, whose weight finds its place in tens of seconds: 3 s after the start what varies is the drift
-/// of that, and the window says so. Where it settles until it is steady, at most 120 s, the weight and what
-/// follows it stand.
+/// A string that slides is drilled by its autodriller, whose weight finds its place in tens of
+/// seconds: 3 s after the start what varies is the drift of that, and the window says so. Where it
+/// settles until it is steady, at most 120 s, the weight and what follows it stand.
 ///
 /// In a schedule the string is steady again when its last line is done, not before.
 #[test]
@@ -163,7 +166,8 @@ fn settling_goes_on_until_the_weight_stands() {
                 drifting(outcome)
             );
         }
-        // The torque of a string that sticks to its wall around may creep for long: then the bound ends it, and it says so.
+        // The torque of a string that sticks to its wall around may creep for long: then the bound
+        // ends it, and it says so.
         let bounded = numerics.settle_s > longest_s - 5.0;
         assert_eq!(numerics.settled, Some(!bounded), "{}", numerics.settle_s);
         assert!(numerics.settle_s > min_s, "{}", numerics.settle_s);
@@ -174,7 +178,8 @@ fn settling_goes_on_until_the_weight_stands() {
     assert_close("hook load", steady.scalars.hook_load_N, mean_N, 1e-12);
 }
 
-/// A string that trips settles for 30 s at least, and if that was enough its bit passes the depth of the operation in the middle of the window.
+/// A string that trips settles for 30 s at least, and if that was enough its bit passes the depth
+/// of the operation in the middle of the window.
 #[test]
 fn a_string_that_trips_is_where_it_was_meant_to_be() {
     let mut case = moderate(OperationKind::TripIn, 0.3);

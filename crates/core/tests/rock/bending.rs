@@ -7,8 +7,8 @@ use crate::{
     setup::{elastic, step},
 };
 
-/// A cantilever of eight times its depth under a load at its end, so many elements deep: deflection over the theory's, and the
-/// part of the energy that is in hourglasses.
+/// A cantilever of eight times its depth under a load at its end, so many elements deep: deflection
+/// over the theory's, and the part of the energy that is in hourglasses.
 fn cantilever(deep: usize) -> [f64; 2] {
     use Edge::{Free, Guided, Held};
     let rock = Rock {

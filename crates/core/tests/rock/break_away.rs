@@ -18,16 +18,19 @@ const BETWEEN: f64 = 0.7;
 
 const WEIGHT_N: f64 = 1000.0;
 
-/// Angle by which a bit that was stopped has broken away, rad: farther than from one element to the next.
+/// Angle by which a bit that was stopped has broken away, rad: farther than from one element to the
+/// next.
 const AWAY_RAD: f64 = 0.5;
 
-/// A bit that turns more slowly than this stands, rad/s: a twenty-fifth of the speed that it drills at.
+/// A bit that turns more slowly than this stands, rad/s: a twenty-fifth of the speed that it drills
+/// at.
 const STANDS_RAD_PER_S: f64 = 1.0;
 
 /// Moment of inertia of a bit that is let go, kg·m².
 const INERTIA_KG_M2: f64 = 0.2;
 
-/// Time in which the torque on it grows by its mean torque, s: a hundred times that in which a wave crosses the block.
+/// Time in which the torque on it grows by its mean torque, s: a hundred times that in which a wave
+/// crosses the block.
 const RISING_S: f64 = 0.1;
 
 /// A bit of 60 mm on a rock of 10 MPa.
@@ -68,7 +71,8 @@ impl Standing {
         progress
     }
 
-    /// Stops the bit, lets a torque on it grow from nothing, and returns that with which it broke away.
+    /// Stops the bit, lets a torque on it grow from nothing, and returns that with which it broke
+    /// away.
     fn break_away(&mut self, rising_N_m_per_s: f64) -> f64 {
         let mut pose = *self.drilling.pose();
         pose.angular_velocity_rad_per_s = Vector3::zeros();
@@ -160,9 +164,9 @@ fn coarse_elements_hold_a_bit_that_stands() {
     held_less(6e-3, &coarse, 4e-3, &fine);
 }
 
-/// A bit that stands needs no more than one that turns, against rock whose grain is finer than its cut. Elements that are
-/// coarser than the cut of a blade hold it by more: all that stand in front of cutters at once, where a bit that turns meets them one by
-/// one.
+/// A bit that stands needs no more than one that turns, against rock whose grain is finer than its
+/// cut. Elements that are coarser than the cut of a blade hold it by more: all that stand in front
+/// of cutters at once, where a bit that turns meets them one by one.
 #[test]
 #[ignore = "minutes: run by cargo xtask verify"]
 fn what_holds_a_bit_that_stands_falls_with_the_elements() {

@@ -119,7 +119,8 @@ fn momentum_passes_from_the_bit_to_the_rock() {
     });
 }
 
-/// A blunt insert on a column that may swell: `F = −A E (ln λ)/λ` of the mean stretch `λ = 1 − u/L`.
+/// A blunt insert on a column that may swell: `F = −A E (ln λ)/λ` of the mean stretch
+/// `λ = 1 − u/L`.
 #[test]
 fn a_blunt_insert_meets_the_stiffness_of_a_column() {
     use Edge::{Free, Guided};
@@ -164,7 +165,8 @@ fn a_blunt_insert_meets_the_stiffness_of_a_column() {
             let advance = driver.drive(drilling, 1e-5, &stepper, &Alone);
             force_N = -advance.force_N.z;
         }
-        // The mean of what the nodes of the top bear, by the share of the area that they bear it on.
+        // The mean of what the nodes of the top bear, by the share of the area that they bear it
+        // on.
         let grid = *drilling.block().grid();
         let down = |i: usize, j: usize| {
             drilling.block().displacement_m(grid.node([i, j, 0]))[2]
@@ -209,7 +211,8 @@ fn a_blunt_insert_meets_the_stiffness_of_a_column() {
     }
 }
 
-/// Rate of penetration, weight and torque of twice two revolutions after one, with the books of energy.
+/// Rate of penetration, weight and torque of twice two revolutions after one, with the books of
+/// energy.
 fn drilled(weight_N: f64, step_s: f64) -> [Progress; 2] {
     let mut drilling = Drilling::new(&small(rock())).unwrap();
     let driver = weight(weight_N);
@@ -357,7 +360,8 @@ fn a_bit_goes_on_from_a_checkpoint_with_the_same_bits() {
     assert!(bits(&drilling) == bits(&other));
 }
 
-/// A bit begins in its own hole: nothing touches, a little lower something does, and the books are right.
+/// A bit begins in its own hole: nothing touches, a little lower something does, and the books are
+/// right.
 #[test]
 fn a_bit_begins_in_its_own_bottom() {
     let mut spec = small(rock());

@@ -126,7 +126,8 @@ fn plastic_cycles_close() {
             peaks.push(peak);
         }
     }
-    // Dilation makes the pressure grow from loop to loop where it is kept in; without it, loops repeat.
+    // Dilation makes the pressure grow from loop to loop where it is kept in; without it, loops
+    // repeat.
     let grows = peaks
         .windows(2)
         .all(|pair| pair[1] >= pair[0] * (1.0 - 1e-9));
@@ -202,8 +203,9 @@ fn a_turned_element_feels_nothing() {
     });
 }
 
-/// A node that is held across a face by what is there continues as prescribed when it is pushed, and the books know who bore it:
-/// what the push gives, the holder takes. Along the face it gives way.
+/// A node that is held across a face by what is there continues as prescribed when it is pushed,
+/// and the books know who bore it: what the push gives, the holder takes. Along the face it gives
+/// way.
 #[test]
 fn what_holds_a_node_bears_a_push() {
     let (mut block, stepper) = (press(elastic(), 0.0), Stepper::default());

@@ -81,7 +81,8 @@ fn a_block_follows_what_drills_it() {
     let energies = block.energies();
     let scale = energies.absorbed_J + energies.removed_J;
     assert!(energies.residual_J().abs() < 1e-3 * scale, "{energies:?}");
-    // The pressure of the filling still is what the rock bears: nothing moves but what the confinement lets go.
+    // The pressure of the filling still is what the rock bears: nothing moves but what the
+    // confinement lets go.
     let fastest = block
         .exposed()
         .flat_map(|node| node.velocity_m_per_s)

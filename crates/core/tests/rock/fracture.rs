@@ -13,8 +13,8 @@ const WIDE_M: f64 = 4e-3;
 /// How much of its strength the middle layer has.
 const WEAK: f64 = 0.99;
 
-/// Pulls a bar, guided along its sides so that a crack runs across it, until its middle layer is gone; the energy it took
-/// per area, J/m².
+/// Pulls a bar, guided along its sides so that a crack runs across it, until its middle layer is
+/// gone; the energy it took per area, J/m².
 fn tear(rock: Rock, wide: usize) -> f64 {
     let size_m = WIDE_M / wide as f64;
     let deep = (LONG_M / size_m).round() as usize;

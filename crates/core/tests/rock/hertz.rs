@@ -17,7 +17,8 @@ fn far_m(rock: &Rock, load_N: f64, [x, y, z]: [f64; 3]) -> [f64; 3] {
     [unit * x * across, unit * y * across, unit * down]
 }
 
-/// A quarter of a sphere is pressed into a quarter of a block, its contact `elements` in radius; force over Hertz'.
+/// A quarter of a sphere is pressed into a quarter of a block, its contact `elements` in radius;
+/// force over Hertz'.
 fn press(elements: f64, cells: usize) -> f64 {
     use Edge::{Free, Guided, Held};
     let (rock, size_m) = (elastic(), 1e-3);

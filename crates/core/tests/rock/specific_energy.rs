@@ -176,9 +176,10 @@ impl std::fmt::Display for Drilled {
     }
 }
 
-/// Both against what is published: work per volume about the unconfined strength, where cutters do not chip (Richard and others,
-/// 2012; Detournay and Defourny, 1992); torque over half of weight and radius 1/ζ, ζ from 0.5 to 0.8 for sharp cutters (E07 has 0.6).
-/// Cuts of less than an element per revolution bear too little weight: of them the slope is shown.
+/// Both against what is published: work per volume about the unconfined strength, where cutters do
+/// not chip (Richard and others, 2012; Detournay and Defourny, 1992); torque over half of weight
+/// and radius 1/ζ, ζ from 0.5 to 0.8 for sharp cutters (E07 has 0.6). Cuts of less than an element
+/// per revolution bear too little weight: of them the slope is shown.
 fn as_published(name: &str, case: &Case, drilled: &Drilled) {
     // What follows a comma would pass for a unit.
     let name = name.replace(", ", "; ");
@@ -228,8 +229,8 @@ fn as_published(name: &str, case: &Case, drilled: &Drilled) {
     });
 }
 
-/// How far weight, torque and work per volume of one are from those of another, in parts; the tolerance of the weight and of the
-/// other two.
+/// How far weight, torque and work per volume of one are from those of another, in parts; the
+/// tolerance of the weight and of the other two.
 fn moved(name: &str, from: &Drilled, to: &Drilled, tolerance: [Tolerance; 2], reason: &str) {
     let [weight, others] = tolerance;
     for (quantity, expected, computed, tolerance) in [

@@ -26,7 +26,8 @@ fn rocks() -> Vec<(Rock, serde_json::Value)> {
         .collect()
 }
 
-/// Presses an element under a lateral pressure along z to a strain; the largest axial stress beyond what it bore at first, Pa.
+/// Presses an element under a lateral pressure along z to a strain; the largest axial stress beyond
+/// what it bore at first, Pa.
 fn strength_Pa(rock: Rock, pressure_Pa: f64, strain: f64) -> f64 {
     let stepper = Stepper::default();
     let mut block = press(rock, pressure_Pa);

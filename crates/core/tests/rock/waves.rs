@@ -14,7 +14,8 @@ struct Pulse {
     returned: f64,
 }
 
-/// Sends a pulse of `length` elements down a block, 60 deep, in which waves of a speed go; seen in the middle of its width.
+/// Sends a pulse of `length` elements down a block, 60 deep, in which waves of a speed go; seen in
+/// the middle of its width.
 fn send(edges: [Edge; 6], wide: usize, direction: usize, wave_m_per_s: f64) -> Pulse {
     let (deep, size_m, length) = (60, 1e-3, 24.0);
     let spec = BlockSpec {
@@ -28,7 +29,8 @@ fn send(edges: [Edge; 6], wide: usize, direction: usize, wave_m_per_s: f64) -> P
     let gauges = depths.map(|k| grid.node([wide / 2, 0, k]));
     let (mut when, mut weight) = ([0.0; 2], [0.0; 2]);
     let (mut down, mut up): (f64, f64) = (0.0, 0.0);
-    // The pulse's end is at the lower face, and its reflection, once it has left again, above the lower gauge.
+    // The pulse's end is at the lower face, and its reflection, once it has left again, above the
+    // lower gauge.
     let steps = ((deep as f64 * 1.9 * size_m) / wave_m_per_s / dt) as usize;
     for n in 0..steps {
         let t = n as f64 * dt;
@@ -88,7 +90,8 @@ fn pressure_waves_have_their_speed_and_leave() {
 fn shear_waves_have_their_speed_and_leave() {
     use Edge::{Free, Guided, Held, Open};
     let speed = elastic().shear_wave_m_per_s();
-    // So wide that nothing comes from the sides before the end: pressure waves are sqrt(3) times as fast.
+    // So wide that nothing comes from the sides before the end: pressure waves are sqrt(3) times as
+    // fast.
     let pulse = send([Free, Free, Guided, Guided, Held, Open], 420, 0, speed);
     check("shear", &pulse, speed);
 }

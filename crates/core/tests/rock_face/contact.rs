@@ -124,8 +124,8 @@ fn placed(mut nodes: Nodes, pose: &Pose) -> Nodes {
     nodes
 }
 
-/// Bit and nodes give each other the same force and the same moment, to rounding, about a point 1.5 km away; and the
-/// works add up to what the nodes gain, the bit loses and contact takes.
+/// Bit and nodes give each other the same force and the same moment, to rounding, about a point 1.5
+/// km away; and the works add up to what the nodes gain, the bit loses and contact takes.
 #[test]
 fn momentum_and_energy_pass_exactly() {
     let pose = turning();
@@ -217,7 +217,8 @@ fn a_turned_world_is_the_same() {
     let a = here.touch(&face, &straight, &law(), DT);
     let b = there.touch(&face, &turned, &law(), DT);
     assert_eq!(a.touching, b.touching);
-    // A position of 2 m is known to 4e-16; α that much off is 4e-13 of 1 mm, and the largest forces set the scale.
+    // A position of 2 m is known to 4e-16; α that much off is 4e-13 of 1 mm, and the largest forces
+    // set the scale.
     let scale = (0..here.mass.len()).map(|i| at(&here.force, i).norm());
     let scale = scale.fold(0.0, f64::max);
     for i in 0..here.mass.len() {
@@ -228,7 +229,8 @@ fn a_turned_world_is_the_same() {
     assert!((turn * a.moment_N_m - b.moment_N_m).norm() < 1e-9 * scale);
 }
 
-/// A bit whose cutters face each other, turning on a flat bottom, is pushed straight up and held back, and nothing else.
+/// A bit whose cutters face each other, turning on a flat bottom, is pushed straight up and held
+/// back, and nothing else.
 #[test]
 fn a_symmetric_bit_on_a_flat_bottom() {
     let face = opposed().face().unwrap();
@@ -261,7 +263,8 @@ fn a_symmetric_bit_on_a_flat_bottom() {
     assert!(load.moment_N_m.xy().norm() < 1e-10 * up * 0.1, "{load:?}");
 }
 
-/// In front of the middle of a cutter's face, `depth` behind its surface, with the face's directions: out and across.
+/// In front of the middle of a cutter's face, `depth` behind its surface, with the face's
+/// directions: out and across.
 fn on_a_face(face: &BitFace, depth: f64) -> [Vector3<f64>; 3] {
     let cutter = &face.cutters()[20];
     let up = (cutter.axis * cutter.axis.dot(&cutter.normal) - cutter.normal).normalize();
@@ -271,8 +274,8 @@ fn on_a_face(face: &BitFace, depth: f64) -> [Vector3<f64>; 3] {
     [point + cutter.axis * pdc().chamfer_m, cutter.axis, up]
 }
 
-/// A node pressed on a cutter by `P` and pulled along it by `T`: below `μ P` it stays where it is, for ever; above, it goes
-/// at `(T − μ P)/m`.
+/// A node pressed on a cutter by `P` and pulled along it by `T`: below `μ P` it stays where it is,
+/// for ever; above, it goes at `(T − μ P)/m`.
 #[test]
 fn a_pressed_node_sticks_or_slides() {
     let face = pdc().face().unwrap();
@@ -319,8 +322,8 @@ fn a_pressed_node_sticks_or_slides() {
     }
 }
 
-/// A node at rest inside is pushed out, and its energy with the contact's does not grow in any step, however stiff or
-/// soft the contact and whether it damps.
+/// A node at rest inside is pushed out, and its energy with the contact's does not grow in any
+/// step, however stiff or soft the contact and whether it damps.
 #[test]
 fn a_node_inside_is_pushed_out_without_gaining() {
     let face = pdc().face().unwrap();
@@ -364,8 +367,8 @@ fn a_node_inside_is_pushed_out_without_gaining() {
     }
 }
 
-/// A node that comes is stopped, not thrown back, in the step in which it arrives, by any stiffness; a bit that comes takes the
-/// node along.
+/// A node that comes is stopped, not thrown back, in the step in which it arrives, by any
+/// stiffness; a bit that comes takes the node along.
 #[test]
 fn arriving_is_not_bouncing() {
     let face = pdc().face().unwrap();
@@ -398,8 +401,8 @@ fn arriving_is_not_bouncing() {
     }
 }
 
-/// The pose's frame: `x` at the high side, `y` to its right, turning clockwise looking down; and motion that turns a full
-/// circle comes back.
+/// The pose's frame: `x` at the high side, `y` to its right, turning clockwise looking down; and
+/// motion that turns a full circle comes back.
 #[test]
 fn poses() {
     // Straight ahead north, the high side is up and east is to the right.

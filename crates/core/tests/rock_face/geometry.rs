@@ -8,8 +8,8 @@ use wholestring::rock::bit_face::{Cutter, FaceError, InsertBit, PdcBit};
 
 use super::{cones, faces, pdc};
 
-/// Sizes from slim holes to top holes make a bit without further numbers, with cutters from the axis (or the core) to the
-/// gauge.
+/// Sizes from slim holes to top holes make a bit without further numbers, with cutters from the
+/// axis (or the core) to the gauge.
 #[test]
 fn every_diameter_makes_a_bit() {
     for inches in [3.75, 4.75, 6.0, 6.125, 8.5, 9.875, 12.25, 14.75, 17.5, 26.0] {
@@ -39,7 +39,8 @@ fn profiles_are_smooth() {
         for step in 1..=steps {
             let point = profile.at(length * step as f64 / steps as f64);
             let (dr, dz) = (point.radius_m - before.radius_m, point.z_m - before.z_m);
-            // A chord of an arc of 24 mm is shorter by 5e-9 of 0.14 mm, and leans by half of 0.006 rad.
+            // A chord of an arc of 24 mm is shorter by 5e-9 of 0.14 mm, and leans by half of 0.006
+            // rad.
             let chord = dr.hypot(dz) / (length / steps as f64);
             assert!((chord - 1.0).abs() < 1e-5, "{name}: {chord}");
             let across = (dr * point.normal[0] + dz * point.normal[1]) / length * steps as f64;
@@ -64,8 +65,8 @@ fn middle(cutter: &Cutter, radius: f64) -> Vector3<f64> {
     cutter.tip_m - (cutter.normal - cutter.axis * sin) / cos * radius
 }
 
-/// A sharp cutter's distance is that of the nearest of points 0.1 mm apart on a disc, which lies beside the true foot by
-/// 0.07 mm at most; the sign is that of the disc's inequality.
+/// A sharp cutter's distance is that of the nearest of points 0.1 mm apart on a disc, which lies
+/// beside the true foot by 0.07 mm at most; the sign is that of the disc's inequality.
 #[test]
 fn distance_is_that_of_the_nearest_point() {
     let bit = PdcBit {
@@ -138,7 +139,8 @@ fn a_hemisphere_is_a_ball() {
     }
 }
 
-/// The way out is the gradient of the distance, of length one: differences over 1 nm against rounding of 1e-8.
+/// The way out is the gradient of the distance, of length one: differences over 1 nm against
+/// rounding of 1e-8.
 #[test]
 fn the_way_out_is_the_gradient() {
     for face in [pdc().face().unwrap(), cones().face().unwrap()] {
@@ -163,7 +165,8 @@ fn the_way_out_is_the_gradient() {
     }
 }
 
-/// The grid finds what a search through all cutters finds, bit for bit, inside the face and around it.
+/// The grid finds what a search through all cutters finds, bit for bit, inside the face and around
+/// it.
 #[test]
 fn the_grid_finds_what_a_search_finds() {
     for (name, face) in faces() {
@@ -186,7 +189,8 @@ fn the_grid_finds_what_a_search_finds() {
     }
 }
 
-/// Points inside leave the face the short way: a step of the depth along it ends on the surface of the part.
+/// Points inside leave the face the short way: a step of the depth along it ends on the surface of
+/// the part.
 #[test]
 fn the_short_way_leads_out() {
     for (name, face) in faces() {

@@ -9,8 +9,8 @@ use crate::common::relative_error;
 
 use super::{faces, opposed, pdc};
 
-/// The cutters leave no ring standing, and the ridges between their tracks stay below the body. Near the gauge the profile
-/// stands upright, and a height says nothing.
+/// The cutters leave no ring standing, and the ridges between their tracks stay below the body.
+/// Near the gauge the profile stands upright, and a height says nothing.
 #[test]
 fn no_ring_is_left_uncut() {
     let mut worst = vec![];
@@ -37,11 +37,13 @@ fn no_ring_is_left_uncut() {
     for (name, ridge) in &worst {
         assert!(*ridge < 7e-3, "{name}: {ridge}");
     }
-    // Discs of 16 mm, 5.6 mm apart, leave 8 mm − √(64 − 2.8²) mm = 0.51 mm; on a cone of 15° a little more.
+    // Discs of 16 mm, 5.6 mm apart, leave 8 mm − √(64 − 2.8²) mm = 0.51 mm; on a cone of 15° a
+    // little more.
     assert!((0.3e-3..0.7e-3).contains(&worst[0].1), "{worst:?}");
 }
 
-/// The cutters together remove the hole: area times depth of cut, to rounding, however deep they cut and whatever their tracks.
+/// The cutters together remove the hole: area times depth of cut, to rounding, however deep they
+/// cut and whatever their tracks.
 #[test]
 fn the_cut_is_the_hole() {
     for (name, face) in faces() {
@@ -64,8 +66,8 @@ fn the_cut_is_the_hole() {
     }
 }
 
-/// Cutting at one specific energy the face is a bit of Detournay and Defourny: the weight and the torque of its cuts are
-/// those of the law, whatever the layout.
+/// Cutting at one specific energy the face is a bit of Detournay and Defourny: the weight and the
+/// torque of its cuts are those of the law, whatever the layout.
 #[test]
 fn the_face_obeys_detournay_and_defourny() {
     let e07 = crate::common::verification("E07_bit_rock_detournay.json");
@@ -94,10 +96,12 @@ fn the_face_obeys_detournay_and_defourny() {
     );
 }
 
-/// A track is the lowest point of the turning solid: found there by turning a point on it through all angles.
+/// A track is the lowest point of the turning solid: found there by turning a point on it through
+/// all angles.
 ///
-/// Tolerance: lines on a cutter's side are 1 mm apart along it, which leaves `1 mm²/(8 r)` of what bends behind the edge, times
-/// the slope of a flank; 5 μm covers it beyond 15 mm from the axis. Rows of inserts are within 1 μm.
+/// Tolerance: lines on a cutter's side are 1 mm apart along it, which leaves `1 mm²/(8 r)` of what
+/// bends behind the edge, times the slope of a flank; 5 μm covers it beyond 15 mm from the axis.
+/// Rows of inserts are within 1 μm.
 #[test]
 fn a_track_is_the_lowest_point_swept() {
     for (name, face) in faces() {
@@ -181,7 +185,8 @@ fn the_bottom_follows_the_bit() {
     assert!(swing > 0.1 * depth_m);
 }
 
-/// Heights are the means of what falls into a cell, and the volume between two bottoms is that of a cylinder.
+/// Heights are the means of what falls into a cell, and the volume between two bottoms is that of a
+/// cylinder.
 #[test]
 fn heights_of_a_bottom() {
     let mut bottom = BottomHole::new([0.02, 0.1], 8, 12);

@@ -1,4 +1,5 @@
-//! The article's closed form of the contact force, its (7) and (8), against the root that it is meant to be.
+//! The article's closed form of the contact force, its (7) and (8), against the root that it is
+//! meant to be.
 
 use std::f64::consts::PI;
 
@@ -55,8 +56,9 @@ impl Contact {
         ((b - (y(1.0).cbrt() + y(-1.0).cbrt())) / 3.0).powi(3)
     }
 
-    /// (7) and (8) as they are printed, or with some of the three corrections: the compliance squared in
-    /// the first term of (7), the first term of (8) not cube-rooted, `c v_r` under its root.
+    /// (7) and (8) as they are printed, or with some of the three corrections: the compliance
+    /// squared in the first term of (7), the first term of (8) not cube-rooted, `c v_r` under its
+    /// root.
     fn printed(&self, squared: bool, cubed: bool, damped: bool) -> f64 {
         let k = self.compliance;
         let in_seven = if squared { k * k } else { k };
@@ -70,10 +72,11 @@ impl Contact {
     }
 }
 
-/// F02: the printed formula is not the root of (5) and (6), a thousand times too large and more in every row; with all three
-/// corrections it is, and without any one of them some row is 2 % off or more (`c v_r` under the root neither shows beside Table 1's `K`,
-/// whose force at rest is 4e14 N, nor where `K` is next to nothing). The file's roots are held to 1e-9; the
-/// closed form loses digits where `Y1` and `Y2` cancel, 8e-7 in the file's own evaluation.
+/// F02: the printed formula is not the root of (5) and (6), a thousand times too large and more in
+/// every row; with all three corrections it is, and without any one of them some row is 2 % off or
+/// more (`c v_r` under the root neither shows beside Table 1's `K`, whose force at rest is 4e14 N,
+/// nor where `K` is next to nothing). The file's roots are held to 1e-9; the closed form loses
+/// digits where `Y1` and `Y2` cancel, 8e-7 in the file's own evaluation.
 #[test]
 fn the_articles_contact_force_needs_three_corrections() {
     let data = verification("F02_seed_paper_eq7_8_check.json");

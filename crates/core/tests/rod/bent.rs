@@ -1,4 +1,5 @@
-//! Bends fixed in the body: the element below one, and rods that are curved when nothing loads them.
+//! Bends fixed in the body: the element below one, and rods that are curved when nothing loads
+//! them.
 
 use nalgebra::{Rotation3, Vector3};
 use serde_json::Value;
@@ -36,7 +37,8 @@ struct Ends {
 }
 
 impl Ends {
-    /// Anywhere in space, the directors up to 15° from the chord once the bend, up to 2 rad, is taken.
+    /// Anywhere in space, the directors up to 15° from the chord once the bend, up to 2 rad, is
+    /// taken.
     fn random(random: &mut Random) -> Self {
         let chord = random.vector(1.0).normalize();
         let tilted = |random: &mut Random| {
@@ -124,8 +126,9 @@ fn slope(f: impl Fn(f64) -> f64, h: f64) -> f64 {
     (8.0 * (f(h) - f(-h)) - (f(2.0 * h) - f(-2.0 * h))) / (12.0 * h)
 }
 
-/// Whatever the bend, the energy loses the power of the forces and of the whole moments, the part about the node's
-/// director included. The tolerance is that of the element without a bend: the rounding of the difference.
+/// Whatever the bend, the energy loses the power of the forces and of the whole moments, the part
+/// about the node's director included. The tolerance is that of the element without a bend: the
+/// rounding of the difference.
 #[test]
 fn the_energy_below_a_bend_changes_by_the_power_of_the_forces() {
     let k = Stiffness::new(&section(7e8, 1.2e6, 1.4e8), LENGTH_M);
@@ -140,8 +143,8 @@ fn the_energy_below_a_bend_changes_by_the_power_of_the_forces() {
     }
 }
 
-/// The twist between marks on the body changes at the rate that the element sums up, to the series of
-/// `1/(1 + c12)` in it: 1e-8 of the angular velocities.
+/// The twist between marks on the body changes at the rate that the element sums up, to the series
+/// of `1/(1 + c12)` in it: 1e-8 of the angular velocities.
 #[test]
 fn the_twist_of_a_bent_body_has_its_rate() {
     let mut random = Random(22);
@@ -162,7 +165,8 @@ fn the_twist_of_a_bent_body_has_its_rate() {
     }
 }
 
-/// A body that turns as one loses nothing to damping, whatever its bend: a straight element on either side of it.
+/// A body that turns as one loses nothing to damping, whatever its bend: a straight element on
+/// either side of it.
 #[test]
 fn a_bent_body_that_turns_rigidly_loses_nothing() {
     let k = Stiffness::new(&section(7e8, 1.2e6, 1.4e8), LENGTH_M);
@@ -179,9 +183,9 @@ fn a_bent_body_that_turns_rigidly_loses_nothing() {
     }
 }
 
-/// A direction on a body that turns steadily about any axis is carried by steps of the director and of the spin as
-/// the body carries it. The director goes along chords of its circle, so the error is of second order in the
-/// step; 1000 steps of a turn leave 2e-5.
+/// A direction on a body that turns steadily about any axis is carried by steps of the director and
+/// of the spin as the body carries it. The director goes along chords of its circle, so the error
+/// is of second order in the step; 1000 steps of a turn leave 2e-5.
 #[test]
 fn a_mark_on_the_body_is_carried_with_it() {
     let mut random = Random(24);
@@ -203,8 +207,8 @@ fn a_mark_on_the_body_is_carried_with_it() {
     }
 }
 
-/// How far D02's tip moves with `parts` elements: along its first tangent, in its plane across it, and in the
-/// direction of the load.
+/// How far D02's tip moves with `parts` elements: along its first tangent, in its plane across it,
+/// and in the direction of the load.
 fn bathe(parts: usize, force: f64) -> V {
     let data = verification("D02_bathe_45deg_bend.json");
     let inputs = &data["inputs"];
@@ -230,13 +234,14 @@ fn bathe(parts: usize, force: f64) -> V {
 
 /// D02: an arc of 45°, a bend at every node, pulled out of its plane by 300 to 3000 lbf.
 ///
-/// Second order: 8 elements miss the shooting solution by 0.16 to 0.9 % of the tip's path. Extrapolated twice,
-/// from 16, 32 and 64 elements, they meet it within the source's 1e-6 (4e-9 to 9e-8 were measured). That
-/// solution has `GA = GJ/(I_p/A)`, a shear factor of one: with 5/6 the rod converges to 1.2e-5 beside it.
+/// Second order: 8 elements miss the shooting solution by 0.16 to 0.9 % of the tip's path.
+/// Extrapolated twice, from 16, 32 and 64 elements, they meet it within the source's 1e-6 (4e-9 to
+/// 9e-8 were measured). That solution has `GA = GJ/(I_p/A)`, a shear factor of one: with 5/6 the
+/// rod converges to 1.2e-5 beside it.
 ///
-/// The published numbers are for 600 lbf, printed to three digits and obtained with few elements by their
-/// authors: 8 elements here are within 0.5 % of BeamDyn's and Kynema's; Bathe and Bolourchi's (8 elements of their
-/// own) are 0.4 % from the converged answer and 0.6 % from 8 elements.
+/// The published numbers are for 600 lbf, printed to three digits and obtained with few elements by
+/// their authors: 8 elements here are within 0.5 % of BeamDyn's and Kynema's; Bathe and Bolourchi's
+/// (8 elements of their own) are 0.4 % from the converged answer and 0.6 % from 8 elements.
 #[test]
 fn a_curved_cantilever_is_pulled_out_of_its_plane() {
     let data = verification("D02_bathe_45deg_bend.json");

@@ -66,8 +66,8 @@ fn hertz_constants_of_pipe_and_hole() {
     }
 }
 
-/// The law's cubic, solved by bisection, over all stiffnesses: 3e-6 below `r = 60`, as its documentation
-/// says; beyond, where all of the force is the penetration's, between zero and that.
+/// The law's cubic, solved by bisection, over all stiffnesses: 3e-6 below `r = 60`, as its
+/// documentation says; beyond, where all of the force is the penetration's, between zero and that.
 #[test]
 fn hertz_is_within_its_stated_error() {
     let mut worst: f64 = 0.0;
@@ -138,8 +138,8 @@ fn blow(m: f64, speed: f64, k: f64, dissipation: f64, dt: f64, phase: f64) -> Bl
     }
 }
 
-/// E06: Hertz's impact at a resolved step. The implicit step loses in proportion to its length; at a
-/// two-thousandth of the contact the source's 1 % holds for depth, time and force.
+/// E06: Hertz's impact at a resolved step. The implicit step loses in proportion to its length; at
+/// a two-thousandth of the contact the source's 1 % holds for depth, time and force.
 #[test]
 fn a_resolved_blow_is_hertzs() {
     let data = verification("E06_hertz_impact.json");
@@ -172,8 +172,8 @@ fn a_resolved_blow_is_hertzs() {
 }
 
 /// Restitution under `N = K α^1.5 (1 + d α')`. In `m v dv = −N dα` speed and depth part; integrated
-/// into the wall and out again, `x − ln(1 + x) = −e x − ln(1 − e x)` with `x = d v₀`. For small `x` that is
-/// `e = 1 − (2/3) x`.
+/// into the wall and out again, `x − ln(1 + x) = −e x − ln(1 − e x)` with `x = d v₀`. For small `x`
+/// that is `e = 1 − (2/3) x`.
 fn hunt_crossley(dv: f64) -> f64 {
     let lost = dv - dv.ln_1p();
     let (mut low, mut high) = (0.0f64, 1.0f64.min(1.0 / dv));
@@ -206,7 +206,8 @@ fn a_resolved_blow_restores_what_hunt_and_crossley_say() {
     }
 }
 
-/// Restitution of a blow whose law is solved by bisection, the mean over where it falls in its step.
+/// Restitution of a blow whose law is solved by bisection, the mean over where it falls in its
+/// step.
 fn implicit_restitution(m: f64, speed: f64, k: f64, dissipation: f64, dt: f64) -> f64 {
     let one = |phase: f64| {
         let (mut x, mut v) = ((phase - 1.0) * speed * dt, speed);
@@ -238,10 +239,10 @@ fn implicit_restitution(m: f64, speed: f64, k: f64, dissipation: f64, dt: f64) -
 
 const PHASES: u32 = 20;
 
-/// At the step of a run with default elements a blow is over within a few steps, and the implicit law
-/// takes most of it, whatever the dissipation: with the default 0.5 s/m a node of 120 kg on rock is given back
-/// 0.47 of 0.01 m/s and 0.13 of 2 m/s, where the law gives 0.997 and 0.59.
-/// That is the implicit law, not its solution: bisection gives the same.
+/// At the step of a run with default elements a blow is over within a few steps, and the implicit
+/// law takes most of it, whatever the dissipation: with the default 0.5 s/m a node of 120 kg on
+/// rock is given back 0.47 of 0.01 m/s and 0.13 of 2 m/s, where the law gives 0.997 and 0.59. That
+/// is the implicit law, not its solution: bisection gives the same.
 #[test]
 fn at_the_default_step_a_blow_hardly_rebounds() {
     let (m, k, dt) = (120.0, 2.7415e10, 5.5e-4);
@@ -268,7 +269,8 @@ fn at_the_default_step_a_blow_hardly_rebounds() {
 }
 
 /// The linear law's blow at a resolved step: half a period of the damped spring, cut where it would
-/// pull. The damped oscillator gives `e = exp(−ζ/√(1−ζ²) · atan2(2ζ√(1−ζ²), 2ζ²−1))`, the time at which the force vanishes.
+/// pull. The damped oscillator gives `e = exp(−ζ/√(1−ζ²) · atan2(2ζ√(1−ζ²), 2ζ²−1))`, the time at
+/// which the force vanishes.
 #[test]
 fn a_linear_blow_restores_what_its_damper_leaves() {
     let (m, k, v0) = (120.0, 2e7, 0.3);

@@ -1,4 +1,5 @@
-//! One element: its forces are the gradient of its energy, they balance, and its damping only takes.
+//! One element: its forces are the gradient of its energy, they balance, and its damping only
+//! takes.
 
 use nalgebra::{Rotation3, Unit, Vector3};
 use wholestring::rod::{
@@ -165,8 +166,8 @@ fn forces_and_moments_are_minus_the_gradient_of_the_energy() {
     assert!(worst < 1e-7, "{worst:e}");
 }
 
-/// The whole element, twist included, loses what it does on its ends. 1e-8 of the sum of its parts is
-/// the rounding of the difference, `1e-16 U/(P h)`.
+/// The whole element, twist included, loses what it does on its ends. 1e-8 of the sum of its parts
+/// is the rounding of the difference, `1e-16 U/(P h)`.
 #[test]
 fn energy_changes_by_the_power_of_the_forces() {
     let k = Stiffness::new(&pipe(), LENGTH_M);
@@ -185,8 +186,8 @@ fn energy_changes_by_the_power_of_the_forces() {
     }
 }
 
-/// Without axial and bending stiffness only the torque works, and its power is `M τ'` to rounding, for
-/// any bend: rate and moments share the series of `1/(1 + c12)`.
+/// Without axial and bending stiffness only the torque works, and its power is `M τ'` to rounding,
+/// for any bend: rate and moments share the series of `1/(1 + c12)`.
 #[test]
 fn torque_does_the_work_of_its_rate() {
     let nothing = Section {
@@ -207,8 +208,8 @@ fn torque_does_the_work_of_its_rate() {
     }
 }
 
-/// The series is within 4e-8 of `1/(1 + c12)` for a bend of 15°: the rate of twist is that of a body
-/// that turns rigidly, none, and the moments balance, to that part of the angular velocities.
+/// The series is within 4e-8 of `1/(1 + c12)` for a bend of 15°: the rate of twist is that of a
+/// body that turns rigidly, none, and the moments balance, to that part of the angular velocities.
 #[test]
 fn rigid_motion_neither_strains_nor_twists() {
     let k = Stiffness::new(&pipe(), LENGTH_M);
@@ -321,8 +322,8 @@ fn a_bent_pipe_that_spins_in_place_loses_nothing() {
     }
 }
 
-/// The whirling bent pipe loses `β EI/L |w2 − w1|²`, small beside any other loss: for a dogleg of 3°
-/// in 30 m at 70 rev/min and β = 1e-5 s, less than a hundredth of a watt in an element of 3.2 m.
+/// The whirling bent pipe loses `β EI/L |w2 − w1|²`, small beside any other loss: for a dogleg of
+/// 3° in 30 m at 70 rev/min and β = 1e-5 s, less than a hundredth of a watt in an element of 3.2 m.
 #[test]
 fn a_bent_pipe_that_whirls_rigidly_loses_next_to_nothing() {
     let length = 3.2;

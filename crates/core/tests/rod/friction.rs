@@ -4,8 +4,8 @@ use wholestring::wall::friction::{independent, vector};
 
 use crate::random::Random;
 
-/// Coulomb's law at the end of the step: `f_i (g_i + λ) = u_i`, `|f| = limit`, by bisection of λ; what
-/// stops the motion where that is less than the limit.
+/// Coulomb's law at the end of the step: `f_i (g_i + λ) = u_i`, `|f| = limit`, by bisection of λ;
+/// what stops the motion where that is less than the limit.
 fn exact(limit: f64, u: [f64; 2], g: [f64; 2]) -> ([f64; 2], f64) {
     let at = |lambda: f64| [u[0] / (g[0] + lambda), u[1] / (g[1] + lambda)];
     let length = |f: [f64; 2]| f[0].hypot(f[1]);
@@ -24,8 +24,8 @@ fn exact(limit: f64, u: [f64; 2], g: [f64; 2]) -> ([f64; 2], f64) {
     (at(high), high)
 }
 
-/// Largest error of the direction, rad, and of the length over the limit, where `g` about and along the
-/// hole differ by up to `ratio` and `λ` over the larger of them lies between `from` and `to`.
+/// Largest error of the direction, rad, and of the length over the limit, where `g` about and along
+/// the hole differ by up to `ratio` and `λ` over the larger of them lies between `from` and `to`.
 fn worst(ratio: f64, from: f64, to: f64) -> (f64, f64) {
     let mut random = Random(11);
     let (mut direction, mut length): (f64, f64) = (0.0, 0.0);
@@ -33,8 +33,8 @@ fn worst(ratio: f64, from: f64, to: f64) -> (f64, f64) {
         let other = ratio.powf(random.between(-1.0, 1.0));
         let g = [5e-6, 5e-6 * other];
         let limit = 10f64.powf(random.between(-1.0, 5.0));
-        // A point of the law, a force on the cone and what remains of the speed, taken back to the speed
-        // without friction: no neighbourhood of rest is left out.
+        // A point of the law, a force on the cone and what remains of the speed, taken back to the
+        // speed without friction: no neighbourhood of rest is left out.
         let angle = random.between(0.0, std::f64::consts::TAU);
         let lambda =
             g[0].max(g[1]) * (from.ln() + random.between(0.0, 1.0) * (to / from).ln()).exp();
@@ -50,10 +50,11 @@ fn worst(ratio: f64, from: f64, to: f64) -> (f64, f64) {
 }
 
 /// The approximate cone against the exact one. Its length is exact. Its direction is off where the
-/// contact all but stops within the step and `g` about the hole is not that along it: by 11° at the very
-/// worst for a ratio of 4, which strings stay below (`1 + m r²/J` of a tube on its joints, mud
-/// included), at `λ = g/5`, when a fifth of the speed is left that a step can take. The bounds are 1.2 times what was
-/// measured; they fall with the third power of `g/λ`, as the second-order expansion should.
+/// contact all but stops within the step and `g` about the hole is not that along it: by 11° at the
+/// very worst for a ratio of 4, which strings stay below (`1 + m r²/J` of a tube on its joints, mud
+/// included), at `λ = g/5`, when a fifth of the speed is left that a step can take. The bounds are
+/// 1.2 times what was measured; they fall with the third power of `g/λ`, as the second-order
+/// expansion should.
 #[test]
 fn the_cone_is_exact_but_for_its_direction_near_rest() {
     for (ratio, from, to, bound) in [

@@ -32,8 +32,8 @@ fn node_at(mesh: &Mesh, from_bit_m: f64) -> Option<f64> {
         .map(|n| n.contact_radius_m)
 }
 
-/// Joints every 9.6 m are every sixth, third or second node at these elements, whatever the assembly below; plain pipe has
-/// none.
+/// Joints every 9.6 m are every sixth, third or second node at these elements, whatever the
+/// assembly below; plain pipe has none.
 #[test]
 fn joints_come_after_as_many_nodes() {
     let string = np13();
@@ -67,8 +67,8 @@ fn nodes_of_a_bottom_hole_assembly_stand_where_it_touches() {
                 Some(0.0889)
             );
         }
-        // The uppermost joint of the heavy-weight, 0.02 m below the first of the drill pipe, shares its
-        // node.
+        // The uppermost joint of the heavy-weight, 0.02 m below the first of the drill pipe, shares
+        // its node.
         let pipe = above + 84.53;
         for joint in 1..420 {
             assert_eq!(node_at(&mesh, pipe + 9.6 * f64::from(joint)), Some(0.0889));
@@ -82,7 +82,8 @@ fn nodes_of_a_bottom_hole_assembly_stand_where_it_touches() {
     }
 }
 
-/// An element over several components is as soft as its parts in a row, and as heavy as all of them.
+/// An element over several components is as soft as its parts in a row, and as heavy as all of
+/// them.
 #[test]
 fn an_element_of_several_components_is_their_row() {
     // None stands out over both its neighbours: that would be a stabiliser, with a node.
@@ -242,8 +243,8 @@ fn the_shipped_string_is_cut_soundly() {
     }
 }
 
-/// Blades touch at both edges where the mesh resolves them, at their middle where it does not; between the
-/// edges, and only there, a node carries their radius.
+/// Blades touch at both edges where the mesh resolves them, at their middle where it does not;
+/// between the edges, and only there, a node carries their radius.
 #[test]
 fn blades_touch_at_their_edges() {
     let stabiliser = |blade_m: f64, length_m: f64| ComponentSpec {

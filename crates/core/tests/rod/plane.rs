@@ -1,7 +1,7 @@
 //! A chain of elements in a plane, brought to equilibrium by Newton's method.
 //!
-//! The reactions are those of the engine; the tangent is their finite difference. It only steers the
-//! iteration: what is found is where the forces balance.
+//! The reactions are those of the engine; the tangent is their finite difference. It only steers
+//! the iteration: what is found is where the forces balance.
 
 use nalgebra::{DMatrix, DVector};
 use wholestring::rod::{

@@ -1,7 +1,8 @@
-//! A chain of elements in space, with a bend at every node if need be, brought to equilibrium by Newton's method.
+//! A chain of elements in space, with a bend at every node if need be, brought to equilibrium by
+//! Newton's method.
 //!
-//! The reactions are those of the engine; the tangent is their finite difference and only steers the
-//! iteration. Twist is not summed up here: it is the angle between marks on the body.
+//! The reactions are those of the engine; the tangent is their finite difference and only steers
+//! the iteration. Twist is not summed up here: it is the angle between marks on the body.
 
 use nalgebra::{DMatrix, DVector, Rotation3, Vector3};
 use wholestring::rod::{

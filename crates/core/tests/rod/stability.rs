@@ -4,8 +4,8 @@ use wholestring::rod::{mesh::Mesh, stability};
 
 use crate::mesh::np13;
 
-/// The short elements of the bottom-hole assembly are given mass, drill pipe and heavy-weight none: their
-/// waves keep their speed. Lateral mass of steel alone.
+/// The short elements of the bottom-hole assembly are given mass, drill pipe and heavy-weight none:
+/// their waves keep their speed. Lateral mass of steel alone.
 #[test]
 fn ordinary_pipe_is_lent_nothing() {
     for element_length in [1.6, 3.2, 4.8] {
@@ -26,8 +26,8 @@ fn ordinary_pipe_is_lent_nothing() {
         }
         let reported = plan.added_axial_mass_fraction;
         assert!((axial / steel - 1.0 - reported).abs() < 1e-12);
-        // From 300 m above the bit it is drill pipe, joint after joint the same, but for what is left of
-        // the uppermost joint at the surface.
+        // From 300 m above the bit it is drill pipe, joint after joint the same, but for what is
+        // left of the uppermost joint at the surface.
         for i in 0..mesh.nodes.len() - 1 {
             let below_the_rest = mesh.nodes[i].from_bit_m < mesh.length_m() - 9.6;
             if mesh.nodes[i + 1].from_bit_m > 300.0 && below_the_rest {

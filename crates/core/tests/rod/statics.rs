@@ -20,8 +20,8 @@ fn number(value: &Value) -> f64 {
 }
 
 /// `w = PL³/3EI + PL/κGA`, exact at the nodes however coarse the mesh: the element's bending is
-/// Timoshenko's solution. Loads of 1e-6 of `EI/L²` bend the rod by so little that its large rotation
-/// shows in the twelfth digit.
+/// Timoshenko's solution. Loads of 1e-6 of `EI/L²` bend the rod by so little that its large
+/// rotation shows in the twelfth digit.
 #[test]
 fn a_cantilever_deflects_as_timoshenko_says() {
     let (ei, l) = (1.2e6, 10.0);
@@ -68,10 +68,10 @@ fn converges(
     }
 }
 
-/// D01: a moment bends a cantilever to an arc; `λ = 2` closes the circle. The element takes the sine of
-/// an angle for the angle, so the error falls with the square of the turn per element: 16 elements (22°
-/// each for the circle) miss the tip by 2 % of the length, 64 by 0.2 %. What is left after extrapolation is of
-/// fourth order, `(2π/32)⁴` of that: 1e-4, the tolerance of the source.
+/// D01: a moment bends a cantilever to an arc; `λ = 2` closes the circle. The element takes the
+/// sine of an angle for the angle, so the error falls with the square of the turn per element: 16
+/// elements (22° each for the circle) miss the tip by 2 % of the length, 64 by 0.2 %. What is left
+/// after extrapolation is of fourth order, `(2π/32)⁴` of that: 1e-4, the tolerance of the source.
 #[test]
 fn an_end_moment_bends_a_cantilever_to_a_circle() {
     let data = verification("D01_cantilever_end_moment.json");
@@ -106,8 +106,9 @@ fn an_end_moment_bends_a_cantilever_to_a_circle() {
     }
 }
 
-/// D05: Bisshopp and Drucker's cantilever under a tip force that keeps its direction. The tolerance is
-/// the source's 1e-4, which takes 16 elements up to `PL²/EI = 1` and 64 at 10, or the extrapolation.
+/// D05: Bisshopp and Drucker's cantilever under a tip force that keeps its direction. The tolerance
+/// is the source's 1e-4, which takes 16 elements up to `PL²/EI = 1` and 64 at 10, or the
+/// extrapolation.
 #[test]
 fn a_tip_force_bends_a_cantilever_as_the_elastica() {
     let data = verification("D05_elastica_tip_force.json");
@@ -132,10 +133,11 @@ fn a_tip_force_bends_a_cantilever_as_the_elastica() {
     }
 }
 
-/// D04's small load: a short, deep beam in which shear counts. The deflection has the source's 1e-6. The
-/// shortening is of second order, and there the rod is not Simo and Reissner's: its stretch is that of
-/// the axis, with the tension along it, where theirs is taken along the normal of the section. With the
-/// shear angle `γ = F/κGA` the two shorten differently by `L(γ²/2 − γ F/EA)`, six ten-thousandths here.
+/// D04's small load: a short, deep beam in which shear counts. The deflection has the source's
+/// 1e-6. The shortening is of second order, and there the rod is not Simo and Reissner's: its
+/// stretch is that of the axis, with the tension along it, where theirs is taken along the normal
+/// of the section. With the shear angle `γ = F/κGA` the two shorten differently by
+/// `L(γ²/2 − γ F/EA)`, six ten-thousandths here.
 #[test]
 fn a_deep_cantilever_sags_by_bending_and_shear() {
     let data = verification("D04_shear_deformable_cantilever.json");
@@ -175,8 +177,9 @@ fn a_deep_cantilever_sags_by_bending_and_shear() {
     assert!(own < 7e-4 * number(&oracle[0]));
 }
 
-/// Deflection of a pinned beam under a force in its middle and an axial force `T`, over that without
-/// axial force: Timoshenko and Gere, *Theory of Elastic Stability* (1961), their (1-17) and (1-43).
+/// Deflection of a pinned beam under a force in its middle and an axial force `T`, over that
+/// without axial force: Timoshenko and Gere, *Theory of Elastic Stability* (1961), their (1-17) and
+/// (1-43).
 fn amplification(tension: f64, ei: f64, l: f64) -> f64 {
     let u = 0.5 * l * (tension.abs() / ei).sqrt();
     if tension > 0.0 {
@@ -199,7 +202,8 @@ fn beam_column(tension: f64, shear: f64, parts: usize) -> f64 {
 }
 
 /// The stiffness by axial force is that of a cubic deflection: fourth order, until the bending
-/// length `√(EI/T)` is longer than an element. Each tolerance is twice the error measured at 16 elements.
+/// length `√(EI/T)` is longer than an element. Each tolerance is twice the error measured at 16
+/// elements.
 #[test]
 fn axial_load_stiffens_and_softens_a_beam() {
     let euler = std::f64::consts::PI.powi(2);
@@ -246,8 +250,8 @@ fn buckling_load(shear: f64, parts: usize) -> f64 {
     0.5 * (low + high)
 }
 
-/// Euler's load `π²EI/L²`, from above and with the fourth order of the cubic deflection. The column is
-/// shortened by 1e-7 when it buckles, which bounds the comparison from below.
+/// Euler's load `π²EI/L²`, from above and with the fourth order of the cubic deflection. The column
+/// is shortened by 1e-7 when it buckles, which bounds the comparison from below.
 #[test]
 fn a_column_buckles_at_eulers_load() {
     let euler = std::f64::consts::PI.powi(2);
@@ -263,16 +267,17 @@ fn a_column_buckles_at_eulers_load() {
     assert_close("one element", 1.0 + one, 12.0 / euler, 1e-6);
 }
 
-/// A column soft in shear buckles at Engesser's load `P_E/(1 + P_E/κGA)`: the tension pulls along the
-/// axis, so its shear is that of the whole slope. (Haringx, with the tension along the section's normal,
-/// is 0.8 % higher here.) Pipe has `P_E/κGA` below 1e-4, where the two agree.
+/// A column soft in shear buckles at Engesser's load `P_E/(1 + P_E/κGA)`: the tension pulls along
+/// the axis, so its shear is that of the whole slope. (Haringx, with the tension along the
+/// section's normal, is 0.8 % higher here.) Pipe has `P_E/κGA` below 1e-4, where the two agree.
 #[test]
 fn a_column_soft_in_shear_buckles_at_engessers_load() {
     let euler = std::f64::consts::PI.powi(2);
     let shear = 10.0 * euler;
     let engesser = euler / (1.0 + euler / shear);
     let [middle, fine] = [4, 8].map(|parts| buckling_load(shear, parts) / engesser - 1.0);
-    // Second order: the element's share of the shear does not know of the tension. 3e-4 of fourth order left.
+    // Second order: the element's share of the shear does not know of the tension. 3e-4 of fourth
+    // order left.
     assert!(
         (order(middle, fine) - 2.0).abs() < 0.15,
         "{}",

@@ -129,9 +129,10 @@ fn apart(a: &Matrix, b: &Matrix) -> f64 {
     (a - b).amax() / a.amax()
 }
 
-/// Found are 4.5e-5 at a step of 1e-2 (m, rad), a hundredth of it at a tenth of the step, and 5e-11 at 1e-5: less than
-/// 1e-9 is held there. Differences come the nearer to the tangent the smaller their step, with its square, until
-/// rounding ends it: of 50 elements anywhere the largest difference over the largest entry.
+/// Found are 4.5e-5 at a step of 1e-2 (m, rad), a hundredth of it at a tenth of the step, and 5e-11
+/// at 1e-5: less than 1e-9 is held there. Differences come the nearer to the tangent the smaller
+/// their step, with its square, until rounding ends it: of 50 elements anywhere the largest
+/// difference over the largest entry.
 #[test]
 fn differences_converge_to_the_tangent() {
     let k = Stiffness::new(&pipe(), LENGTH_M);

@@ -35,8 +35,8 @@ fn hole() -> Hole {
         .expect("a sound hole")
 }
 
-/// Radius and offset at eight places, by an implementation of its own (in another language, from the
-/// documentation of `Relief`), to the 1e-9 m that is promised for every machine.
+/// Radius and offset at eight places, by an implementation of its own (in another language, from
+/// the documentation of `Relief`), to the 1e-9 m that is promised for every machine.
 #[test]
 fn a_seed_gives_the_same_wall_everywhere() {
     let expected: [(u64, f64, [f64; 4]); 8] = [
@@ -129,12 +129,13 @@ fn a_seed_gives_the_same_wall_everywhere() {
     }
 }
 
-/// Over 50 km the root mean squares are those requested, and all of the power lies in the band, as much of
-/// it in the lower as in the upper half of its octaves.
+/// Over 50 km the root mean squares are those requested, and all of the power lies in the band, as
+/// much of it in the lower as in the upper half of its octaves.
 ///
-/// A sum of sinusoids has its mean square to the order of (longest wavelength)/length, 1e-3 here; the rms
-/// is held to 0.5 %, found within 0.06 %. The power is read through Hann's window, whose own width (2/length) leaves
-/// less than 1e-6 outside; halves are of 16 waves each but for the window's, so that they agree to 1 %.
+/// A sum of sinusoids has its mean square to the order of (longest wavelength)/length, 1e-3 here;
+/// the rms is held to 0.5 %, found within 0.06 %. The power is read through Hann's window, whose
+/// own width (2/length) leaves less than 1e-6 outside; halves are of 16 waves each but for the
+/// window's, so that they agree to 1 %.
 #[test]
 fn roughness_has_the_rms_and_the_band_asked_for() {
     let (step, count) = (0.125, 400_000);
@@ -181,12 +182,12 @@ fn roughness_has_the_rms_and_the_band_asked_for() {
     }
 }
 
-/// Radius, slope, tangent and curvature are each other's derivatives along a hole that builds and turns,
-/// rough and at the border to a smooth section.
+/// Radius, slope, tangent and curvature are each other's derivatives along a hole that builds and
+/// turns, rough and at the border to a smooth section.
 ///
-/// By central differences over 1 and 2 cm, extrapolated: what is left of their own error is `a k⁵ h⁴/30` of a
-/// wave, below 1e-9 here. The curvature leaves out what the path's own
-/// bend makes of the offset: found are 2e-7 1/m, beside the 0.05 1/m of the waves.
+/// By central differences over 1 and 2 cm, extrapolated: what is left of their own error is
+/// `a k⁵ h⁴/30` of a wave, below 1e-9 here. The curvature leaves out what the path's own bend makes
+/// of the offset: found are 2e-7 1/m, beside the 0.05 1/m of the waves.
 #[test]
 fn the_wall_and_its_derivatives_agree() {
     let stations = [
@@ -236,7 +237,8 @@ fn the_wall_and_its_derivatives_agree() {
     );
 }
 
-/// Roughness keeps to its section: nothing in the casing nor above it, and without a step at the shoe.
+/// Roughness keeps to its section: nothing in the casing nor above it, and without a step at the
+/// shoe.
 #[test]
 fn a_section_has_its_own_share_of_roughness() {
     let path = path(

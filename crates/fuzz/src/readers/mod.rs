@@ -1,4 +1,5 @@
-//! The readers: each with sound files of its kind, the words that stand in them, and what it does with an input.
+//! The readers: each with sound files of its kind, the words that stand in them, and what it does
+//! with an input.
 
 mod cases;
 mod reader;

@@ -62,7 +62,8 @@ impl Reader {
     /// An input.
     pub(crate) fn input(&self, rng: &mut Rng) -> Vec<u8> {
         match &self.make {
-            // Whatever is not changed is accepted: else nothing would be tried beyond the first mistake.
+            // Whatever is not changed is accepted: else nothing would be tried beyond the first
+            // mistake.
             Make::Damaged { .. } if rng.u8(..100) == 0 => {
                 rng.choice(&self.seeds).cloned().unwrap_or_default()
             }

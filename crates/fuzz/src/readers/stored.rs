@@ -1,4 +1,5 @@
-//! Checkpoints: the file, the state of a string's run and that of a bit's trial, behind a checksum that fits.
+//! Checkpoints: the file, the state of a string's run and that of a bit's trial, behind a checksum
+//! that fits.
 
 use std::fs;
 

@@ -56,8 +56,9 @@ const ENERGY: Quantity = Quantity {
     std: None,
 };
 
-/// Every picture of a bit test, in a set of units (`si`, `metric` or `field`): `drill-off` (rate of penetration and torque
-/// against weight), `specific-energy` (against depth of cut) and `bottom-hole`; none where no point is there.
+/// Every picture of a bit test, in a set of units (`si`, `metric` or `field`): `drill-off` (rate of
+/// penetration and torque against weight), `specific-energy` (against depth of cut) and
+/// `bottom-hole`; none where no point is there.
 pub fn bit_test_plots(test: &BitTest, units: &str) -> Vec<Plot> {
     let drawing = Drawing {
         test,

@@ -25,7 +25,8 @@ pub struct BitTest {
     pub strength_Pa: f64,
     /// Radius of the bit, m.
     pub radius_m: f64,
-    /// Slope (m) and offset (N·m) of the straight line of torque over weight through all points; none of fewer than two weights.
+    /// Slope (m) and offset (N·m) of the straight line of torque over weight through all points;
+    /// none of fewer than two weights.
     pub torque_by_weight: Option<[f64; 2]>,
     /// What was measured, in any order.
     pub points: Vec<BitTestPoint>,

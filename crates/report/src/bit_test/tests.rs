@@ -141,7 +141,8 @@ fn spreads_are_as_wide_as_they_are() {
     assert!((up[1].1 - up[0].1 - 0.2).abs() < 1e-9 && up[0].0 == up[1].0);
 }
 
-/// Nothing but colours lies in the corners of the square around a bottom, and every picture is whole.
+/// Nothing but colours lies in the corners of the square around a bottom, and every picture is
+/// whole.
 #[test]
 fn pictures_are_drawn() {
     let test = test();
@@ -165,7 +166,8 @@ fn pictures_are_drawn() {
     assert!(map.values[0].is_nan(), "a corner");
     let side = map.middles.len();
     let middle = map.values[side * side / 2 + side / 2];
-    // 29.5 mm within the grooves' 2 mm, below a rim that lies within the two outermost rings, 8.5 to 13.5 mm.
+    // 29.5 mm within the grooves' 2 mm, below a rim that lies within the two outermost rings, 8.5
+    // to 13.5 mm.
     assert!((14.0..23.0).contains(&middle), "{middle} mm at the nose");
     let energy = plot(&test, "specific-energy", "si").figure;
     let strength = energy.panels[0].marks.last();

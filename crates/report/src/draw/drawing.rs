@@ -104,7 +104,8 @@ pub(super) enum Item {
         image: Image,
         place: Box,
     },
-    /// What follows, up to the end, belongs to these keys of the legend, or is a key of the legend itself. For pages.
+    /// What follows, up to the end, belongs to these keys of the legend, or is a key of the legend
+    /// itself. For pages.
     Begin {
         keys: Vec<usize>,
         of_legend: bool,

@@ -4,8 +4,8 @@ use std::sync::LazyLock;
 
 use ttf_parser::{Face, OutlineBuilder};
 
-/// Arimo, as wide as Helvetica and Arial: what is measured and painted with it fits where a file is read with one
-/// of those.
+/// Arimo, as wide as Helvetica and Arial: what is measured and painted with it fits where a file is
+/// read with one of those.
 static FACE: LazyLock<Face<'static>> = LazyLock::new(|| {
     let bytes = include_bytes!("../../assets/fonts/Arimo-subset.ttf");
     Face::parse(bytes, 0).expect("the font that is built in")
@@ -46,7 +46,8 @@ pub(crate) fn fitting(text: &str, size: f64, width: f64) -> String {
     format!("{}\u{2026}", kept.trim_end())
 }
 
-/// Gives the outline of a text that begins at the origin, x to the right and y up, in parts of its size.
+/// Gives the outline of a text that begins at the origin, x to the right and y up, in parts of its
+/// size.
 pub(super) fn outline(text: &str, to: &mut impl FnMut(Stroke)) {
     struct Glyph<'a, F: FnMut(Stroke)> {
         to: &'a mut F,
@@ -104,7 +105,8 @@ pub(super) enum Stroke {
 mod tests {
     use super::*;
 
-    /// Helvetica's widths, in thousandths of the size, from its font metrics (Adobe, `Helvetica.afm`).
+    /// Helvetica's widths, in thousandths of the size, from its font metrics (Adobe,
+    /// `Helvetica.afm`).
     #[test]
     fn letters_are_as_wide_as_those_of_helvetica() {
         for (text, thousandths) in [("0", 556.0), ("A", 667.0), ("i", 222.0), ("W", 944.0)] {

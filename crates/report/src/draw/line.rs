@@ -34,8 +34,9 @@ pub(crate) fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// The curve without the points between the extremes of each stretch of `within` along it: of thousands of samples in
-/// the width of a line, what shows. A curve goes across the page, or down it.
+/// The curve without the points between the extremes of each stretch of `within` along it: of
+/// thousands of samples in the width of a line, what shows. A curve goes across the page, or down
+/// it.
 pub(crate) fn envelope(points: &[(f64, f64)], within: f64, down: bool) -> Vec<(f64, f64)> {
     let turned = |(x, y): (f64, f64)| if down { (y, x) } else { (x, y) };
     let mut kept = Vec::new();

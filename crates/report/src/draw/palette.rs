@@ -1,4 +1,5 @@
-//! The colours of pages and figures, declared once: pages take their custom properties from here, figures their inks.
+//! The colours of pages and figures, declared once: pages take their custom properties from here,
+//! figures their inks.
 
 use std::fmt::Write;
 
@@ -19,8 +20,9 @@ pub(crate) const LINES: usize = 7;
 
 /// Every colour.
 ///
-/// Curves and the sides of the hole were found by a search for the largest least difference, as eyes without red, green
-/// or blue cones see it, each in a range of hues that keeps its name in light and dark: the tests below hold it.
+/// Curves and the sides of the hole were found by a search for the largest least difference, as
+/// eyes without red, green or blue cones see it, each in a range of hues that keeps its name in
+/// light and dark: the tests below hold it.
 pub(crate) const PALETTE: &[Colour] = &[
     // The ground, text, and what is neither.
     colour("paper", 0xffffff, 0x1b2025),
@@ -53,7 +55,8 @@ pub(crate) const PALETTE: &[Colour] = &[
     colour("good", 0x1b7a3d, 0x5cc98a),
     colour("near", 0x8a5a00, 0xf0b849),
     colour("over", 0xb3261e, 0xff897d),
-    // Cividis (Nuñez, Anderton and Renslow 2018), by a few of its colours: even in lightness to every kind of eye.
+    // Cividis (Nuñez, Anderton and Renslow 2018), by a few of its colours: even in lightness to
+    // every kind of eye.
     colour("amount-0", 0x00224e, 0x00224e),
     colour("amount-1", 0x123570, 0x123570),
     colour("amount-2", 0x3b496c, 0x3b496c),
@@ -86,7 +89,8 @@ fn properties(of: fn(&Colour) -> u32) -> String {
     })
 }
 
-/// The colours of a page as CSS: light, and dark where the page says so; figures in the page wear them.
+/// The colours of a page as CSS: light, and dark where the page says so; figures in the page wear
+/// them.
 pub(crate) fn css() -> String {
     let mut css = format!(
         ":root{{{}color-scheme:light}}\n:root[data-theme=dark]{{{}color-scheme:dark}}\n",
@@ -141,9 +145,10 @@ mod tests {
             .collect()
     }
 
-    /// All colours that may stand in one chart together, the curves and the areas of the sides of the hole, differ by at
-    /// least 20 of CIEDE2000 to every eye, in light and in dark. About 1 is just noticed side by side; 20 is the bound
-    /// that this program sets itself for thin lines and small areas apart from one another.
+    /// All colours that may stand in one chart together, the curves and the areas of the sides of
+    /// the hole, differ by at least 20 of CIEDE2000 to every eye, in light and in dark. About 1 is
+    /// just noticed side by side; 20 is the bound that this program sets itself for thin lines and
+    /// small areas apart from one another.
     #[test]
     fn every_eye_tells_the_colours_of_a_chart_apart() {
         for (style, of) in STYLES {
@@ -175,7 +180,8 @@ mod tests {
         }
     }
 
-    /// WCAG 2.2, success criteria 1.4.3 and 1.4.11: text has a contrast of 4.5, what must be seen of a picture 3.
+    /// WCAG 2.2, success criteria 1.4.3 and 1.4.11: text has a contrast of 4.5, what must be seen
+    /// of a picture 3.
     #[test]
     fn text_and_lines_stand_out_from_their_ground() {
         for (style, of) in STYLES {

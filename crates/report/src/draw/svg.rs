@@ -11,7 +11,8 @@ use super::{
     png,
 };
 
-/// Pixels of a point on a page below which the smallest letters of a figure, of 6.5 points, cannot be read.
+/// Pixels of a point on a page below which the smallest letters of a figure, of 6.5 points, cannot
+/// be read.
 const READABLE: f64 = 1.5;
 
 impl Drawing {
@@ -30,7 +31,8 @@ impl Drawing {
         )
     }
 
-    /// The drawing as an element of a page, whose colours follow the page's. `name` differs from that of every other.
+    /// The drawing as an element of a page, whose colours follow the page's. `name` differs from
+    /// that of every other.
     pub(crate) fn element(&self, name: &str) -> String {
         format!(
             "<svg class=\"figure\" role=\"img\" viewBox=\"0 0 {} {}\" style=\"width:{}px;--readable:{}px\">\n{}</svg>",
@@ -42,7 +44,8 @@ impl Drawing {
         )
     }
 
-    /// Of a page, what belongs together is reported, so that its program can hide it and say what a point is.
+    /// Of a page, what belongs together is reported, so that its program can hide it and say what a
+    /// point is.
     fn content(&self, name: &str, of_page: bool) -> String {
         let mut clips: Vec<Box> = Vec::new();
         let mut body = String::new();
@@ -118,7 +121,8 @@ impl Drawing {
                 }
                 Item::End => writeln!(body, "</g>"),
                 Item::Spots(spots) => {
-                    // The page's program makes circles of them: a sweep has thousands, in three sets of units.
+                    // The page's program makes circles of them: a sweep has thousands, in three
+                    // sets of units.
                     let spots = spots.iter();
                     let spots =
                         spots.map(|((x, y), row)| format!("{} {} {row}", number(*x), number(*y)));
@@ -192,8 +196,8 @@ fn style(fill: Option<(Ink, f64)>, pen: Option<Pen>) -> String {
     format!(" class=\"{}\"{attributes}", classes.join(" "))
 }
 
-/// The lines of a path. Each begins where it is; what follows is the way from point to point, in whole hundredths
-/// so that no rounding adds up: half the length of absolute coordinates.
+/// The lines of a path. Each begins where it is; what follows is the way from point to point, in
+/// whole hundredths so that no rounding adds up: half the length of absolute coordinates.
 fn data(lines: &[Vec<(f64, f64)>], closed: bool) -> String {
     let hundredths = |value: f64| (value * 100.0).round() as i64;
     let mut data = String::new();

@@ -12,8 +12,8 @@ const SIZE: f64 = 6.5;
 /// A point beyond an end: shared and own value.
 type Point = (f64, f64);
 
-/// An arrow at the edge for the outermost point of every run of points beyond it, and at the outermost of all its
-/// value in numbers.
+/// An arrow at the edge for the outermost point of every run of points beyond it, and at the
+/// outermost of all its value in numbers.
 pub(super) fn draw(on: &mut Drawing, marks: &[Mark], place: &Place<'_>) {
     let (from, to) = place.own.ends();
     for high in [false, true] {

@@ -17,7 +17,8 @@ const MARGIN: f64 = 5.0;
 const TITLE: f64 = 9.5;
 const SUBTITLE: f64 = 7.5;
 
-/// Space over a frame for the label and the ticks of its own axis, where the shared one points down.
+/// Space over a frame for the label and the ticks of its own axis, where the shared one points
+/// down.
 const HEAD: f64 = 32.0;
 /// Space below it, for the names of the sides.
 const FOOT: f64 = 13.0;
@@ -133,7 +134,8 @@ impl Grid {
     fn across(figure: &Figure, width: f64, top: f64, values: &[f64]) -> Self {
         let height = figure.layout.panel_mm * MILLIMETRE;
         let columns = figure.layout.columns.clamp(1, figure.panels.len().max(1));
-        // How many ticks there is room for follows from how wide the frame is, and that from the ticks.
+        // How many ticks there is room for follows from how wide the frame is, and that from the
+        // ticks.
         let about = Ruler::new(&figure.shared, values.iter().copied(), 8.0);
         let probe = Box {
             left: 0.0,

@@ -216,8 +216,8 @@ fn rule(on: &mut Drawing, line: [(f64, f64); 2], label: &str, all: &[Mark], plac
     on.text(label, at, SIZE, Ink::Text, Anchor::Start);
 }
 
-/// Names of curves beside their ends, each where it covers no other and few curves; what belongs to keys of the legend goes
-/// with them.
+/// Names of curves beside their ends, each where it covers no other and few curves; what belongs to
+/// keys of the legend goes with them.
 pub(super) fn names(on: &mut Drawing, all: &[Mark], place: &Place) {
     const SIZE: f64 = 6.5;
     let frame = place.frame;

@@ -32,7 +32,8 @@ pub struct Figure {
     pub shared: Axis,
     /// The panels, line by line.
     pub panels: Vec<Panel>,
-    /// The hole beside the panels, from the surface down; for a shared axis of depth that points down.
+    /// The hole beside the panels, from the surface down; for a shared axis of depth that points
+    /// down.
     pub hole: Vec<Interval>,
 }
 
@@ -56,8 +57,8 @@ pub enum Direction {
     Down,
     /// Across the page: time, or anything else.
     Across,
-    /// Across the page, with both axes to the same scale: a plan view, or a vertical section. Frames are as wide or as
-    /// high as there is room.
+    /// Across the page, with both axes to the same scale: a plan view, or a vertical section.
+    /// Frames are as wide or as high as there is room.
     Plan,
 }
 
@@ -74,10 +75,12 @@ pub struct Axis {
     pub sides: Option<[String; 2]>,
     /// Whether it grows down the page; an axis across the page never does.
     pub down: bool,
-    /// Whether it leaves out single values far from all others, so that they do not flatten these. What lies
-    /// beyond its ends is marked there, with the largest value in numbers. Of a panel's own axis alone.
+    /// Whether it leaves out single values far from all others, so that they do not flatten these.
+    /// What lies beyond its ends is marked there, with the largest value in numbers. Of a panel's
+    /// own axis alone.
     pub clips: bool,
-    /// The least that it spans, so that what hardly moves is not blown up; zero where there is no such bound.
+    /// The least that it spans, so that what hardly moves is not blown up; zero where there is no
+    /// such bound.
     pub min_span: f64,
 }
 
@@ -192,7 +195,8 @@ pub enum Mark {
         /// Where it ends.
         to: f64,
     },
-    /// A stretch of the shared axis where something was found, or a place of it where both ends are one.
+    /// A stretch of the shared axis where something was found, or a place of it where both ends are
+    /// one.
     Found {
         /// How grave it is.
         level: Level,
@@ -210,7 +214,8 @@ pub enum Mark {
     },
     /// A map in colours.
     Map(Map),
-    /// What follows, up to the next of these, is what these keys of the figure's legend say: a page hides it with them.
+    /// What follows, up to the next of these, is what these keys of the figure's legend say: a page
+    /// hides it with them.
     Of {
         /// Places of the keys in [`Figure::keys`].
         keys: Vec<usize>,
@@ -240,7 +245,8 @@ pub struct Map {
     pub ends: Vec<f64>,
     /// The middles of the stretches of the panel's own axis.
     pub middles: Vec<f64>,
-    /// A value for each of `middles`, then again for the next of `ends`; one that is not finite has no colour.
+    /// A value for each of `middles`, then again for the next of `ends`; one that is not finite has
+    /// no colour.
     pub values: Vec<f64>,
     /// What the colours tell.
     pub hue: Hue,
@@ -304,7 +310,8 @@ pub enum Stroke {
 }
 
 impl Stroke {
-    /// The stroke of a curve by its place, where its colour goes by that too: seven can be distinguished.
+    /// The stroke of a curve by its place, where its colour goes by that too: seven can be
+    /// distinguished.
     pub fn of(place: usize) -> Self {
         const ALL: [Stroke; 7] = [
             Stroke::Solid,

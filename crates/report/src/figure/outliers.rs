@@ -22,9 +22,10 @@ pub(crate) const OUTLIERS: Outliers = Outliers {
 
 /// The interval that an axis has to reach, without outliers: the whole one where there are none.
 ///
-/// The inner interval holds all but the lowest and the highest hundredth of the values, and zero where `zero` says that
-/// the axis goes there. A value is an outlier where the distance to it from the inner interval is more than
-/// `times_as_long` less one lengths of the inner interval; the axis reaches the outermost of all others.
+/// The inner interval holds all but the lowest and the highest hundredth of the values, and zero
+/// where `zero` says that the axis goes there. A value is an outlier where the distance to it from
+/// the inner interval is more than `times_as_long` less one lengths of the inner interval; the axis
+/// reaches the outermost of all others.
 pub(super) fn without(values: &[f64], zero: bool) -> Option<(f64, f64)> {
     let Outliers {
         tail,

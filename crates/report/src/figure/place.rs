@@ -93,7 +93,8 @@ impl<'a> Place<'a> {
         self.shared.value(part)
     }
 
-    /// The panel's own value at a part of the frame's height from the top; of an axis that points up or down.
+    /// The panel's own value at a part of the frame's height from the top; of an axis that points
+    /// up or down.
     pub(super) fn own_at(&self, part: f64) -> f64 {
         self.own
             .value(if self.own_down { part } else { 1.0 - part })
@@ -153,7 +154,8 @@ pub(super) fn inside(middle: f64, half: f64, frame: &Box) -> f64 {
     middle.clamp(low.min(high), high.max(low))
 }
 
-/// The values on a panel's own axis that it has to reach: those of all marks but for outliers, where it leaves them out.
+/// The values on a panel's own axis that it has to reach: those of all marks but for outliers,
+/// where it leaves them out.
 pub(super) fn reached(panel: &Panel) -> Vec<f64> {
     let values: Vec<f64> = panel.marks.iter().flat_map(own_values).collect();
     if !panel.axis.clips {

@@ -14,7 +14,8 @@ pub(super) struct Ruler {
 }
 
 impl Ruler {
-    /// The ruler for an axis and its values, with about `count` ticks. Values that have no place are left out.
+    /// The ruler for an axis and its values, with about `count` ticks. Values that have no place
+    /// are left out.
     pub(super) fn new(axis: &Axis, values: impl IntoIterator<Item = f64>, count: f64) -> Self {
         match &axis.scale {
             Scale::Linear => {
@@ -92,7 +93,8 @@ impl Ruler {
         }
     }
 
-    /// Where the value lies in the range: 0 at its start, 1 at its end; not a number where it has no place.
+    /// Where the value lies in the range: 0 at its start, 1 at its end; not a number where it has
+    /// no place.
     pub(super) fn place(&self, value: f64) -> f64 {
         let value = match self.logarithmic {
             false => value,
@@ -199,7 +201,8 @@ fn round_step(step: f64) -> f64 {
     factor.unwrap_or(10.0) * power
 }
 
-/// A tick's number with the digits that its step needs, thousands apart from five digits on, a true minus.
+/// A tick's number with the digits that its step needs, thousands apart from five digits on, a true
+/// minus.
 fn tick_text(tick: f64, step: f64) -> String {
     let whole = |digits: i32| {
         let shifted = step * 10_f64.powi(digits);

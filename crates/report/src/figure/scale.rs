@@ -2,10 +2,12 @@
 
 use super::{Axis, Figure, Range, place::reached, ruler::Ruler};
 
-/// The longer axis is at most this many times as long as the other: a vertical well seen from the side is a line.
+/// The longer axis is at most this many times as long as the other: a vertical well seen from the
+/// side is a line.
 const LONGEST: f64 = 4.0;
 
-/// The figure with fixed ends of both axes, the same for all of its panels, neither much shorter than the other.
+/// The figure with fixed ends of both axes, the same for all of its panels, neither much shorter
+/// than the other.
 pub(super) fn to_scale(figure: &Figure, shared: &[f64]) -> Figure {
     let mut scaled = figure.clone();
     let across = Ruler::new(&figure.shared, shared.iter().copied(), 1.0).ends();
@@ -28,7 +30,8 @@ fn fix(axis: &mut Axis, (from, to): (f64, f64), other: (f64, f64)) {
     axis.range = Range::Fixed(from - 0.5 * missing, to + 0.5 * missing);
 }
 
-/// Width and height of a frame in this room that has both axes of a scaled figure to the same scale.
+/// Width and height of a frame in this room that has both axes of a scaled figure to the same
+/// scale.
 pub(super) fn frame(figure: &Figure, (wide, high): (f64, f64)) -> (f64, f64) {
     let span = |axis: &Axis| match axis.range {
         Range::Fixed(from, to) if to > from => to - from,

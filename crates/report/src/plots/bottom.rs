@@ -14,11 +14,12 @@ use crate::{
 /// Places along an edge of a picture at which colours are looked up.
 const FINE: usize = 480;
 
-/// What lies up and across the picture: the right side is where a reader who looks down the hole has it.
+/// What lies up and across the picture: the right side is where a reader who looks down the hole
+/// has it.
 const SIDES: [&str; 2] = ["To the high side", "To the right"];
 
-/// The bottoms from above, each with its name, all in the same colours and at the same scale. `sides` say what lies up and
-/// across.
+/// The bottoms from above, each with its name, all in the same colours and at the same scale.
+/// `sides` say what lies up and across.
 pub(crate) fn bottoms_figure(
     title: String,
     subtitle: String,
@@ -145,8 +146,8 @@ impl Cells {
 mod tests {
     use super::*;
 
-    /// Four sectors, of which one is deep and one unknown: each is where it belongs, the high side up and the right to the
-    /// right.
+    /// Four sectors, of which one is deep and one unknown: each is where it belongs, the high side
+    /// up and the right to the right.
     #[test]
     fn sectors_lie_where_they_belong() {
         let quarter = TAU / 4.0;

@@ -30,8 +30,8 @@ pub struct ContactMap {
     pub marks: Vec<Mark>,
 }
 
-/// Maps one below the other, over the same depths and in the same colours; `label` says what these tell, unit
-/// included.
+/// Maps one below the other, over the same depths and in the same colours; `label` says what these
+/// tell, unit included.
 pub fn contact_figure(
     title: String,
     subtitle: String,
@@ -151,7 +151,8 @@ pub(super) fn plots(
     ]
 }
 
-/// The value that nearly all sizes stay below: the few largest must not take the colour from the rest.
+/// The value that nearly all sizes stay below: the few largest must not take the colour from the
+/// rest.
 fn largest(mut sizes: Vec<f64>) -> f64 {
     const PART: f64 = 0.985;
     sizes.retain(|size| size.is_finite());

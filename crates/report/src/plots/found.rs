@@ -11,7 +11,8 @@ pub(super) struct Found(Vec<(Level, Places)>);
 
 /// Where something was found.
 struct Places {
-    /// Stretches of measured depth, m, apart from one another and downwards; one place has one depth twice.
+    /// Stretches of measured depth, m, apart from one another and downwards; one place has one
+    /// depth twice.
     stretches: Vec<(f64, f64)>,
     /// Of which operations or runs, where there are several.
     whose: Vec<String>,
@@ -145,7 +146,8 @@ mod tests {
         tension.unwrap().figure
     }
 
-    /// Buckled stretches lie below the curve of every track; those of two models that overlap are one.
+    /// Buckled stretches lie below the curve of every track; those of two models that overlap are
+    /// one.
     #[test]
     fn what_was_found_is_shaded_where_it_is() {
         let report = solved(&[

@@ -94,7 +94,8 @@ pub(super) fn run_keys(runs: &[Run<'_>]) -> Vec<Key> {
     .collect()
 }
 
-/// How a column looks: of one run columns differ by colour, of two by stroke; what was set is dotted.
+/// How a column looks: of one run columns differ by colour, of two by stroke; what was set is
+/// dotted.
 fn style(runs: usize, run: usize, place: usize, name: &str) -> (Ink, Stroke) {
     let is_set = name == "set";
     match (runs, is_set) {
@@ -218,7 +219,8 @@ fn panel(
     })
 }
 
-/// The points that last, as a curve with gaps, and those that come and go, few enough not to hide each other.
+/// The points that last, as a curve with gaps, and those that come and go, few enough not to hide
+/// each other.
 fn lasting(points: &[(f64, f64)]) -> [Vec<(f64, f64)>; 2] {
     /// Samples in a row that make a line.
     const LASTS: usize = 4;

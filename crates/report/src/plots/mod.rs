@@ -26,10 +26,11 @@ pub use self::{
 };
 use crate::{Fact, Report, figure::Figure};
 
-/// Every picture of one run, or of two on the same axes, in a set of units (`si`, `metric` or `field`).
+/// Every picture of one run, or of two on the same axes, in a set of units (`si`, `metric` or
+/// `field`).
 ///
-/// Operations of one run stand on the same tracks; those of two runs each have their own pictures, of what both
-/// solved. Whatever has nothing to show is left out.
+/// Operations of one run stand on the same tracks; those of two runs each have their own pictures,
+/// of what both solved. Whatever has nothing to show is left out.
 ///
 /// # Panics
 /// If there is no run.
@@ -71,8 +72,8 @@ pub fn plots(runs: &[Run<'_>], units: &str) -> Vec<Plot> {
     plots
 }
 
-/// The profile of one run alone: its tracks against measured depth, all models and operations on the same; nothing where
-/// nothing was solved.
+/// The profile of one run alone: its tracks against measured depth, all models and operations on
+/// the same; nothing where nothing was solved.
 pub fn profile(report: &Report, units: &str) -> Option<Figure> {
     let runs = [Run {
         name: "",

@@ -26,7 +26,8 @@ fn intervals(depths: &[f64], reach: f64) -> impl Iterator<Item = Range<usize>> {
     })
 }
 
-/// Of the rows within `reach` of each depth the one with the largest value: a joint, of what joints do.
+/// Of the rows within `reach` of each depth the one with the largest value: a joint, of what joints
+/// do.
 pub(crate) fn row_of_largest(depths: &[f64], values: &[f64], reach: f64) -> Vec<usize> {
     let row = |rows: Range<usize>| {
         rows.max_by(|a, b| values[*a].total_cmp(&values[*b]))

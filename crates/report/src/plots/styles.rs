@@ -10,8 +10,8 @@ use crate::{
 
 /// How curves of some operations of one run or two look.
 ///
-/// Of one run, operations differ by colour, of two runs the runs do; by stroke too where one model solved them. Where two did,
-/// models differ by stroke, and by colour too where nothing else does.
+/// Of one run, operations differ by colour, of two runs the runs do; by stroke too where one model
+/// solved them. Where two did, models differ by stroke, and by colour too where nothing else does.
 pub(super) struct CurveStyles<'a> {
     runs: &'a [Run<'a>],
     operations: &'a [&'a str],

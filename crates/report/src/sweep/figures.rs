@@ -21,8 +21,8 @@ enum Varied {
     Words { key: usize },
 }
 
-/// Every picture of a sweep, in a set of units (`si`, `metric` or `field`): all quantities in one, then each in one of
-/// its own; those with nothing to show are left out.
+/// Every picture of a sweep, in a set of units (`si`, `metric` or `field`): all quantities in one,
+/// then each in one of its own; those with nothing to show are left out.
 pub fn sweep_plots(sweep: &Sweep, units: &str) -> Vec<Plot> {
     let shown = Shown::new(&sweep.dimensions, units);
     let drawing = Drawing::new(sweep, shown);
@@ -138,8 +138,8 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// Colour by what was varied, and by the operation where that is all that differs; shape by the operation. Strokes distinguish the
-    /// models where there are two, else the operations.
+    /// Colour by what was varied, and by the operation where that is all that differs; shape by the
+    /// operation. Strokes distinguish the models where there are two, else the operations.
     fn style(&self, family: usize, operation: usize) -> (Ink, Shape) {
         let ink = if self.families.len() > 1 {
             family
@@ -179,7 +179,8 @@ impl<'a> Drawing<'a> {
         self.models.iter().any(|of| of.in_time)
     }
 
-    /// What a curve is called at its end: what it is of, as far as that differs, without the model, which its stroke shows.
+    /// What a curve is called at its end: what it is of, as far as that differs, without the model,
+    /// which its stroke shows.
     fn name(&self, family: usize, operation: usize) -> String {
         let mut parts = Vec::new();
         if self.families.len() > 1 {

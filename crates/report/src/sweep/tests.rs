@@ -80,8 +80,8 @@ fn curves(figure: &Figure) -> Vec<(Stroke, Vec<(f64, f64)>)> {
         .collect()
 }
 
-/// Depth points down, in the reader's units; a curve for each friction, dashed for the soft string, and the band of the
-/// dynamics about its mean.
+/// Depth points down, in the reader's units; a curve for each friction, dashed for the soft string,
+/// and the band of the dynamics about its mean.
 #[test]
 fn a_broomstick_has_a_curve_for_each_friction() {
     let sweep = sweep(
@@ -132,7 +132,8 @@ fn a_broomstick_has_a_curve_for_each_friction() {
     );
 }
 
-/// Without depth the key with the most values is the axis: as numbers where they are numbers of one unit.
+/// Without depth the key with the most values is the axis: as numbers where they are numbers of one
+/// unit.
 #[test]
 fn any_key_can_be_the_axis() {
     let numbers = sweep(["rpm", "wob"], [&["60", "90"], &["2tf", "4tf", "6tf"]]);
@@ -254,8 +255,8 @@ fn more_curves_than_colours_differ_by_stroke() {
     assert_eq!(strokes[7..], [Stroke::Dashed]);
 }
 
-/// Operations are distinguished by strokes and named at the ends of their curves; a page can hide what a key says, and knows
-/// which row a point shows.
+/// Operations are distinguished by strokes and named at the ends of their curves; a page can hide
+/// what a key says, and knows which row a point shows.
 #[test]
 fn operations_differ_by_stroke_and_have_their_names() {
     let mut sweep = sweep(["friction", "bit_depth"], [&["0.1"], &["300m", "600m"]]);
@@ -307,7 +308,8 @@ fn operations_differ_by_stroke_and_have_their_names() {
     assert!(file.contains(">slide</text>"));
 }
 
-/// A case with errors has a ring in every picture and a name for it in the legend, one with warnings alone a broken one.
+/// A case with errors has a ring in every picture and a name for it in the legend, one with
+/// warnings alone a broken one.
 #[test]
 fn judged_cases_are_ringed() {
     let mut sweep = sweep(["friction", "bit_depth"], [&["0.1"], &["300m", "600m"]]);

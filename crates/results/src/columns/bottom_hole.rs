@@ -4,8 +4,8 @@ use wholestring::outcome::QuantityKind;
 
 use crate::ColumnSpec;
 
-/// Columns of `bottom_hole.parquet`: the pattern on the bottom of the hole at the end, one row per cell, ring after ring from
-/// the axis outwards, for each operation whose bit stood on solid rock.
+/// Columns of `bottom_hole.parquet`: the pattern on the bottom of the hole at the end, one row per
+/// cell, ring after ring from the axis outwards, for each operation whose bit stood on solid rock.
 pub const BOTTOM_HOLE: &[ColumnSpec] = &[
     ColumnSpec::text("operation", "`drill`, `slide`, ..."),
     ColumnSpec::number("radius_m", QuantityKind::Length, "Radius of the middle of the ring"),

@@ -17,7 +17,7 @@ const NODE: ColumnSpec = ColumnSpec::number(
     "Number of the node, from 0 at the surface",
 );
 
-/// Columns of `frames.parquet`: the whole string, a row per node of every frame. Channels that were not requested
-///  have no column.
+/// Columns of `frames.parquet`: the whole string, a row per node of every frame. Channels that were
+/// not requested have no column.
 pub const FRAMES: &[ColumnSpec] =
     &table::<_, { FRAME.len() + 3 }>(&[OPERATION, TIME_S, NODE], FRAME, &[]);

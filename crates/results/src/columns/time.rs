@@ -12,7 +12,7 @@ const NOTE: ColumnSpec = ColumnSpec::text(
 )
 .null_where("no line of the schedule with a note has begun");
 
-/// Columns of `time.parquet`: the scalars against time, one row per sample, for each operation that was
-/// solved by dynamics.
+/// Columns of `time.parquet`: the scalars against time, one row per sample, for each operation that
+/// was solved by dynamics.
 pub const TIME: &[ColumnSpec] =
     &table::<_, { TIME_SERIES.len() + 2 }>(&[OPERATION], TIME_SERIES, &[NOTE]);

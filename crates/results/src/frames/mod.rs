@@ -1,5 +1,5 @@
-//! `frames.parquet`: the whole string against time, written as it comes, in memory that does not grow with
-//! the run.
+//! `frames.parquet`: the whole string against time, written as it comes, in memory that does not
+//! grow with the run.
 
 mod rows;
 
@@ -35,8 +35,8 @@ const NAME: &str = "frames.parquet";
 /// The folder of the parts.
 const PARTS: &str = "frames.parts";
 
-/// Frames up to some moment of a run, as a checkpoint keeps them: the rows that wait, and how many parts are on
-/// the disk.
+/// Frames up to some moment of a run, as a checkpoint keeps them: the rows that wait, and how many
+/// parts are on the disk.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FramesSoFar {
     parts: usize,
@@ -45,10 +45,11 @@ pub struct FramesSoFar {
 
 /// Writes frames.
 ///
-/// Rows gather until there are 131 072 of them and go to a file of their own, `frames.parts/000001.parquet` and so on;
-/// [`FrameWriter::write`] joins these parts to `frames.parquet`. A part is never touched again, so that a run
-/// can continue from any checkpoint ([`FrameWriter::so_far`]) that was written since: it drops the parts that are
-/// younger, and writes the same ones again. The parts go with the checkpoint
+/// Rows gather until there are 131 072 of them and go to a file of their own,
+/// `frames.parts/000001.parquet` and so on; [`FrameWriter::write`] joins these parts to
+/// `frames.parquet`. A part is never touched again, so that a run can continue from any checkpoint
+/// ([`FrameWriter::so_far`]) that was written since: it drops the parts that are younger, and
+/// writes the same ones again. The parts go with the checkpoint
 /// ([`ResultsFolder::remove_checkpoint`](crate::ResultsFolder::remove_checkpoint)).
 pub struct FrameWriter {
     folder: PathBuf,
@@ -124,8 +125,8 @@ impl FrameWriter {
         &self.so_far
     }
 
-    /// Writes `frames.parquet` with all frames so far. Its bytes depend on the frames alone, not on where a
-    /// run was taken up.
+    /// Writes `frames.parquet` with all frames so far. Its bytes depend on the frames alone, not on
+    /// where a run was taken up.
     pub fn write(&mut self) -> Result<(), ResultsError> {
         if self.written {
             return Ok(());

@@ -63,7 +63,8 @@ impl FrameRows {
         names.eq(specs(channels).map(|spec| spec.name))
     }
 
-    /// Whether every column has as many rows as there are, and the kind of values that its name requires.
+    /// Whether every column has as many rows as there are, and the kind of values that its name
+    /// requires.
     pub(super) fn is_sound(&self) -> bool {
         self.columns.iter().all(|(name, values)| {
             let (kind, rows) = match values {
@@ -190,7 +191,8 @@ impl Layout {
         for spec in specs(channels) {
             let column = ColumnPath::from(spec.name);
             properties = match kind(spec) {
-                // Bytes of like weight side by side: neighbours share sign, exponent and first digits.
+                // Bytes of like weight side by side: neighbours share sign, exponent and first
+                // digits.
                 PhysicalType::FLOAT => {
                     properties.set_column_encoding(column, Encoding::BYTE_STREAM_SPLIT)
                 }

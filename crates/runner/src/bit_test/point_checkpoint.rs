@@ -60,7 +60,8 @@ impl PointCheckpoint<'static> {
     }
 }
 
-/// What a finished trial of the point left in its folder; nothing if it is not finished, or of another test.
+/// What a finished trial of the point left in its folder; nothing if it is not finished, or of
+/// another test.
 pub(super) fn finished(folder: &Path, point: &Point) -> Option<TrialOutcome> {
     let there = BitTestOutcome::read(&folder.join(FILE)).ok()?;
     difference(&there.settings, &point.settings)

@@ -74,7 +74,8 @@ pub(super) fn points(test: &BitTest, settings: &Value) -> Result<Vec<Point>, Err
     }
 }
 
-/// What all points of a test depend on: rock, face of the bit, and how it is tried, in a case's settings.
+/// What all points of a test depend on: rock, face of the bit, and how it is tried, in a case's
+/// settings.
 pub(super) fn common(settings: &Value) -> Value {
     let mut test = settings["bit_test"].clone();
     if let Some(test) = test.as_object_mut() {

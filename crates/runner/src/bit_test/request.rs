@@ -46,8 +46,8 @@ pub struct Outcome {
 /// Drills every point of a case's bit test, and writes its tables, its picture and its page.
 ///
 /// # Errors
-/// A case without a rock, or a folder that the results cannot go to. What becomes of the points is identified
-/// by the outcome.
+/// A case without a rock, or a folder that the results cannot go to. What becomes of the points is
+/// identified by the outcome.
 pub fn run(
     request: &Request<'_>,
     observer: &dyn Observer,

@@ -81,7 +81,8 @@ pub(super) fn points(points: &[BitTestPoint]) -> Table {
     table
 }
 
-/// Writes the table for the law "table", where every point is finished; where not, that of an earlier test goes.
+/// Writes the table for the law "table", where every point is finished; where not, that of an
+/// earlier test goes.
 pub(super) fn write_law(
     folder: &ResultsFolder,
     points: &[BitTestPoint],
@@ -95,7 +96,8 @@ pub(super) fn write_law(
 
 /// The columns that `[bit.table] file` reads.
 fn law(outcomes: &[TrialOutcome]) -> Table {
-    // A bit that hops on rock that it does not break may end a little higher; a law has nothing below zero.
+    // A bit that hops on rock that it does not break may end a little higher; a law has nothing
+    // below zero.
     let columns: [Number; 6] = [
         ("weight_on_bit_N", |of| of.weight_on_bit_N),
         ("rotary_speed_rpm", |of| rpm(of.rotary_speed_rad_per_s)),

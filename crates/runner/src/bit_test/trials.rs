@@ -81,7 +81,8 @@ impl<'a> Trials<'a> {
         Ok(trials)
     }
 
-    /// Takes up the points that an earlier test finished, those of other shards too: the tables show all there is.
+    /// Takes up the points that an earlier test finished, those of other shards too: the tables
+    /// show all there is.
     fn find_finished(&self) -> Result<(), ResultsError> {
         let mut endings = lock(&self.endings);
         for (index, point) in self.points.iter().enumerate() {
@@ -182,7 +183,8 @@ impl<'a> Trials<'a> {
         Ok(outcome)
     }
 
-    /// What an earlier test began of the point; nothing where it left none to continue with, or none that one can.
+    /// What an earlier test began of the point; nothing where it left none to continue with, or
+    /// none that one can.
     fn begun(&self, point: &Point, folder: &ResultsFolder) -> Option<Trial> {
         match PointCheckpoint::read(folder, point, &self.test.drilling) {
             Ok(stored) => stored.map(|stored| {

@@ -29,7 +29,8 @@ pub(crate) struct Claim<'a> {
     pub(crate) observer: &'a dyn Observer,
     /// Whether the work has been begun there, and can be continued.
     pub(crate) is_unfinished: &'a dyn Fn(&Path) -> bool,
-    /// Whether some of the work lies there, of more or less work than this: a sweep may be resumed with other values.
+    /// Whether some of the work lies there, of more or less work than this: a sweep may be resumed
+    /// with other values.
     pub(crate) is_part: &'a dyn Fn(&Path) -> bool,
     /// Why the work cannot go to a folder that could be held, if anything else is against it.
     pub(crate) refuse: &'a dyn Fn(&Path) -> Result<(), Error>,
@@ -57,15 +58,17 @@ enum FolderState {
 /// More folders of one name than this are a mistake.
 const MAX_FOLDERS: usize = 1000;
 
-/// How often, and after which time, a shard asks again for a folder that another shard only looks at.
+/// How often, and after which time, a shard asks again for a folder that another shard only looks
+/// at.
 const PATIENCE: (usize, Duration) = (50, Duration::from_millis(20));
 
 impl Claim<'_> {
-    /// The folder: the one that was named, or the default one; where that holds other results, the next one that does
-    /// not, with a number after its name.
+    /// The folder: the one that was named, or the default one; where that holds other results, the
+    /// next one that does not, with a number after its name.
     ///
     /// # Errors
-    /// A named folder with other results, an unfinished run of the same work, or another program that writes there.
+    /// A named folder with other results, an unfinished run of the same work, or another program
+    /// that writes there.
     pub(crate) fn folder(&self) -> Result<Claimed, Error> {
         if let Some(path) = &self.output.folder {
             return match self.inspect(path)? {

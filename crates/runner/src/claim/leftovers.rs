@@ -30,7 +30,8 @@ const TABLES: [&str; 8] = [
     "bit-test",
 ];
 
-/// Folders that commands make in the folder of their results, and the endings of what they put there.
+/// Folders that commands make in the folder of their results, and the endings of what they put
+/// there.
 const MADE: [&str; 4] = ["plots", "figures", "tables", "frames.parts"];
 const PUT_THERE: [&str; 5] = [".svg", ".png", ".csv", ".md", ".parquet"];
 
@@ -48,9 +49,11 @@ fn holds_results(path: &Path) -> bool {
     KNOWN.iter().any(|known| path.join(known).is_file())
 }
 
-/// What the results in the folder are of: nothing where there are none, and nothing known where they do not say.
+/// What the results in the folder are of: nothing where there are none, and nothing known where
+/// they do not say.
 ///
-/// What the folder itself says goes before what its files say; files of an earlier version say nothing.
+/// What the folder itself says goes before what its files say; files of an earlier version say
+/// nothing.
 pub(super) fn occupant(
     folder: &ResultsFolder,
     says: Option<&Occupant>,
@@ -73,8 +76,8 @@ pub(super) fn occupant(
     Some(run)
 }
 
-/// Removes what commands left in a folder: the results of a run, and the folders of the cases of a sweep or a study. What
-/// is not theirs stays.
+/// Removes what commands left in a folder: the results of a run, and the folders of the cases of a
+/// sweep or a study. What is not theirs stays.
 pub(super) fn remove(path: &Path) -> Result<(), ResultsError> {
     remove_within(path, 0)
 }

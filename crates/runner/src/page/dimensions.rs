@@ -7,7 +7,8 @@ use wholestring_case::dimension_of;
 use wholestring_report::DisplayUnit;
 use wholestring_units::{Dimension, UnitSet};
 
-/// Dimensions of which the page speaks and in which nobody writes: name, then symbol and factor in each set.
+/// Dimensions of which the page speaks and in which nobody writes: name, then symbol and factor in
+/// each set.
 const OTHERS: &[(&str, [(&str, f64); 3])] = &[
     ("ratio", [("", 1.0); 3]),
     ("percent", [("%", 0.01); 3]),
@@ -119,8 +120,8 @@ pub(crate) fn pretty(symbol: &str) -> String {
     .fold(symbol.to_owned(), |text, (from, to)| text.replace(from, to))
 }
 
-/// The dimension of a key of the settings as the page shows it, and its name without the unit; none of a bare
-/// number.
+/// The dimension of a key of the settings as the page shows it, and its name without the unit; none
+/// of a bare number.
 pub(crate) fn of_setting(key: &str) -> Option<(&'static str, &str)> {
     if let Some(name) = key.strip_suffix("_J_per_m3") {
         return Some(("work per volume", name));

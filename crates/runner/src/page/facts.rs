@@ -42,7 +42,8 @@ pub(crate) fn facts(summary: &Summary) -> Vec<Fact> {
         tell("Weight on bit", quantity(&operation["wob_N"], "force"));
         let bit = &settings["bit"];
         if bit["law"] == "rock" {
-            // Rate and torque are what the rock makes of it; those of the settings are an estimate to begin with.
+            // Rate and torque are what the rock makes of it; those of the settings are an estimate
+            // to begin with.
             let strength = &settings["rock"]["strength_Pa"];
             tell("Rock strength", quantity(strength, "pressure"));
         } else {

@@ -26,7 +26,8 @@ pub(super) fn told(found: &Found) -> Finding {
     }
 }
 
-/// The dimension of what has an SI unit; none of a ratio and of units that the page has no other for.
+/// The dimension of what has an SI unit; none of a ratio and of units that the page has no other
+/// for.
 fn dimension(unit: &str) -> Option<&'static str> {
     Some(match unit {
         "N" => "force",

@@ -24,7 +24,8 @@ const CHANNELS: &[&str] = &[
     "bending_moment_N_m",
 ];
 
-/// Frames of each operation, of so many that may have some; none where none were kept, or where they do not hold where the string lies.
+/// Frames of each operation, of so many that may have some; none where none were kept, or where
+/// they do not hold where the string lies.
 ///
 /// The file may be larger than memory: it is read twice, piece by piece.
 pub(super) fn read(folder: &Path, runs: usize) -> Result<BTreeMap<String, Frames>, ResultsError> {
@@ -175,7 +176,8 @@ impl Taken {
                 self.channels.iter_mut().zip(&moment.channels).enumerate()
             {
                 if values.len() == nodes {
-                    // Joints touch, what lies between them does not: a node stands for those above it too.
+                    // Joints touch, what lies between them does not: a node stands for those above
+                    // it too.
                     let of = if CHANNELS[channel] == "contact_force_N" {
                         above..node + 1
                     } else {

@@ -63,8 +63,8 @@ pub(super) fn history(time: &Table, operation: &str, many: usize) -> History {
     }
 }
 
-/// What the bit takes away in the window for what it is given, of an operation that shares the page with `many`, itself
-/// included; none where no weight is on the bit.
+/// What the bit takes away in the window for what it is given, of an operation that shares the page
+/// with `many`, itself included; none where no weight is on the bit.
 pub(super) fn drill_off(
     time: &Table,
     operation: &str,

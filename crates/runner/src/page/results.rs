@@ -8,8 +8,8 @@ use wholestring_results::{OperationSummary, Table};
 use super::rows::rows;
 use crate::column::numbers;
 
-/// Five numbers. Of a dynamic model those that vary are means, and their largest of the window is compared with the
-/// limit.
+/// Five numbers. Of a dynamic model those that vary are means, and their largest of the window is
+/// compared with the limit.
 pub(super) fn key_results(
     solved: &OperationSummary,
     settings: &Json,
@@ -144,7 +144,8 @@ fn stress(solved: &OperationSummary, nodes: &Table) -> Answer {
     }
 }
 
-/// The largest mean side force: of a joint where the string has joints and the model shows, per length otherwise.
+/// The largest mean side force: of a joint where the string has joints and the model shows, per
+/// length otherwise.
 fn side_force(solved: &OperationSummary, nodes: &Table) -> Answer {
     match largest_of(solved, nodes, "side_force_per_joint_N", f64::abs) {
         Some(force) => Answer {

@@ -40,8 +40,8 @@ pub(crate) fn complete(folder: &ResultsFolder, units: UnitSet) -> Result<(), Res
     Ok(())
 }
 
-/// What is said of a folder with a summary that lacks tables from which pages and pictures are made; nothing where
-/// they are there.
+/// What is said of a folder with a summary that lacks tables from which pages and pictures are
+/// made; nothing where they are there.
 pub(crate) fn lacking(folder: &Path) -> Result<Option<String>, ResultsError> {
     let summary = Summary::read(&folder.join("summary.json"))?;
     let dynamic = summary.operations.iter().any(|of| of.statistics.is_some());

@@ -20,8 +20,8 @@ const fn of_path(name: &'static str, kind: QuantityKind, meaning: &'static str) 
     Quantity::number(name, kind, meaning)
 }
 
-/// Horizontal distance from the first station, projected on the direction to the last one: the abscissa of a vertical
-/// section, m. Zero of a path that ends below its beginning.
+/// Horizontal distance from the first station, projected on the direction to the last one: the
+/// abscissa of a vertical section, m. Zero of a path that ends below its beginning.
 fn vertical_section_m(path: &Path, md_m: f64) -> f64 {
     let from = path.at(path.first_md_m()).position_m;
     let closure = (path.at(path.last_md_m()).position_m - from).xy();

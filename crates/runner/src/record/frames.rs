@@ -11,8 +11,8 @@ pub(crate) struct Frames {
 }
 
 impl Frames {
-    /// Begins them, or continues from what a checkpoint kept, where the case requires frames and a model can give
-    /// them.
+    /// Begins them, or continues from what a checkpoint kept, where the case requires frames and a
+    /// model can give them.
     pub(crate) fn begin(
         case: &Case,
         folder: &ResultsFolder,

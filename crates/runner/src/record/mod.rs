@@ -29,8 +29,8 @@ use crate::{
     page::{FILE, PROFILE, Tables, along_the_hole, write_profile},
 };
 
-/// What a run has solved to its end, as a checkpoint keeps it. The tables are large: what was written
-/// of them is on the disk.
+/// What a run has solved to its end, as a checkpoint keeps it. The tables are large: what was
+/// written of them is on the disk.
 #[derive(Serialize, Deserialize)]
 pub(crate) struct Solved<'a> {
     /// The operations of the summary, as JSON.

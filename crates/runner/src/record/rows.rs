@@ -118,8 +118,8 @@ impl Record {
         }
     }
 
-    /// Adds the spectra that the case requires; a window that was interrupted before a segment of it was full is
-    /// one segment.
+    /// Adds the spectra that the case requires; a window that was interrupted before a segment of
+    /// it was full is one segment.
     fn add_spectra(&mut self, operation: &Operation, of: &InTime<'_>, profile: &Profile) {
         let series = of.series;
         let settle_s = of.numerics.settle_s;

@@ -26,8 +26,8 @@ use crate::{
 };
 
 /// Solves operation after operation, each with every model, and writes after each, so that whatever
-/// comes between keeps what was solved. What the record has is solved already, but for one operation that
-/// may be under way.
+/// comes between keeps what was solved. What the record has is solved already, but for one
+/// operation that may be under way.
 pub(crate) fn solve(
     case: &Case,
     way: &Way<'_>,
@@ -81,8 +81,8 @@ pub(crate) fn solve(
     Ok(())
 }
 
-/// Writes a checkpoint. A run does not end because one cannot be written: the next may, and so may the
-/// results.
+/// Writes a checkpoint. A run does not end because one cannot be written: the next may, and so may
+/// the results.
 fn write_checkpoint(
     keeper: &mut Keeper<'_>,
     record: &Record,
@@ -107,8 +107,8 @@ fn solve_soft(case: &Case, operation: &Operation, record: &mut Record) -> Status
     }
 }
 
-/// Simulated time between two checks of a cancellation and two tellings of the progress, s: a fraction of
-/// a second even where a run is slower than real time.
+/// Simulated time between two checks of a cancellation and two tellings of the progress, s: a
+/// fraction of a second even where a run is slower than real time.
 const POLL_INTERVAL_S: f64 = 0.2;
 
 fn solve_dynamic(
@@ -176,7 +176,8 @@ fn solve_dynamic(
     // One that was resumed has not got them yet.
     simulation.set_executor(way.executor.clone());
     let took = || before + start.elapsed();
-    // Initialising the string takes seconds. Whoever has asked by now has nothing of this operation to keep.
+    // Initialising the string takes seconds. Whoever has asked by now has nothing of this operation
+    // to keep.
     if way.cancellation.is_cancelled() && simulation.time_s() == 0.0 {
         write_checkpoint(keeper, record, None, &way.watch);
         return Status::Interrupted;

@@ -175,7 +175,8 @@ fn number(number: &Number, answer: &CaseResult) -> Result<Option<f64>, ResultsEr
                 Some(time_s) => nearest_by(rows, time_s, |[at, ..]| *at),
                 None => {
                     let [from, to] = window_s()?;
-                    // A row is an average since the one before: one that ends where the window begins is not of it.
+                    // A row is an average since the one before: one that ends where the window
+                    // begins is not of it.
                     let mut rows = rows;
                     rows.retain(|[at, ..]| *at > from && *at <= to);
                     rows

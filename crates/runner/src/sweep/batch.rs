@@ -220,8 +220,8 @@ impl<'a> Batch<'a> {
         })
     }
 
-    /// What an earlier sweep began of the case; nothing where it left none to continue with, or none
-    /// that one can.
+    /// What an earlier sweep began of the case; nothing where it left none to continue with, or
+    /// none that one can.
     fn begun(
         &self,
         point: &Point,

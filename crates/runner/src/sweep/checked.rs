@@ -28,11 +28,13 @@ pub(super) struct Checked {
     pub(super) simulated_s: f64,
     /// Whether its lift is tuned.
     pub(super) lift: bool,
-    /// The case itself, until it is solved, where reading it again would take as long as solving it.
+    /// The case itself, until it is solved, where reading it again would take as long as solving
+    /// it.
     case: Mutex<Option<Case>>,
 }
 
-/// Most cases that are held in memory between their check and their solution; each takes some 0.2 MB.
+/// Most cases that are held in memory between their check and their solution; each takes some 0.2
+/// MB.
 const MAX_HELD: usize = 500;
 
 impl Checked {

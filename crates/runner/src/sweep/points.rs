@@ -67,8 +67,8 @@ pub(crate) fn points<'a>(
     Ok(points)
 }
 
-/// Folders bear the values; where those are too long for a name, or some system does not distinguish them,
-/// the number of the case.
+/// Folders bear the values; where those are too long for a name, or some system does not
+/// distinguish them, the number of the case.
 fn name_folders(points: &mut [Point<'_>]) {
     let names: Vec<String> = points.iter().map(|point| file_name(&point.name)).collect();
     let unique: BTreeSet<String> = names.iter().map(|name| name.to_lowercase()).collect();

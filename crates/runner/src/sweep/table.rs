@@ -69,8 +69,8 @@ impl Row {
 }
 
 impl SweepTable {
-    /// A table for a sweep of these keys, in which some case is dynamic or none is, and a lift is tuned in some or in
-    /// none.
+    /// A table for a sweep of these keys, in which some case is dynamic or none is, and a lift is
+    /// tuned in some or in none.
     pub(crate) fn new(keys: Vec<String>, dynamic: bool, lift: bool) -> Self {
         let statistics = DynamicOutcome::quantities()
             .filter(|_| dynamic)
@@ -119,9 +119,8 @@ impl SweepTable {
         }
     }
 
-    /// The table: varied keys, model and operation, scalars, statistics, where the window begins and what drifts in it, the
-    /// lift, findings, how it ended, and where the
-    /// rest of it lies.
+    /// The table: varied keys, model and operation, scalars, statistics, where the window begins
+    /// and what drifts in it, the lift, findings, how it ended, and where the rest of it lies.
     pub(crate) fn table(&self) -> Table {
         let text = |name: &str, of: &dyn Fn(&Row) -> String| Column {
             name: name.to_owned(),

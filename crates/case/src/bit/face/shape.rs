@@ -10,7 +10,8 @@ use wholestring_config::{reader::Reader, table::Field};
 use super::table::{DEGREE, FaceTable, Tip};
 use crate::bit::kind::Kind;
 
-/// Cones of inserts where the case does not say: between side and axis, and the tip's radius over the insert's diameter.
+/// Cones of inserts where the case does not say: between side and axis, and the tip's radius over
+/// the insert's diameter.
 const HALF_ANGLE_RAD: f64 = 35.0 * DEGREE;
 const TIP: f64 = 0.25;
 

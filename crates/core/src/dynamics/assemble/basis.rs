@@ -1,4 +1,5 @@
-//! What a run is before its string is initialised: settings that can be used, the hoist, the mesh and the step.
+//! What a run is before its string is initialised: settings that can be used, the hoist, the mesh
+//! and the step.
 
 use super::{chain, error::SetupError, hoisting::hoisting};
 use crate::{
@@ -221,8 +222,8 @@ fn drive_numbers(drive: &TopDriveSettings) -> Vec<(&'static str, f64)> {
     numbers
 }
 
-/// Where the bit stands at time zero: half the run above or below the operation's depth, m; at that depth
-/// where a schedule moves the hoist. Where settling ends by itself, the least of it counts.
+/// Where the bit stands at time zero: half the run above or below the operation's depth, m; at that
+/// depth where a schedule moves the hoist. Where settling ends by itself, the least of it counts.
 pub(in crate::dynamics) fn first_bit_md_m(
     operation: &Operation,
     settings: &DynamicsSettings,
@@ -291,7 +292,8 @@ impl<R: Registers> Basis<R> {
     }
 }
 
-/// Refuses a bit on solid rock that is lighter than what it touches: its contact would not be stable.
+/// Refuses a bit on solid rock that is lighter than what it touches: its contact would not be
+/// stable.
 fn check_weight_of_bit(settings: &DynamicsSettings, plan: &StepPlan) -> Result<(), SetupError> {
     let (BitLaw::Rock(law), Some(lowest)) = (&settings.bit.law, plan.inertia.last()) else {
         return Ok(());

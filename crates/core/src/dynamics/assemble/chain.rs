@@ -7,10 +7,10 @@ use crate::{
     simd::number::Real,
 };
 
-/// Most mud that is carried along outside, as a multiple of the mud that the pipe displaces: reached where
-/// a pipe fills 82 % of its hole. The formula of the concentric annulus grows without bound where a tool
-/// fills its hole, for it has the mud go round it in a plane; round a stabiliser or a bit, no longer than its hole is
-/// wide, most of it goes round the ends.
+/// Most mud that is carried along outside, as a multiple of the mud that the pipe displaces:
+/// reached where a pipe fills 82 % of its hole. The formula of the concentric annulus grows without
+/// bound where a tool fills its hole, for it has the mud go round it in a plane; round a stabiliser
+/// or a bit, no longer than its hole is wide, most of it goes round the ends.
 const MAX_ADDED_MUD: f64 = 5.0;
 
 /// Lateral mass of each element, kg/m: steel, mud inside, and the mud that an accelerated cylinder
@@ -75,8 +75,8 @@ pub fn chain(model: &Model, mesh: &Mesh, plan: &StepPlan) -> Chain {
     chain
 }
 
-/// Frees the axial motion and the spin of all nodes, but for the spin of the top, which the top drive
-/// prescribes. The top is clamped laterally: it neither leaves the axis nor tilts.
+/// Frees the axial motion and the spin of all nodes, but for the spin of the top, which the top
+/// drive prescribes. The top is clamped laterally: it neither leaves the axis nor tilts.
 pub fn release(chain: &mut Chain) {
     for index in 0..chain.nodes() {
         node!(

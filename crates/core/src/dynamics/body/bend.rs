@@ -18,9 +18,9 @@ use crate::{
 
 /// A bend at a node: the element below it, of the same number, stands askew on the node's director.
 ///
-/// The step evaluates that element as if there were no bend. What the bend changes in its forces and moments comes
-/// before the step, from the same positions, velocities and twist; what it changes in its tension, torque and twist
-/// comes after it.
+/// The step evaluates that element as if there were no bend. What the bend changes in its forces
+/// and moments comes before the step, from the same positions, velocities and twist; what it
+/// changes in its tension, torque and twist comes after it.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Bend {
     /// The node, and the element below it.
@@ -81,7 +81,8 @@ impl Bend {
         )
     }
 
-    /// Adds what the bend changes in the forces of the step to come, `part` of its angle being there.
+    /// Adds what the bend changes in the forces of the step to come, `part` of its angle being
+    /// there.
     pub(in crate::dynamics) fn push(
         &mut self,
         chain: &Chain<impl Real>,
@@ -98,8 +99,9 @@ impl Bend {
         }
         self.director = chain.director(upper);
         let (mut pose, straight_pose) = (self.pose(chain), chain.pose(upper));
-        // The twist is carried on with the directors of half a step ago, where its rate is: with those of now, two ends
-        // that turn about different axes would gain energy of first order in the step.
+        // The twist is carried on with the directors of half a step ago, where its rate is: with
+        // those of now, two ends that turn about different axes would gain energy of first order in
+        // the step.
         let halfway = Pose {
             twist: pose.twist,
             ..half_a_step_before(pose, input.dt)

@@ -13,11 +13,12 @@ use crate::{
 
 /// Forces and moments on single nodes beside those of the step, all at the positions before it.
 ///
-/// A force is added to the node's weight for one step, so that the step itself shares it out between wall,
-/// friction and motion and books its losses right. A moment about the director is a kick of the spin before the step, so
-/// that friction can take it back within it; one across the director a kick after it, for the moments of bends are
-/// large and would show as turning in the twist and the damping of the neighbours. So would the kick of the spin: what
-/// twist, damping, mud and friction make of it is taken out again, so that nothing is lost in a string at rest.
+/// A force is added to the node's weight for one step, so that the step itself shares it out
+/// between wall, friction and motion and books its losses right. A moment about the director is a
+/// kick of the spin before the step, so that friction can take it back within it; one across the
+/// director a kick after it, for the moments of bends are large and would show as turning in the
+/// twist and the damping of the neighbours. So would the kick of the spin: what twist, damping, mud
+/// and friction make of it is taken out again, so that nothing is lost in a string at rest.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Loads {
     pub(super) loads: Vec<Load>,
@@ -99,16 +100,16 @@ impl Loads {
             excess_W -= lost_W(chain);
             node!(chain, index, spin += load.spun);
             excess_W += lost_W(chain);
-            // The step carries the twist on by the spin that it finds, and damps it: by that of half a step ago,
-            // without this kick.
+            // The step carries the twist on by the spin that it finds, and damps it: by that of
+            // half a step ago, without this kick.
             twist_neighbours(chain, index, -(dt + beta) * load.spun);
         }
         excess_W * dt
     }
 
-    /// Gives the weights back and turns the directors by the moments across them; takes what the step booked too much to
-    /// friction out of its sums. What it booked too much to the mud, J: it took the kicks for spin that
-    /// the nodes had before.
+    /// Gives the weights back and turns the directors by the moments across them; takes what the
+    /// step booked too much to friction out of its sums. What it booked too much to the mud, J: it
+    /// took the kicks for spin that the nodes had before.
     pub(super) fn finish(&mut self, chain: &mut Chain<impl Real>, input: &StepInput) -> f64 {
         let (dt, beta) = (input.dt, input.stiffness_damping);
         let mut excess = 0.0;
@@ -122,7 +123,8 @@ impl Loads {
             let both = 2.0 * load.spin + load.spun + node!(chain, index, spin);
             excess += 0.5 * node!(chain, index, polar) * load.slowed * load.spun * both;
 
-            // Half of a kick precesses, half does not; then the director turns anew by all of it, as in the step.
+            // Half of a kick precesses, half does not; then the director turns anew by all of it,
+            // as in the step.
             let d = load.director;
             let across = load.moment.minus(d, load.moment.dot(d));
             let kick = across.scaled(0.5 * dt * node!(chain, index, inv_rotary));

@@ -58,8 +58,9 @@ impl Body {
         ensure(fits, "the bends and eccentric masses")
     }
 
-    /// Bends and eccentric masses of `model` on the nodes of `mesh`. Their directions are set by [`Self::orient`]: until
-    /// then `toward` holds the part towards the high side and the part to the right of it.
+    /// Bends and eccentric masses of `model` on the nodes of `mesh`. Their directions are set by
+    /// [`Self::orient`]: until then `toward` holds the part towards the high side and the part to
+    /// the right of it.
     pub fn new(model: &Model, mesh: &Mesh) -> Self {
         let (mut bends, mut levers) = (Vec::<Bend>::new(), vec![[0.0; 2]; mesh.nodes.len()]);
         for span in model.string.spans() {
@@ -105,8 +106,8 @@ impl Body {
         self.bends.is_empty() && self.imbalances.is_empty()
     }
 
-    /// Turns everything to its angle from the high side at the bit, clockwise as one looks down the hole, carried up
-    /// the string without twisting.
+    /// Turns everything to its angle from the high side at the bit, clockwise as one looks down the
+    /// hole, carried up the string without twisting.
     pub fn orient(&mut self, chain: &Chain<impl Real>, anchors: &[Anchor]) {
         if self.is_empty() {
             return;
@@ -194,8 +195,8 @@ impl Body {
     }
 }
 
-/// Shares a stretch of the string (its lower and upper end from the bit, m) out between the nodes, as metres, so
-/// that every element keeps its centre of mass.
+/// Shares a stretch of the string (its lower and upper end from the bit, m) out between the nodes,
+/// as metres, so that every element keeps its centre of mass.
 fn share_out(mesh: &Mesh, stretch: [f64; 2], mut give: impl FnMut(usize, f64)) {
     for i in 0..mesh.elements.len() {
         let (top, bottom) = (mesh.nodes[i].from_bit_m, mesh.nodes[i + 1].from_bit_m);

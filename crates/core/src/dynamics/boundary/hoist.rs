@@ -18,7 +18,8 @@ pub struct Hoist {
     control: HoistControl,
     autodriller: Autodriller,
     target: Target,
-    /// Measured depth of the block's end of the line, m: where the line would carry the block alone.
+    /// Measured depth of the block's end of the line, m: where the line would carry the block
+    /// alone.
     block_m: f64,
     velocity_m_per_s: f64,
     filtered_N: f64,
@@ -70,8 +71,8 @@ impl Hoist {
         }
     }
 
-    /// Changes what the hoist does from now on. An autodriller that takes over continues from the speed that
-    /// the block has, as far as it has an integral to hold it by.
+    /// Changes what the hoist does from now on. An autodriller that takes over continues from the
+    /// speed that the block has, as far as it has an integral to hold it by.
     pub fn set_control(&mut self, control: HoistControl) {
         if control == HoistControl::Autodriller
             && self.control != control

@@ -23,19 +23,21 @@ pub struct Borehole {
     law: ContactLaw,
     /// Young's modulus and Poisson's ratio of each node's steel.
     steel: Vec<(f64, f64)>,
-    /// Contact radius of each node, m; none where the wall does not act: at the top and where the bit is held.
+    /// Contact radius of each node, m; none where the wall does not act: at the top and where the
+    /// bit is held.
     touches: Vec<Option<f64>>,
     /// Contact radius of the nodes at the lower end that are held to the hole's axis, m.
     held_radii_m: Vec<f64>,
     /// A node takes up a new anchor when it has slid this far, m.
     reach_m: f64,
-    /// Whether the wall requires all that a step can do: friction at rest above the kinetic one, friction
-    /// around the hole other than along it, or a radius that undulates. Only then do cones have a slope, too.
+    /// Whether the wall requires all that a step can do: friction at rest above the kinetic one,
+    /// friction around the hole other than along it, or a radius that undulates. Only then do cones
+    /// have a slope, too.
     pub intricate: bool,
 }
 
-/// A bit with less clearance than this fills its hole, m: contact and friction of its body would be those
-/// of a pipe that whirls in half a millimetre.
+/// A bit with less clearance than this fills its hole, m: contact and friction of its body would be
+/// those of a pipe that whirls in half a millimetre.
 const SNUG_M: f64 = 2e-3;
 
 /// Length of a bit over its diameter, at most: as much is held of a string that names no bit.
@@ -43,9 +45,9 @@ const BIT_DIAMETERS: f64 = 2.0;
 
 /// Length of the lower end that is held to the hole's axis instead of touching the wall, m.
 ///
-/// The lowest node always is. Where the first component fills the drilled hole, all of it is if it is a
-/// [bit](crate::string::Component::is_bit); of a motor or a collar without a bit no more than a bit's length, for its
-/// body is pressed against the wall like any other.
+/// The lowest node always is. Where the first component fills the drilled hole, all of it is if it
+/// is a [bit](crate::string::Component::is_bit); of a motor or a collar without a bit no more than
+/// a bit's length, for its body is pressed against the wall like any other.
 fn held_length_m(model: &Model) -> f64 {
     let lowest = &model.string.components()[0];
     let drilled = 0.5 * model.well.hole.at(model.string.length_m()).diameter_m;
@@ -107,9 +109,9 @@ impl Borehole {
         }
     }
 
-    /// How deep the nodes lie in the wall that are held to the hole's axis and so do not feel it, m: the deepest, by their
-    /// offset and their clearance; negative where all of them are inside the hole. A bit that cuts sideways takes its
-    /// hole along: `cut` is how far.
+    /// How deep the nodes lie in the wall that are held to the hole's axis and so do not feel it,
+    /// m: the deepest, by their offset and their clearance; negative where all of them are inside
+    /// the hole. A bit that cuts sideways takes its hole along: `cut` is how far.
     pub fn held_penetration_m(
         &self,
         chain: &Chain<impl Real>,
@@ -232,8 +234,8 @@ impl Borehole {
         }
     }
 
-    /// Moves the anchors of nodes that slid beyond their reach, the chords between them, and the nodes' high
-    /// sides; whether there were any.
+    /// Moves the anchors of nodes that slid beyond their reach, the chords between them, and the
+    /// nodes' high sides; whether there were any.
     pub fn follow(
         &self,
         chain: &mut Chain<impl Real>,
@@ -247,7 +249,8 @@ impl Borehole {
         let (mut moved_above, mut any) = (false, false);
         for index in 0..chain.nodes() {
             let along = chain.tangent(index).dot(chain.displacement(index));
-            // All that will be there soon go at once: looking for them takes longer than moving them.
+            // All that will be there soon go at once: looking for them takes longer than moving
+            // them.
             let moved = along.abs() > 0.8 * self.reach_m;
             if moved {
                 let md = anchors[index].md_m + along;

@@ -1,7 +1,7 @@
 //! What turns the top of the string: a constant speed, or a drive with inertia under a controller.
 //!
-//! A drive of inertia `J` gives the torque `T` and feels the string's, `J Ω' = T − T_s`. Its controller
-//! compares the speed with a reference,
+//! A drive of inertia `J` gives the torque `T` and feels the string's, `J Ω' = T − T_s`. Its
+//! controller compares the speed with a reference,
 //!
 //! ```text
 //! T = K_p (Ω_r − Ω) + K_i ∫ (Ω_r − Ω) dt        |T| at most the limit
@@ -16,10 +16,10 @@
 //!
 //! and sends the part `(Z_td − Z_pipe)/(Z_td + Z_pipe)` of it back.
 //!
-//! Sources: Jansen and van den Steen, *Active damping of self-excited torsional vibrations in oil well
-//! drillstrings*, Journal of Sound and Vibration 179 (1995); Kyllingstad and Nessjøen, *A new stick-slip
-//! prevention system*, SPE/IADC 119660 (2009); Dwars, *Recent advances in Soft Torque rotary systems*,
-//! SPE/IADC 173037 (2015).
+//! Sources: Jansen and van den Steen, *Active damping of self-excited torsional vibrations in oil
+//! well drillstrings*, Journal of Sound and Vibration 179 (1995); Kyllingstad and Nessjøen, *A new
+//! stick-slip prevention system*, SPE/IADC 119660 (2009); Dwars, *Recent advances in Soft Torque
+//! rotary systems*, SPE/IADC 173037 (2015).
 
 use std::f64::consts::TAU;
 
@@ -211,8 +211,8 @@ impl TopDrive {
             shown,
         } = drive.gains;
         let gain = integral_N_m.mul_add(dt, proportional_N_m_s);
-        // The string's torque at the step's end, `M = string + k (Ω − Ω_below) dt + J_½ Ω'`, is `fixed + stiff Ω`;
-        // what is heard of it, part of it less its slow part.
+        // The string's torque at the step's end, `M = string + k (Ω − Ω_below) dt + J_½ Ω'`, is
+        // `fixed + stiff Ω`; what is heard of it, part of it less its slow part.
         let wind = element!(chain, 0, torsion) * dt;
         let start = drive.half_kg_m2 / dt;
         let fixed = string - wind * node!(chain, 1, spin) - start * before;

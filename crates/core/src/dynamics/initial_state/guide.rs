@@ -10,8 +10,8 @@ use crate::{
     statics::soft::{self, SoftError, SoftSettings},
 };
 
-/// Side force at which the string is initialised halfway to the wall, N/m: where less presses it there, it
-/// hangs nearer to the axis.
+/// Side force at which the string is initialised halfway to the wall, N/m: where less presses it
+/// there, it hangs nearer to the axis.
 const LIGHT_N_PER_M: f64 = 10.0;
 
 /// What the soft string says about every element and node.
@@ -94,8 +94,9 @@ fn operation_turns(operation: &Operation, settings: &DynamicsSettings) -> bool {
         && (operation.kind.rotates() || settings.friction_law == FrictionLaw::Independent)
 }
 
-/// The soft string whose tension the start takes: without friction for a centred start and for a string at rest,
-/// as if it had been turned before; with the full axial friction of a sliding string for the independent law.
+/// The soft string whose tension the start takes: without friction for a centred start and for a
+/// string at rest, as if it had been turned before; with the full axial friction of a sliding
+/// string for the independent law.
 fn as_soft_string(scene: &Scene<'_>) -> (Model, Operation) {
     let Scene {
         settings, at_rest, ..

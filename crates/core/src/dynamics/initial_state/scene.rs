@@ -38,8 +38,8 @@ pub struct Scene<'a> {
 
 /// What `operation` is at time zero by the motion of the string, and whether it is at rest.
 ///
-/// Without a schedule it is what it is called. A schedule may begin it otherwise: a string that is to turn and
-/// does not yet is run in or pulled out, or hangs still.
+/// Without a schedule it is what it is called. A schedule may begin it otherwise: a string that is
+/// to turn and does not yet is run in or pulled out, or hangs still.
 pub fn motion(
     operation: &Operation,
     axial_m_per_s: f64,

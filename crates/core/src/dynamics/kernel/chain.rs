@@ -1,10 +1,11 @@
 //! The chain of nodes and elements as the time loop holds it: a structure of arrays.
 //!
-//! The chain is cut into as many pieces as there are lanes, and the pieces lie side by side: node `i` is in row
-//! `i mod rows`, lane `i / rows`. What is next along the string so stands in the same lane of the next row, and
-//! one instruction works on all lanes without moving a number between them; only where a piece ends does its
-//! last element reach for the first node of the next lane. A whole string of thousands of metres fits in the
-//! second-level cache. Positions are displacements from each node's own anchor on the hole's axis.
+//! The chain is cut into as many pieces as there are lanes, and the pieces lie side by side: node
+//! `i` is in row `i mod rows`, lane `i / rows`. What is next along the string so stands in the same
+//! lane of the next row, and one instruction works on all lanes without moving a number between
+//! them; only where a piece ends does its last element reach for the first node of the next lane. A
+//! whole string of thousands of metres fits in the second-level cache. Positions are displacements
+//! from each node's own anchor on the hole's axis.
 
 mod blocks;
 mod numbers;
@@ -36,10 +37,11 @@ pub struct Chain<R: Real = f64> {
     /// Number of nodes after which the string looks the same: from joint to joint.
     pattern: usize,
     lane_layout: LaneLayout,
-    /// Rest length of each element, m: however the chain keeps its numbers, its chords are compared with these.
+    /// Rest length of each element, m: however the chain keeps its numbers, its chords are compared
+    /// with these.
     lengths_m: Vec<f64>,
-    /// How the nodes move, row by row; the last row repeats the first one lane lower, for the elements
-    /// where pieces end.
+    /// How the nodes move, row by row; the last row repeats the first one lane lower, for the
+    /// elements where pieces end.
     pub states: Vec<StateBlock<R>>,
     /// Nodes, row by row.
     pub node_blocks: Vec<NodeBlock<R>>,
@@ -73,7 +75,8 @@ impl Chain {
         Self::idle(nodes, 1)
     }
 
-    /// A chain of `nodes` idle nodes for a string that looks the same after every `pattern` of them.
+    /// A chain of `nodes` idle nodes for a string that looks the same after every `pattern` of
+    /// them.
     pub fn patterned(nodes: usize, pattern: usize) -> Self {
         Self::idle(nodes, pattern)
     }
@@ -146,7 +149,8 @@ impl<R: Real> Chain<R> {
         self.lane_layout.place(index)
     }
 
-    /// Repeats the first row of states below the last, one lane lower. The last lane ends in itself.
+    /// Repeats the first row of states below the last, one lane lower. The last lane ends in
+    /// itself.
     pub fn close(&mut self) {
         let rows = self.node_blocks.len();
         let (above, close) = self.states.split_at_mut(rows);
@@ -158,8 +162,8 @@ impl<R: Real> Chain<R> {
         }
     }
 
-    /// How the lower ends of a row of elements move, if the states were closed since: after a step the row that
-    /// [closes](Self::close) them is that of the step's beginning.
+    /// How the lower ends of a row of elements move, if the states were closed since: after a step
+    /// the row that [closes](Self::close) them is that of the step's beginning.
     pub fn ends(&self, row: usize) -> &StateBlock<R> {
         &self.states[row + 1]
     }
@@ -179,8 +183,8 @@ impl<R: Real> Chain<R> {
         slid
     }
 
-    /// Finds what the mud's lateral drag takes of the nodes' velocities in a step of `dt`, as they move now. A hundredth in
-    /// any mud; a brake still at any speed.
+    /// Finds what the mud's lateral drag takes of the nodes' velocities in a step of `dt`, as they
+    /// move now. A hundredth in any mud; a brake still at any speed.
     pub fn find_drag(&mut self, dt: f64) {
         let (dt, half) = (R::from_f64(dt), R::from_f64(0.5));
         for (node, state) in self.node_blocks.iter_mut().zip(&self.states) {
@@ -199,7 +203,8 @@ impl<R: Real> Chain<R> {
         }
     }
 
-    /// The upper pieces in whose elements the effective tension was more than `min_N` at the last step.
+    /// The upper pieces in whose elements the effective tension was more than `min_N` at the last
+    /// step.
     pub fn strands_above_N(&self, min_N: f64) -> usize {
         let least = R::from_f64(min_N);
         let mut above = [true; SINGLES];
@@ -211,7 +216,8 @@ impl<R: Real> Chain<R> {
         above[..R::LANES].iter().take_while(|above| **above).count()
     }
 
-    /// Effective tension of each element at the last step, from the first of a piece down, N, and its index.
+    /// Effective tension of each element at the last step, from the first of a piece down, N, and
+    /// its index.
     pub fn tensions_N(&self, lane: usize) -> impl Iterator<Item = (usize, f64)> {
         let along = |lane| {
             let blocks = self.element_blocks.iter();
@@ -294,8 +300,9 @@ impl<R: Real> Chain<R> {
         }
     }
 
-    /// Takes out what rounding has added to the directors' lengths and to the angular velocities along
-    /// them. The step preserves both but for the damping of bending: once in a hundred steps is plenty.
+    /// Takes out what rounding has added to the directors' lengths and to the angular velocities
+    /// along them. The step preserves both but for the damping of bending: once in a hundred steps
+    /// is plenty.
     pub fn renormalise(&mut self) {
         for index in 0..self.nodes {
             let d = self.director(index);

@@ -6,8 +6,8 @@ use crate::simd::{lanes::DOUBLES, number::Real};
 
 /// How long the pieces are that a chain is cut into.
 ///
-/// Every number of a node is requested by its place, and divisions would take most of the time: the inverse of the
-/// length, rounded up, is multiplied with instead.
+/// Every number of a node is requested by its place, and divisions would take most of the time: the
+/// inverse of the length, rounded up, is multiplied with instead.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(try_from = "usize", into = "usize")]
 pub struct LaneLayout {
@@ -18,15 +18,17 @@ pub struct LaneLayout {
 impl LaneLayout {
     /// Binary places of the inverse.
     const PLACES: u32 = 40;
-    /// Length up to which places are exact in 32 lanes: `32 LONGEST² < 2^PLACES`. No string is as long.
+    /// Length up to which places are exact in 32 lanes: `32 LONGEST² < 2^PLACES`. No string is as
+    /// long.
     const LONGEST: usize = 1 << 17;
 
     /// Part of its length by which a piece may be longer than it must, so that the pattern fits.
     const SPARE: f64 = 0.06;
 
-    /// As long as so many nodes in so many lanes need. `pattern` is the number of nodes after which a string looks the
-    /// same: pieces that hold it a whole number of times have their tool joints side by side, and the rows between
-    /// them, where no node touches the wall, are done with sooner.
+    /// As long as so many nodes in so many lanes need. `pattern` is the number of nodes after which
+    /// a string looks the same: pieces that hold it a whole number of times have their tool joints
+    /// side by side, and the rows between them, where no node touches the wall, are done with
+    /// sooner.
     pub fn new(nodes: usize, lanes: usize, pattern: usize) -> Self {
         let rows = nodes.div_ceil(lanes);
         let fitting = rows.next_multiple_of(pattern);
@@ -55,7 +57,8 @@ impl LaneLayout {
     /// Row and lane of a node, and of the element below it.
     #[inline]
     pub fn place(self, index: usize) -> (usize, usize) {
-        // Before its fraction is cut off it is too large by `index / 2^PLACES` at most, less than `1 / rows`: exact.
+        // Before its fraction is cut off it is too large by `index / 2^PLACES` at most, less than
+        // `1 / rows`: exact.
         let lane = ((index as u64 * self.inverse) >> Self::PLACES) as usize;
         (index - lane * self.rows, lane)
     }
@@ -81,8 +84,8 @@ impl From<LaneLayout> for usize {
     }
 }
 
-/// Where what is kept of the nodes in double precision lies, whatever the chain itself is kept in: each row of the chain
-/// has, part by part, its blocks of doubles.
+/// Where what is kept of the nodes in double precision lies, whatever the chain itself is kept in:
+/// each row of the chain has, part by part, its blocks of doubles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Layout {
     lane_layout: LaneLayout,
@@ -143,8 +146,8 @@ mod tests {
         assert_blocks_stand_beside_rows::<f32>();
     }
 
-    /// 1347 nodes with a joint at every third are 85 rows of sixteen, which 87 hold as well; at every twelfth it would
-    /// take 96.
+    /// 1347 nodes with a joint at every third are 85 rows of sixteen, which 87 hold as well; at
+    /// every twelfth it would take 96.
     #[test]
     fn joints_stand_side_by_side_where_that_costs_little() {
         let rows = |pattern| LaneLayout::new(1347, DOUBLES, pattern).rows();

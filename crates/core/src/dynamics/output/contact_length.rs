@@ -13,8 +13,9 @@ pub struct ContactLength {
     pub below_m: f64,
 }
 
-/// Shares the string out among the nodes that touch, by the nodes' distances from the bit, from the surface down: each
-/// carries half the way to the next contact on either side, at most [`LONGEST_REACH_M`].
+/// Shares the string out among the nodes that touch, by the nodes' distances from the bit, from the
+/// surface down: each carries half the way to the next contact on either side, at most
+/// [`LONGEST_REACH_M`].
 pub fn contact_lengths(from_bit_m: &[f64], touches: impl Fn(usize) -> bool) -> Vec<ContactLength> {
     let touching: Vec<usize> = (0..from_bit_m.len())
         .filter(|index| touches(*index))

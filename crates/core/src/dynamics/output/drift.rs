@@ -1,4 +1,5 @@
-//! Block averages: how well the mean of an interval of samples is known, and whether it stands still.
+//! Block averages: how well the mean of an interval of samples is known, and whether it stands
+//! still.
 
 /// Blocks that are left at the longest: fewer tell no spread.
 const MIN_BLOCKS: usize = 8;
@@ -6,17 +7,19 @@ const MIN_BLOCKS: usize = 8;
 /// Standard errors beyond which a change of a mean is no chance.
 pub(in crate::dynamics) const SIGNIFICANT: f64 = 4.0;
 
-/// Part of a quantity's scale below which a drift is of no consequence: half a percent, less than the gauges of a rig
-/// tell.
+/// Part of a quantity's scale below which a drift is of no consequence: half a percent, less than
+/// the gauges of a rig tell.
 pub(in crate::dynamics) const MATTERS: f64 = 0.005;
 
 /// Standard error of the mean of samples that depend on their neighbours, by block averages.
 ///
-/// Neighbours are averaged in pairs, the pairs in pairs again, as long as eight blocks are left. Of `n` blocks with the
-/// standard deviation `s` the mean has the standard error `s/√n`, if they do not depend on each other; with
-/// the length of the blocks that estimate grows until they do not, and levels off. The largest is taken: of a quantity that
-/// swings it is that of blocks of half a period. Flyvbjerg and Petersen, *Error estimates on averages of correlated data*,
-/// J. Chem. Phys. 91 (1989). It serves where the correlation time is a hundredth of the stretch or less, and falls short beyond.
+/// Neighbours are averaged in pairs, the pairs in pairs again, as long as eight blocks are left. Of
+/// `n` blocks with the standard deviation `s` the mean has the standard error `s/√n`, if they do
+/// not depend on each other; with the length of the blocks that estimate grows until they do not,
+/// and levels off. The largest is taken: of a quantity that swings it is that of blocks of half a
+/// period. Flyvbjerg and Petersen, *Error estimates on averages of correlated data*, J. Chem. Phys.
+/// 91 (1989). It serves where the correlation time is a hundredth of the stretch or less, and falls
+/// short beyond.
 pub(in crate::dynamics) fn standard_error(samples: &[f64]) -> f64 {
     let mut blocks = samples.to_vec();
     let mut largest: f64 = 0.0;
@@ -43,17 +46,17 @@ pub(in crate::dynamics) fn standard_error(samples: &[f64]) -> f64 {
 pub(in crate::dynamics) struct Drift {
     /// Change over the stretch by the straight line of least squares.
     pub(in crate::dynamics) change: f64,
-    /// How many of its standard errors that is, or the difference of the halves' means of its own, whichever is more. Zero of so few
-    /// samples that none is known.
+    /// How many of its standard errors that is, or the difference of the halves' means of its own,
+    /// whichever is more. Zero of so few samples that none is known.
     pub(in crate::dynamics) errors: f64,
 }
 
 impl Drift {
     /// Tests samples for drift.
     ///
-    /// The line's change has `√12` times the standard error of the mean, which is taken from what scatters about the line.
-    /// The means of the halves differ by `√2` standard errors of one; a start that fades inflates that of the first half,
-    /// so that the smaller one is taken.
+    /// The line's change has `√12` times the standard error of the mean, which is taken from what
+    /// scatters about the line. The means of the halves differ by `√2` standard errors of one; a
+    /// start that fades inflates that of the first half, so that the smaller one is taken.
     pub(in crate::dynamics) fn of(samples: &[f64]) -> Self {
         let n = samples.len();
         let half = n / 2;

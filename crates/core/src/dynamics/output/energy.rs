@@ -23,8 +23,8 @@ use crate::{
 
 /// Energies at the middle of the last step, J.
 ///
-/// Velocities live there already; positions and twist are brought back by half a step, so that the sums
-/// are second-order accurate in the step.
+/// Velocities live there already; positions and twist are brought back by half a step, so that the
+/// sums are second-order accurate in the step.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Energies {
     pub kinetic: f64,
@@ -220,11 +220,11 @@ impl Ledger {
         self.booked.mud_loss_J += taken;
     }
 
-    /// The balance and its residual over the largest of work, losses, change of energy, kinetic energy and
-    /// `min_J`; none where a number is none, as in a run that diverged.
+    /// The balance and its residual over the largest of work, losses, change of energy, kinetic
+    /// energy and `min_J`; none where a number is none, as in a run that diverged.
     ///
-    /// Of a string at rest all but the last are rounding, and so is the residual: without an energy that is
-    /// something to the string it would be all of it.
+    /// Of a string at rest all but the last are rounding, and so is the residual: without an energy
+    /// that is something to the string it would be all of it.
     pub fn balance(&self, now: &Energies, flow_J: f64, min_J: f64) -> Option<(EnergyBalance, f64)> {
         let mut balance = EnergyBalance {
             flow_work_J: flow_J - self.flow_at_start_J,
@@ -247,8 +247,9 @@ impl Ledger {
 mod tests {
     use super::*;
 
-    /// Of a string at rest nothing but rounding is booked: its residual is compared with what lifts the string by a
-    /// millimetre and not against itself. Where something moves, the larger counts, as ever.
+    /// Of a string at rest nothing but rounding is booked: its residual is compared with what lifts
+    /// the string by a millimetre and not against itself. Where something moves, the larger counts,
+    /// as ever.
     #[test]
     fn a_residual_of_rounding_is_small() {
         let min_J = 1000.0;

@@ -14,14 +14,16 @@ const STUCK_RAD_PER_S: f64 = std::f64::consts::TAU / 60.0;
 /// A speed that swings by less than this part of its mean, as a standard deviation, has no period.
 const STEADY: f64 = 0.01;
 
-/// Part of the standard deviation by which the speed must pass its mean to count as having passed it.
+/// Part of the standard deviation by which the speed must pass its mean to count as having passed
+/// it.
 const HYSTERESIS: f64 = 0.5;
 
-/// A node whirls where its motion round the hole's axis is at least this part of its lateral motion ...
+/// A node whirls where its motion round the hole's axis is at least this part of its lateral motion
+/// ...
 const COHERENT: f64 = 0.5;
 
-/// ... and goes round at no less than this part of the rotary speed: a string that slowly climbs the wall
-/// does not whirl.
+/// ... and goes round at no less than this part of the rotary speed: a string that slowly climbs
+/// the wall does not whirl.
 const SLOWEST_WHIRL: f64 = 0.1;
 
 /// A node that keeps this near to the hole's axis, m, does not whirl, whatever it does there.
@@ -43,13 +45,13 @@ pub struct Indicators {
 /// How unsteadily the bit turns.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct StickSlip {
-    /// `(max − min)/(2 mean)` of the bit's rotary speed: one where it just stops; none where it does not
-    /// turn on average.
+    /// `(max − min)/(2 mean)` of the bit's rotary speed: one where it just stops; none where it
+    /// does not turn on average.
     pub severity: Option<f64>,
     /// The same of the surface torque, which is all that a rig without downhole tools can see.
     pub torque_severity: Option<f64>,
-    /// Mean time between two rises of the bit's speed through its mean, s; none where it is steady or
-    /// the window holds less than two of them.
+    /// Mean time between two rises of the bit's speed through its mean, s; none where it is steady
+    /// or the window holds less than two of them.
     pub period_s: Option<f64>,
     /// Part of the time in which the bit turned slower than 1 rev/min.
     #[serde(with = "crate::finite")]
@@ -65,7 +67,8 @@ pub struct Whirl {
     /// Measured depth of the node that goes round fastest, m.
     #[serde(with = "crate::finite")]
     pub md_m: f64,
-    /// Its angular velocity about the hole's axis, rad/s; clockwise looking down the hole is positive.
+    /// Its angular velocity about the hole's axis, rad/s; clockwise looking down the hole is
+    /// positive.
     #[serde(with = "crate::finite")]
     pub rate_rad_per_s: f64,
     /// That over the rotary speed.
@@ -88,8 +91,8 @@ pub struct TorqueUse {
 }
 
 impl StickSlip {
-    /// Of the rotary speed of the bit and the surface torque, sampled every `interval_s`; none of no
-    /// samples.
+    /// Of the rotary speed of the bit and the surface torque, sampled every `interval_s`; none of
+    /// no samples.
     pub fn of(bit_speed_rad_per_s: &[f64], torque_N_m: &[f64], interval_s: f64) -> Option<Self> {
         let speed = Statistic::of(bit_speed_rad_per_s)?;
         let stuck = |speed: &&f64| speed.abs() < STUCK_RAD_PER_S;
@@ -207,8 +210,9 @@ mod tests {
             .collect()
     }
 
-    /// `Ω (1 + a sin ωt)` has severity `a` and the period `2π/ω`. Sampled, its extremes are met to within
-    /// `1 − cos(π·0.01 s/T)` = 2e-5, a rise to within a sample: 0.01 s over ten periods of 5.3 s is 2e-4.
+    /// `Ω (1 + a sin ωt)` has severity `a` and the period `2π/ω`. Sampled, its extremes are met to
+    /// within `1 − cos(π·0.01 s/T)` = 2e-5, a rise to within a sample: 0.01 s over ten periods of
+    /// 5.3 s is 2e-4.
     #[test]
     fn of_a_swinging_bit() {
         let swing = |part: f64| speeds(|t| 7.0 * (1.0 + part * (TAU * t / 5.3).sin()));
@@ -229,8 +233,8 @@ mod tests {
         assert_eq!(steady.period_s, None);
     }
 
-    /// A bit that stands for 2 s of every 5 s and slips at 10 rad/s: stuck for 0.4 of the time, severity
-    /// `10/(2·6)`.
+    /// A bit that stands for 2 s of every 5 s and slips at 10 rad/s: stuck for 0.4 of the time,
+    /// severity `10/(2·6)`.
     #[test]
     fn of_a_bit_that_sticks() {
         let speed = speeds(|t| if t.rem_euclid(5.0) < 2.0 { 0.0 } else { 10.0 });

@@ -24,13 +24,14 @@ pub struct Numerics {
     /// Axial mass added by scaling to short elements over that of the string.
     #[serde(with = "crate::finite::unsigned_zero")]
     pub added_axial_mass_fraction: f64,
-    /// Deepest penetration of the wall at any sample, m, by the geometry: of the nodes that touch it, and of the bit,
-    /// which is held to the axis of the hole that it cuts.
+    /// Deepest penetration of the wall at any sample, m, by the geometry: of the nodes that touch
+    /// it, and of the bit, which is held to the axis of the hole that it cuts.
     #[serde(with = "crate::finite::unsigned_zero")]
     pub max_penetration_m: f64,
     /// Work put in at top drive, hoist and bit less the change of energy and every loss, over the
-    /// largest of them, of the kinetic energy and of what lifts the string by a millimetre: what the integration itself
-    /// gained or lost. From the start of the window. 1, and no parts, in a run that diverged.
+    /// largest of them, of the kinetic energy and of what lifts the string by a millimetre: what
+    /// the integration itself gained or lost. From the start of the window. 1, and no parts, in a
+    /// run that diverged.
     #[serde(with = "crate::finite::unsigned_zero")]
     pub energy_residual: f64,
     /// Its parts; none before the window began and in a run that diverged.
@@ -38,15 +39,16 @@ pub struct Numerics {
     pub energy: Option<EnergyBalance>,
     /// Instruction set that the time loop was compiled for.
     pub instructions: Cow<'static, str>,
-    /// Time at which the window begins, s: that of its first sample, at the earliest. The time reached of a run that settles yet.
-    /// Not a number in files of versions that did not say.
+    /// Time at which the window begins, s: that of its first sample, at the earliest. The time
+    /// reached of a run that settles yet. Not a number in files of versions that did not say.
     #[serde(
         with = "crate::finite::unsigned_zero",
         default = "crate::finite::unknown",
         skip_serializing_if = "crate::finite::is_unknown"
     )]
     pub settle_s: f64,
-    /// Whether the string was steady then; none where the time was given, and of a run that settles yet.
+    /// Whether the string was steady then; none where the time was given, and of a run that settles
+    /// yet.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub settled: Option<bool>,
     /// Measured depth of the bit, on average over the window, m; as [`Self::settle_s`].
@@ -87,7 +89,8 @@ pub struct DynamicOutcome {
     pub numerics: Numerics,
     /// What the motion amounts to, in the figures of the field.
     pub indicators: Indicators,
-    /// How often a bit with a table was where the table is not, over the window; none of another bit.
+    /// How often a bit with a table was where the table is not, over the window; none of another
+    /// bit.
     pub bit_table: Option<TableUse>,
     /// Profile along the string.
     pub nodes: Profile,

@@ -78,7 +78,8 @@ impl NodeSignal {
 /// A place of the string that a quantity is recorded at.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Probe {
-    /// Measured depth with the bit at the operation's depth, m. The nearest node is taken, and moves with the string.
+    /// Measured depth with the bit at the operation's depth, m. The nearest node is taken, and
+    /// moves with the string.
     pub md_m: f64,
     /// What is recorded.
     pub signal: NodeSignal,

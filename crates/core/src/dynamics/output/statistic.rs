@@ -25,9 +25,9 @@ pub struct Statistic {
     /// 95th percentile.
     #[serde(with = "crate::finite::unsigned_zero")]
     pub p95: f64,
-    /// Standard error of the mean, by block averages: the samples depend on their neighbours. Flyvbjerg and Petersen,
-    /// *Error estimates on averages of correlated data*, J. Chem. Phys. 91 (1989). Not a
-    /// number in files that do not have it.
+    /// Standard error of the mean, by block averages: the samples depend on their neighbours.
+    /// Flyvbjerg and Petersen, *Error estimates on averages of correlated data*, J. Chem. Phys. 91
+    /// (1989). Not a number in files that do not have it.
     #[serde(
         with = "crate::finite::unsigned_zero",
         default = "crate::finite::unknown"
@@ -40,8 +40,9 @@ pub struct Statistic {
         default = "crate::finite::unknown"
     )]
     pub drift: f64,
-    /// Whether that is no chance and matters: more than four of its standard errors, or the means of the halves are as
-    /// far apart, and more than half a percent of the quantity's scale. The deviation is then that drift, too.
+    /// Whether that is no chance and matters: more than four of its standard errors, or the means
+    /// of the halves are as far apart, and more than half a percent of the quantity's scale. The
+    /// deviation is then that drift, too.
     #[serde(default)]
     pub drifts: bool,
 }
@@ -77,16 +78,17 @@ impl Statistic {
         })
     }
 
-    /// The value below which that part of the samples lies, from 0 to 1, interpolated linearly between order
-    /// statistics; none of an empty slice.
+    /// The value below which that part of the samples lies, from 0 to 1, interpolated linearly
+    /// between order statistics; none of an empty slice.
     pub fn percentile(samples: &[f64], part: f64) -> Option<f64> {
         let mut shuffled = samples.to_vec();
         (!samples.is_empty()).then(|| percentile(&mut shuffled, part))
     }
 }
 
-/// A percentile of samples, at least one, interpolated linearly between order statistics. The samples are shuffled
-/// until these stand where they would if all were sorted, which takes a quarter of the time of sorting.
+/// A percentile of samples, at least one, interpolated linearly between order statistics. The
+/// samples are shuffled until these stand where they would if all were sorted, which takes a
+/// quarter of the time of sorting.
 pub(in crate::dynamics) fn percentile<T: Copy + Into<f64>>(samples: &mut [T], part: f64) -> f64 {
     let order = |a: &T, b: &T| (*a).into().total_cmp(&(*b).into());
     let place = part * (samples.len() - 1) as f64;

@@ -51,8 +51,9 @@ pub fn varying(series: &TimeSeries) -> [Varying<'_>; 11] {
     ]
 }
 
-/// The scales on which drifts are measured, of scalars with these means. Forces along the string go by the largest of them and by 10 kN
-/// at least, torques by the largest and by 1 kN·m: half a percent of less than that is nothing that a rig shows.
+/// The scales on which drifts are measured, of scalars with these means. Forces along the string go
+/// by the largest of them and by 10 kN at least, torques by the largest and by 1 kN·m: half a
+/// percent of less than that is nothing that a rig shows.
 pub fn scales<const N: usize>(means: [(Gauge, f64); N]) -> [f64; N] {
     let largest = |of: Gauge, least: f64| {
         let alike = means.iter().filter(|(gauge, _)| *gauge == of);

@@ -10,8 +10,8 @@ use crate::{
 
 /// Work of friction since the window began: force times sliding distance, J.
 ///
-/// What a node has done is kept with the node, and distributed over the hole whenever the string has moved by
-/// [`HOLE_STEP_M`].
+/// What a node has done is kept with the node, and distributed over the hole whenever the string
+/// has moved by [`HOLE_STEP_M`].
 #[derive(Debug, Clone, serde::Serialize, serde::Deserialize)]
 pub struct Wear {
     /// Of each node.
@@ -52,8 +52,8 @@ impl Wear {
         self.bit_md_m = bit_md_m;
     }
 
-    /// Takes up what the chain has summed since its last sample, before that is cleared; all of it, J. `md_m` gives
-    /// the measured depth of a node.
+    /// Takes up what the chain has summed since its last sample, before that is cleared; all of it,
+    /// J. `md_m` gives the measured depth of a node.
     pub fn sample(&mut self, chain: &Chain<impl Real>, md_m: impl Fn(usize) -> f64) -> f64 {
         let mut all = 0.0;
         for (work, rubbed) in self.string_J.iter_mut().zip(chain.wear_J()) {
@@ -80,8 +80,8 @@ impl Wear {
         now.hole_J.iter().map(|work| work / HOLE_STEP_M).collect()
     }
 
-    /// Distributes over the hole what has not been distributed yet. Each node works on half the way to the next one
-    /// that has done something on either side, at most [`LONGEST_REACH_M`].
+    /// Distributes over the hole what has not been distributed yet. Each node works on half the way
+    /// to the next one that has done something on either side, at most [`LONGEST_REACH_M`].
     fn deposit(&mut self, md_m: impl Fn(usize) -> f64) {
         let working: Vec<(f64, f64)> = (0..self.string_J.len())
             .map(|i| (md_m(i), self.string_J[i] - self.laid_J[i]))
@@ -106,8 +106,8 @@ mod tests {
     use super::*;
     use crate::dynamics::kernel::chain::node;
 
-    /// Nothing is lost wherever the string goes, and a string that works evenly while it moves works evenly on
-    /// the hole: 40 nodes of 4 J each, 3.2 m apart, over 30 m.
+    /// Nothing is lost wherever the string goes, and a string that works evenly while it moves
+    /// works evenly on the hole: 40 nodes of 4 J each, 3.2 m apart, over 30 m.
     #[test]
     fn work_is_laid_where_it_was_done() {
         let nodes = 40;

@@ -9,7 +9,8 @@ use crate::{
     wall::{contact::ContactLaw, friction::STRIBECK_SPEED_M_PER_S},
 };
 
-/// How far the mean weight on bit may be from what is requested where nobody says, as a fraction of it.
+/// How far the mean weight on bit may be from what is requested where nobody says, as a fraction of
+/// it.
 pub const WEIGHT_TOLERANCE: f64 = 0.01;
 
 /// How the string lies at time zero.
@@ -26,8 +27,8 @@ pub enum Start {
 pub struct CentredStart {
     /// Tension in the string at time zero.
     pub tension: StartTension,
-    /// Time in which the top is brought to its speed, linearly, s; zero for at once. Raising it softens the
-    /// torsional wave that the start sends down.
+    /// Time in which the top is brought to its speed, linearly, s; zero for at once. Raising it
+    /// softens the torsional wave that the start sends down.
     pub ramp_s: f64,
 }
 
@@ -44,8 +45,8 @@ impl Default for CentredStart {
 /// Tension of a string that starts centred.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum StartTension {
-    /// What it has hanging in its hole without friction, its weight on the bit included: nothing moves along the
-    /// hole but for what friction and the hoist then do.
+    /// What it has hanging in its hole without friction, its weight on the bit included: nothing
+    /// moves along the hole but for what friction and the hoist then do.
     Static,
     /// None: all of its weight comes on at time zero.
     Cold,
@@ -83,13 +84,15 @@ pub enum HoistControl {
     HookLoad(f64),
 }
 
-/// How the autodriller moves the block: `v = v₀ + K (e + ∫e dt/T_i)` within its limits, `e` the target less
-/// the measured weight on bit through a filter, `v₀` the rate of penetration at the target.
+/// How the autodriller moves the block: `v = v₀ + K (e + ∫e dt/T_i)` within its limits, `e` the
+/// target less the measured weight on bit through a filter, `v₀` the rate of penetration at the
+/// target.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Autodriller {
     /// `K`: block speed per weight on bit that is missing, m/s/N.
     pub gain_m_per_s_per_N: f64,
-    /// `T_i`: time in which the integral adds as much as the gain gives at once, s; infinite without one.
+    /// `T_i`: time in which the integral adds as much as the gain gives at once, s; infinite
+    /// without one.
     pub integral_time_s: f64,
     /// Time constant of the filter on the measured weight on bit, s.
     pub filter_s: f64,
@@ -100,8 +103,8 @@ pub struct Autodriller {
 }
 
 impl Default for Autodriller {
-    /// 1e-7 m/s/N (10 kN too little add 1 mm/s), no integral, a filter of 1 s, and the block goes down
-    /// at any speed but never up.
+    /// 1e-7 m/s/N (10 kN too little add 1 mm/s), no integral, a filter of 1 s, and the block goes
+    /// down at any speed but never up.
     fn default() -> Self {
         Self {
             gain_m_per_s_per_N: 1e-7,
@@ -138,18 +141,20 @@ pub enum SpeedController {
     SoftTorque {
         /// Proportional gain over the characteristic impedance of the uppermost pipe.
         impedance_ratio: f64,
-        /// Frequency, Hz; `None` takes the lowest torsional one of the string, held at the top and free at
-        /// the bit.
+        /// Frequency, Hz; `None` takes the lowest torsional one of the string, held at the top and
+        /// free at the bit.
         frequency_Hz: Option<f64>,
     },
-    /// A stiff one that gives way to the string's torque, so that the drive shows the pipe's impedance over
-    /// a band.
+    /// A stiff one that gives way to the string's torque, so that the drive shows the pipe's
+    /// impedance over a band.
     ZTorque {
         /// Impedance that it shows over that of the uppermost pipe.
         impedance_ratio: f64,
-        /// Lower edge of the band, Hz; `None` takes a fifth of the string's lowest torsional frequency.
+        /// Lower edge of the band, Hz; `None` takes a fifth of the string's lowest torsional
+        /// frequency.
         frequency_Hz: Option<f64>,
-        /// Gain of the stiff speed control, N·m·s: over the inertia, the upper edge of the band, rad/s.
+        /// Gain of the stiff speed control, N·m·s: over the inertia, the upper edge of the band,
+        /// rad/s.
         proportional_N_m_s: f64,
         /// Its integral gain, N·m.
         integral_N_m: f64,
@@ -177,22 +182,25 @@ pub enum TopDriveSettings {
 pub struct RodDamping {
     /// Proportional to mass, 1/s, on velocities relative to the rigid motion of the string.
     pub mass_per_s: f64,
-    /// Proportional to stiffness, s: on the rates of stretch, of twist and of the bend in space, so that
-    /// a bent string that spins in place loses nothing.
+    /// Proportional to stiffness, s: on the rates of stretch, of twist and of the bend in space, so
+    /// that a bent string that spins in place loses nothing.
     pub stiffness_s: f64,
 }
 
 /// Settling that continues until the string is steady.
 ///
-/// Every second the last stretch of the run is tested, in which the string turns three times and swings twice in its lowest torsional
-/// motion (at least 5 s): every scalar of the statistics, and the magnitude of its deviation, so that a
-/// vibration that builds up is waited for. The window begins when none of them drifts by more than a tenth of a percent of its scale over
-/// the time of the window, or by no more than chance. The first stretch begins after the extra damping of a prepared start or the ramp of
-/// a centred one, and after the schedule's last line. A limit cycle such as stick-slip is a steady state.
+/// Every second the last stretch of the run is tested, in which the string turns three times and
+/// swings twice in its lowest torsional motion (at least 5 s): every scalar of the statistics, and
+/// the magnitude of its deviation, so that a vibration that builds up is waited for. The window
+/// begins when none of them drifts by more than a tenth of a percent of its scale over the time of
+/// the window, or by no more than chance. The first stretch begins after the extra damping of a
+/// prepared start or the ramp of a centred one, and after the schedule's last line. A limit cycle
+/// such as stick-slip is a steady state.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct UntilSteady {
-    /// Longest simulated time before the window, s; it counts from the end of the schedule where there is one. Raising it waits longer
-    /// for a string that never is steady. A string so slow that its first stretch ends later has that one.
+    /// Longest simulated time before the window, s; it counts from the end of the schedule where
+    /// there is one. Raising it waits longer for a string that never is steady. A string so slow
+    /// that its first stretch ends later has that one.
     pub max_s: f64,
 }
 
@@ -213,7 +221,8 @@ pub struct DynamicsSettings {
     pub duration_s: f64,
     /// Simulated time before that window, s; at least, where it is to be steady.
     pub settle_s: f64,
-    /// Where the window is to begin only when the string is steady; none begins it after `settle_s`.
+    /// Where the window is to begin only when the string is steady; none begins it after
+    /// `settle_s`.
     pub steady: Option<UntilSteady>,
     /// How the string lies at time zero.
     pub start: Start,
@@ -221,8 +230,9 @@ pub struct DynamicsSettings {
     pub centred: CentredStart,
     /// Friction law.
     pub friction_law: FrictionLaw,
-    /// Sliding speed at which the friction at rest has half decayed to the kinetic one, m/s. Raising it
-    /// keeps more of the friction at rest in slow sliding; it matters only where the two differ.
+    /// Sliding speed at which the friction at rest has half decayed to the kinetic one, m/s.
+    /// Raising it keeps more of the friction at rest in slow sliding; it matters only where the two
+    /// differ.
     pub stribeck_speed_m_per_s: f64,
     /// Contact law.
     pub contact_law: ContactLaw,
@@ -231,8 +241,8 @@ pub struct DynamicsSettings {
     /// Hoist control; `None` takes what the operation requires: the autodriller on bottom, a
     /// constant block velocity otherwise.
     pub hoist_control: Option<HoistControl>,
-    /// How far the mean weight on bit may be from the operation's under a lift that is [tuned](super::tune_hook_load) for it, as
-    /// a part of it. Raising it takes fewer runs.
+    /// How far the mean weight on bit may be from the operation's under a lift that is
+    /// [tuned](super::tune_hook_load) for it, as a part of it. Raising it takes fewer runs.
     pub lift_tolerance: f64,
     /// The autodriller, wherever it is in control.
     pub autodriller: Autodriller,
@@ -240,8 +250,8 @@ pub struct DynamicsSettings {
     pub hoist_line: HoistLine,
     /// Top drive.
     pub top_drive: TopDriveSettings,
-    /// What the driller changes in the course of the run. Set points of its lines at time zero replace the
-    /// operation's from the beginning.
+    /// What the driller changes in the course of the run. Set points of its lines at time zero
+    /// replace the operation's from the beginning.
     pub schedule: Schedule,
     /// The bit on the rock.
     pub bit: BitSettings,
@@ -250,8 +260,8 @@ pub struct DynamicsSettings {
     pub sample_interval_s: f64,
     /// Places whose signals are recorded against time.
     pub probes: Vec<Probe>,
-    /// Seed of the microscopic lateral disturbance that breaks the symmetry of the start, and of the bit's
-    /// excitation.
+    /// Seed of the microscopic lateral disturbance that breaks the symmetry of the start, and of
+    /// the bit's excitation.
     pub seed: u64,
     /// Kind of number that the time loop computes with.
     pub precision: Precision,
@@ -268,7 +278,8 @@ impl DynamicsSettings {
         }
     }
 
-    /// The longest time from the start to the end of the window, s, but for strings so slow that their first test for steadiness comes later.
+    /// The longest time from the start to the end of the window, s, but for strings so slow that
+    /// their first test for steadiness comes later.
     pub fn longest_s(&self) -> f64 {
         let max_s = match self.steady {
             Some(until) => self.settle_s.max(self.schedule.end_s() + until.max_s),
@@ -284,12 +295,12 @@ impl DynamicsSettings {
 }
 
 impl Default for DynamicsSettings {
-    /// Elements of 3.2 m; 60 s after 20 s of settling, steady or not, sampled every 10 ms; a prepared start, or a centred one
-    /// with its static tension and a ramp of 1 s; vector
-    /// friction that loses half of its rise at rest by 0.1 m/s; Hertz contact with 0.5 s/m; damping of 0.1 1/s by
-    /// mass and 10 µs by stiffness; the hoist control that the operation requires on a line of 1e7 N/m and
-    /// 1e5 N·s/m that carries no block; a constant rotary speed; no schedule, no probes; rock of 1e8 N/m and 1e7 N/m across;
-    /// seed 1; double precision.
+    /// Elements of 3.2 m; 60 s after 20 s of settling, steady or not, sampled every 10 ms; a
+    /// prepared start, or a centred one with its static tension and a ramp of 1 s; vector friction
+    /// that loses half of its rise at rest by 0.1 m/s; Hertz contact with 0.5 s/m; damping of 0.1
+    /// 1/s by mass and 10 µs by stiffness; the hoist control that the operation requires on a line
+    /// of 1e7 N/m and 1e5 N·s/m that carries no block; a constant rotary speed; no schedule, no
+    /// probes; rock of 1e8 N/m and 1e7 N/m across; seed 1; double precision.
     fn default() -> Self {
         Self {
             element_length_m: 3.2,

@@ -19,7 +19,8 @@ pub enum HoistSetPoint {
 pub struct ScheduleStep {
     /// When it begins, s from time zero of the run.
     pub at_s: f64,
-    /// Time in which the set points go to their new values, in proportion to it, s; zero is at once.
+    /// Time in which the set points go to their new values, in proportion to it, s; zero is at
+    /// once.
     pub ramp_s: f64,
     /// Rotary speed at surface, rad/s.
     pub rotary_speed_rad_per_s: Option<f64>,
@@ -44,7 +45,8 @@ impl ScheduleStep {
     }
 }
 
-/// A plan: lines in the order of their times. Empty, the operation's own set points hold throughout.
+/// A plan: lines in the order of their times. Empty, the operation's own set points hold
+/// throughout.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Schedule {
     /// Its lines.
@@ -141,8 +143,9 @@ impl Schedule {
             .map(|step| step.at_s)
     }
 
-    /// The operation's set points as they are at time zero: what the first lines set there at once holds from
-    /// the beginning. Where they move the block, a bit on bottom has no weight yet: it touches the rock.
+    /// The operation's set points as they are at time zero: what the first lines set there at once
+    /// holds from the beginning. Where they move the block, a bit on bottom has no weight yet: it
+    /// touches the rock.
     pub fn at_time_zero(&self, operation: &Operation) -> Operation {
         let mut start = *operation;
         for step in self.steps.iter().filter(|step| step.end_s() <= 0.0) {

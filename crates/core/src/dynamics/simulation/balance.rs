@@ -37,8 +37,8 @@ impl<R: Real> Run<R> {
         self.state.viscous.as_ref().map_or(0.0, work)
     }
 
-    /// Where energy came from and went since the window began, and the relative residual; none before it does, and
-    /// none of a run that diverged.
+    /// Where energy came from and went since the window began, and the relative residual; none
+    /// before it does, and none of a run that diverged.
     pub(super) fn energy_balance(&self) -> Option<(EnergyBalance, f64)> {
         self.state
             .window_open

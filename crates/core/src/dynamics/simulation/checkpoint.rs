@@ -17,12 +17,13 @@ use crate::{
     simd::wide::Registers,
 };
 
-/// Everything of a run that changes while it continues, as plain data; what the model, the operation and
-/// the settings determine is found anew.
+/// Everything of a run that changes while it continues, as plain data; what the model, the
+/// operation and the settings determine is found anew.
 ///
-/// [`Simulation::resume`](crate::dynamics::Simulation::resume) continues from it and ends, on a processor with the same instructions, with
-/// the same bits as the run that was never written to a checkpoint. One that has just been taken borrows from the run; one that has
-/// been read back is its own.
+/// [`Simulation::resume`](crate::dynamics::Simulation::resume) continues from it and ends, on a
+/// processor with the same instructions, with the same bits as the run that was never written to a
+/// checkpoint. One that has just been taken borrows from the run; one that has been read back is
+/// its own.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Checkpoint<'a> {
     /// In double precision, which holds single precision to the bit.
@@ -77,7 +78,8 @@ impl Checkpoint<'_> {
 }
 
 impl<R: Registers> Run<R> {
-    /// The run as it stands, to be written to a checkpoint: between two calls of [`Self::advance`], at any time.
+    /// The run as it stands, to be written to a checkpoint: between two calls of [`Self::advance`],
+    /// at any time.
     pub fn checkpoint(&self) -> Checkpoint<'_> {
         Checkpoint {
             chain: self.chain.converted(),

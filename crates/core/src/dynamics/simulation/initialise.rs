@@ -35,8 +35,9 @@ use crate::{
 impl<R: Registers> Run<R> {
     /// Initialises the string in its hole, ready to run.
     ///
-    /// The bit is placed so that it passes the operation's depth in the middle of the window: a string
-    /// that trips at 0.3 m/s for a minute is then, on average, where a static calculation has it.
+    /// The bit is placed so that it passes the operation's depth in the middle of the window: a
+    /// string that trips at 0.3 m/s for a minute is then, on average, where a static calculation
+    /// has it.
     ///
     /// `executor` runs the bit in, where there is solid rock, and works on it from then on.
     ///

@@ -36,16 +36,17 @@ use crate::{
     simd::counted::Flops,
 };
 
-/// Shortest elements that single precision serves, m. Positions are known to 2e-9 m, and what that strains an element
-/// of a metre by pulls with a newton or two in a drill pipe, six in a collar.
+/// Shortest elements that single precision serves, m. Positions are known to 2e-9 m, and what that
+/// strains an element of a metre by pulls with a newton or two in a drill pipe, six in a collar.
 const SHORTEST_M: f64 = 1.0;
 
 impl Precision {
     /// Whether this precision serves a run, or why it does not.
     ///
-    /// Single precision serves strings that turn. Where a string rests, or slides without turning, friction
-    /// decides node by node between rest and motion, and the answer hangs on digits that single precision does not have:
-    /// a string at rest, a string about to buckle, a check of the energy. Nor does it serve elements shorter than a metre.
+    /// Single precision serves strings that turn. Where a string rests, or slides without turning,
+    /// friction decides node by node between rest and motion, and the answer hangs on digits that
+    /// single precision does not have: a string at rest, a string about to buckle, a check of the
+    /// energy. Nor does it serve elements shorter than a metre.
     ///
     /// # Errors
     /// The reason.
@@ -100,8 +101,9 @@ macro_rules! either {
 impl Simulation {
     /// Initialises the string in its hole, ready to run.
     ///
-    /// The bit is placed so that it passes the operation's depth in the middle of the window: a string
-    /// that trips at 0.3 m/s for a minute is then, on average, where a static calculation has it.
+    /// The bit is placed so that it passes the operation's depth in the middle of the window: a
+    /// string that trips at 0.3 m/s for a minute is then, on average, where a static calculation
+    /// has it.
     ///
     /// # Errors
     /// A setting out of range, a precision that does not serve, or a soft string without solution.
@@ -113,8 +115,8 @@ impl Simulation {
         Self::with_executor(model, operation, settings, Arc::new(Alone))
     }
 
-    /// The same with an executor given to solid rock under the bit from the first: the bit is run in before the string is initialised. The
-    /// answer does not depend on it.
+    /// The same with an executor given to solid rock under the bit from the first: the bit is run
+    /// in before the string is initialised. The answer does not depend on it.
     ///
     /// # Errors
     /// Those of [`Simulation::new`].
@@ -135,13 +137,14 @@ impl Simulation {
         }))
     }
 
-    /// The run as it stands, to be written to a checkpoint: between two calls of [`Simulation::advance`], at any time.
+    /// The run as it stands, to be written to a checkpoint: between two calls of
+    /// [`Simulation::advance`], at any time.
     pub fn checkpoint(&self) -> Checkpoint<'_> {
         either!(&self.0, run => run.checkpoint())
     }
 
-    /// Resumes a run where [`Simulation::checkpoint`] left it. Model, operation and settings are those
-    /// that it began with: others would continue, but with an answer to neither case.
+    /// Resumes a run where [`Simulation::checkpoint`] left it. Model, operation and settings are
+    /// those that it began with: others would continue, but with an answer to neither case.
     ///
     /// # Errors
     /// A checkpoint of another string, or a run that could not have begun.
@@ -189,8 +192,8 @@ impl Simulation {
         either!(&self.0, run => run.time_s())
     }
 
-    /// Time at which the window ends, s; at the latest, as long as the run settles until it is steady: the time
-    /// is known when the window begins.
+    /// Time at which the window ends, s; at the latest, as long as the run settles until it is
+    /// steady: the time is known when the window begins.
     pub fn end_time_s(&self) -> f64 {
         either!(&self.0, run => run.end_time_s())
     }
@@ -230,14 +233,15 @@ impl Simulation {
         either!(&self.0, run => run.kinetic_energy_J())
     }
 
-    /// Sets an executor to solid rock under the bit; the answer does not depend on it. A simulation that was resumed has to be
-    /// set anew.
+    /// Sets an executor to solid rock under the bit; the answer does not depend on it. A simulation
+    /// that was resumed has to be set anew.
     pub fn set_executor(&mut self, executor: Arc<dyn Executor + Send + Sync>) {
         either!(&mut self.0, run => run.set_executor(executor));
     }
 
-    /// The pattern that the bit has left on the bottom of the hole, radii from the bit's axis, angles from the high side to the right,
-    /// depths below the bit's nose; none without solid rock.
+    /// The pattern that the bit has left on the bottom of the hole, radii from the bit's axis,
+    /// angles from the high side to the right, depths below the bit's nose; none without solid
+    /// rock.
     pub fn bottom_hole(&self) -> Option<BottomHole> {
         either!(&self.0, run => run.bottom_hole())
     }
@@ -247,14 +251,15 @@ impl Simulation {
         either!(&mut self.0, run => run.set_hoist(control));
     }
 
-    /// Changes what the pumps deliver from now on, m³/s; the pressure drop of the bit and the speed of a mud motor follow.
-    /// Without a rheology the mud does nothing to the string, however it flows.
+    /// Changes what the pumps deliver from now on, m³/s; the pressure drop of the bit and the speed
+    /// of a mud motor follow. Without a rheology the mud does nothing to the string, however it
+    /// flows.
     pub fn set_flow_rate(&mut self, flow_m3_per_s: f64) {
         either!(&mut self.0, run => run.set_flow_rate(flow_m3_per_s));
     }
 
-    /// Gives every node an additional velocity, m/s, and an additional spin, rad/s: a blow. `impulse` is
-    /// requested each node but the top, which is clamped.
+    /// Gives every node an additional velocity, m/s, and an additional spin, rad/s: a blow.
+    /// `impulse` is requested each node but the top, which is clamped.
     pub fn apply_impulse(&mut self, impulse: impl Fn(&MeshNode) -> (Vector3<f64>, f64)) {
         either!(&mut self.0, run => run.apply_impulse(impulse));
     }
@@ -275,25 +280,26 @@ impl Simulation {
         all.iter().map(|stepper| stepper.instructions).collect()
     }
 
-    /// Continues with one of [`Self::instruction_sets`]; with what it has if there is none of that name.
+    /// Continues with one of [`Self::instruction_sets`]; with what it has if there is none of that
+    /// name.
     pub fn use_instructions(&mut self, name: &str) {
         either!(&mut self.0, run => run.use_instructions(name));
     }
 
-    /// Takes `steps` steps of the inner loop alone, the top held where it is: a measure of speed. The
-    /// simulation is no more than that afterwards.
+    /// Takes `steps` steps of the inner loop alone, the top held where it is: a measure of speed.
+    /// The simulation is no more than that afterwards.
     pub fn step_kernel(&mut self, steps: usize) {
         either!(&mut self.0, run => run.step_kernel(steps));
     }
 
-    /// Takes one step of the inner loop alone, as [`Self::step_kernel`] does, and counts its arithmetic: all of it, that
-    /// of lanes which no element fills, too.
+    /// Takes one step of the inner loop alone, as [`Self::step_kernel`] does, and counts its
+    /// arithmetic: all of it, that of lanes which no element fills, too.
     pub fn count_kernel(&mut self) -> Flops {
         either!(&mut self.0, run => run.count_kernel())
     }
 
-    /// Multiplies and adds in the registers of the inner loop, so wide and so precise, `rounds` times and as fast as the
-    /// processor can; how many floating-point operations that was.
+    /// Multiplies and adds in the registers of the inner loop, so wide and so precise, `rounds`
+    /// times and as fast as the processor can; how many floating-point operations that was.
     pub fn work_at_peak(&self, rounds: usize) -> u64 {
         either!(&self.0, run => run.work_at_peak(rounds))
     }

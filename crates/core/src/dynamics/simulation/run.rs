@@ -44,8 +44,9 @@ use crate::{
 /// Extra damping of the first seconds of a prepared start, relative to the rigid motion, 1/s.
 const FADING_DAMPING_PER_S: f64 = 4.0;
 
-/// Steps after which anchors follow their nodes, the mud's lateral drag is found anew and mass-proportional damping acts:
-/// at 3.2 m elements some 10 ms, a fifth of the shortest period that they have across the hole.
+/// Steps after which anchors follow their nodes, the mud's lateral drag is found anew and
+/// mass-proportional damping acts: at 3.2 m elements some 10 ms, a fifth of the shortest period
+/// that they have across the hole.
 const FOLLOW_STEPS: u64 = 16;
 
 /// Steps after which directors are renormalised.
@@ -112,7 +113,8 @@ impl<R: Real> Run<R> {
         self.state.steps as f64 * self.plan.dt_s
     }
 
-    /// Time at which the window ends, s; at the latest, as long as the run settles until it is steady.
+    /// Time at which the window ends, s; at the latest, as long as the run settles until it is
+    /// steady.
     pub fn end_time_s(&self) -> f64 {
         let settle_s = match self.state.settled {
             Some(settled) => settled.settle_s,
@@ -164,8 +166,9 @@ impl<R: Real> Run<R> {
         self.state.hoist.set_control(control);
     }
 
-    /// Changes what the pumps deliver from now on, m³/s; the pressure drop of the bit and the speed of a mud motor follow.
-    /// Without a rheology the mud does nothing to the string, however it flows.
+    /// Changes what the pumps deliver from now on, m³/s; the pressure drop of the bit and the speed
+    /// of a mud motor follow. Without a rheology the mud does nothing to the string, however it
+    /// flows.
     pub fn set_flow_rate(&mut self, flow_m3_per_s: f64) {
         self.state.flow_m3_per_s = flow_m3_per_s;
         self.state.bit.set_flow(flow_m3_per_s);
@@ -174,8 +177,8 @@ impl<R: Real> Run<R> {
         }
     }
 
-    /// Gives every node an additional velocity, m/s, and an additional spin, rad/s: a blow. `impulse` is
-    /// requested each node but the top, which is clamped.
+    /// Gives every node an additional velocity, m/s, and an additional spin, rad/s: a blow.
+    /// `impulse` is requested each node but the top, which is clamped.
     pub fn apply_impulse(&mut self, impulse: impl Fn(&MeshNode) -> (Vector3<f64>, f64)) {
         for (index, node) in self.mesh.nodes.iter().enumerate().skip(1) {
             let (velocity, spin) = impulse(node);

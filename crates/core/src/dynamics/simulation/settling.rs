@@ -14,7 +14,8 @@ use crate::{
     rod::{mesh::Mesh, torsion},
 };
 
-/// Time over which the extra damping of a prepared start fades, s: what comes before says nothing of the string without it.
+/// Time over which the extra damping of a prepared start fades, s: what comes before says nothing
+/// of the string without it.
 pub(in crate::dynamics) const FADING_S: f64 = 5.0;
 
 /// Shortest stretch that is tested, s.
@@ -24,7 +25,8 @@ const MIN_INTERVAL_S: f64 = 5.0;
 const REVOLUTIONS: f64 = 3.0;
 const REVOLUTIONS_MAX_S: f64 = 30.0;
 
-/// Periods of the lowest torsional motion in the stretch. Stick-slip is as slow as that or a little slower.
+/// Periods of the lowest torsional motion in the stretch. Stick-slip is as slow as that or a little
+/// slower.
 const TORSIONAL_PERIODS: f64 = 2.0;
 
 /// Samples of the stretch at least: sixteen blocks of four in either half.
@@ -36,14 +38,17 @@ const TEST_INTERVAL_S: f64 = 1.0;
 /// Part of what matters in a window that may be left when it opens.
 const LEFT: f64 = 0.2;
 
-/// Standard errors beyond which a change of the spread is no chance. The magnitude of a swing's deviation swings, too, which makes its
-/// standard error large; to wait a second too long costs little.
+/// Standard errors beyond which a change of the spread is no chance. The magnitude of a swing's
+/// deviation swings, too, which makes its standard error large; to wait a second too long costs
+/// little.
 const SPREAD_SIGNIFICANT: f64 = 2.0;
 
-/// By how much more than in proportion to the length of the string a string that travels may change, when it is steady.
+/// By how much more than in proportion to the length of the string a string that travels may
+/// change, when it is steady.
 const TRAVEL: f64 = 2.0;
 
-/// A string that travels, and what it settles at least, s: its place in the hole is chosen before that is known.
+/// A string that travels, and what it settles at least, s: its place in the hole is chosen before
+/// that is known.
 const TRAVELS_M: f64 = 1.0;
 const TRAVELS_MIN_S: f64 = 30.0;
 
@@ -75,9 +80,10 @@ pub(in crate::dynamics) struct Settled {
 impl Settling {
     /// What the settings require.
     ///
-    /// A stretch holds three revolutions and two periods of the lowest torsional motion, and five seconds at least. It begins when the extra damping or the
-    /// ramp of the start is over and the schedule's last line is done. A string that travels by more than a metre settles for 30 s at least, so
-    /// that it mostly is where it was meant to be in the middle of the window.
+    /// A stretch holds three revolutions and two periods of the lowest torsional motion, and five
+    /// seconds at least. It begins when the extra damping or the ramp of the start is over and the
+    /// schedule's last line is done. A string that travels by more than a metre settles for 30 s at
+    /// least, so that it mostly is where it was meant to be in the middle of the window.
     pub(in crate::dynamics) fn of(
         operation: &Operation,
         settings: &DynamicsSettings,
@@ -132,8 +138,9 @@ impl Settling {
         }
     }
 
-    /// Whether what was sampled so far, every `interval_s`, ends the settling before a window of `duration_s`; a fixed time never
-    /// does. It depends on the samples alone, so that a run that was resumed ends it at the same one.
+    /// Whether what was sampled so far, every `interval_s`, ends the settling before a window of
+    /// `duration_s`; a fixed time never does. It depends on the samples alone, so that a run that
+    /// was resumed ends it at the same one.
     pub(in crate::dynamics) fn ends(
         &self,
         series: &TimeSeries,
@@ -164,9 +171,10 @@ impl Settling {
     }
 }
 
-/// Whether the samples from row `from` on drift by less than a fifth of what matters, in their means and in their spread, so that a window that is longer
-/// than they, of which they are the part `of_window`, would drift by less, too. A string that travels may change besides: by twice the part of its
-/// length that it travels, of each scale.
+/// Whether the samples from row `from` on drift by less than a fifth of what matters, in their
+/// means and in their spread, so that a window that is longer than they, of which they are the part
+/// `of_window`, would drift by less, too. A string that travels may change besides: by twice the
+/// part of its length that it travels, of each scale.
 fn is_steady(series: &TimeSeries, from: usize, of_window: f64, length_m: f64) -> bool {
     let scalars = varying(series).map(|scalar| (scalar.samples.get(from..).unwrap_or(&[]), scalar));
     let scales = scales(

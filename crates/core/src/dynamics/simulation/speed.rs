@@ -23,7 +23,8 @@ impl<R: Registers> Run<R> {
         }
     }
 
-    /// Takes `steps` steps of the inner loop alone, the top held where it is. The run is no more than that afterwards.
+    /// Takes `steps` steps of the inner loop alone, the top held where it is. The run is no more
+    /// than that afterwards.
     pub fn step_kernel(&mut self, steps: usize) {
         let input = self.hold_top();
         for _ in 0..steps {
@@ -37,8 +38,8 @@ impl<R: Registers> Run<R> {
         Stepper::count(self.abilities, &mut self.chain, &input)
     }
 
-    /// Does as much arithmetic in the registers of the inner loop as the processor can, `rounds` times; how many
-    /// floating-point operations that was.
+    /// Does as much arithmetic in the registers of the inner loop as the processor can, `rounds`
+    /// times; how many floating-point operations that was.
     pub fn work_at_peak(&self, rounds: usize) -> u64 {
         self.stepper.work(rounds)
     }

@@ -22,8 +22,9 @@ use crate::{
     rod::mesh::Mesh,
 };
 
-/// Everything of a run, beside its chain, that changes while it continues: plain data, which a checkpoint holds as it
-/// is. What the model, the operation and the settings determine is found anew.
+/// Everything of a run, beside its chain, that changes while it continues: plain data, which a
+/// checkpoint holds as it is. What the model, the operation and the settings determine is found
+/// anew.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct State {
     pub(super) anchors: Vec<Anchor>,
@@ -53,7 +54,8 @@ pub(super) struct State {
 }
 
 impl State {
-    /// Whether a stored state is one of a run of this model: its lengths fit and its places are there.
+    /// Whether a stored state is one of a run of this model: its lengths fit and its places are
+    /// there.
     pub(super) fn check(
         &self,
         model: &Model,

@@ -33,7 +33,8 @@ pub fn beam(length_m: f64, parts: usize) -> Bench {
     rod
 }
 
-/// Swings `rod` in the shape `mode` (deflection and slope, by z) and gives the frequency over so many periods.
+/// Swings `rod` in the shape `mode` (deflection and slope, by z) and gives the frequency over so
+/// many periods.
 pub fn swing(rod: &mut Bench, periods: usize, mode: impl Fn(f64) -> (f64, f64)) -> f64 {
     // Small: 1e-6 m/s, so that the deflection does not stretch the rod.
     for i in 0..rod.chain.nodes() {
@@ -69,11 +70,11 @@ fn pinned(axial_N: f64, mode: usize, parts: usize) -> f64 {
     swing(&mut rod, 2, |z| ((k * z).sin(), k * (k * z).cos()))
 }
 
-/// D09: five modes of a pinned pipe, free of axial force, under tension and at half its buckling load. Its
-/// tolerance is 0.1 % with 60 elements. Its closed form has no rotary inertia, the rod has: a factor
-/// `1/√(1 + I k²/A)`. Nor does it know that tension stretches the pipe by `ε`, 1.4e-4, which divides what bending
-/// adds to `f²` by `(1 + ε)²` and what tension adds by `1 + ε`. The mesh's error is that of the rotary inertia
-/// which it gives, `−(kh)²/78`.
+/// D09: five modes of a pinned pipe, free of axial force, under tension and at half its buckling
+/// load. Its tolerance is 0.1 % with 60 elements. Its closed form has no rotary inertia, the rod
+/// has: a factor `1/√(1 + I k²/A)`. Nor does it know that tension stretches the pipe by `ε`,
+/// 1.4e-4, which divides what bending adds to `f²` by `(1 + ε)²` and what tension adds by `1 + ε`.
+/// The mesh's error is that of the rotary inertia which it gives, `−(kh)²/78`.
 #[test]
 fn a_pinned_pipe_has_its_frequencies() {
     let data = d09();
@@ -118,8 +119,9 @@ fn a_pinned_pipe_has_its_frequencies() {
     }
 }
 
-/// A clamped and free beam: `cos βL cosh βL = −1`, the first three roots (Blevins 1979, table 8-1). Second
-/// order again, the larger for the free end's half mass; what is extrapolated holds D09's 0.1 % ten times over.
+/// A clamped and free beam: `cos βL cosh βL = −1`, the first three roots (Blevins 1979, table 8-1).
+/// Second order again, the larger for the free end's half mass; what is extrapolated holds D09's
+/// 0.1 % ten times over.
 #[test]
 fn a_clamped_pipe_has_its_frequencies() {
     let length = 60.0;

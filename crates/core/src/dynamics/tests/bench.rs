@@ -85,15 +85,16 @@ pub struct Bench {
     pub input: StepInput,
     /// Mass-proportional damping to rest, 1/s: none, unless the test sets it.
     pub mass_damping_per_s: f64,
-    /// What turns with the rod: nothing, unless the test puts it there. Bends are all there from the start.
+    /// What turns with the rod: nothing, unless the test puts it there. Bends are all there from
+    /// the start.
     pub body: Body,
     pub model: Model,
     stepper: Stepper,
 }
 
 impl Bench {
-    /// A rod of `parts` (outside and inside diameter, length, m) from the lower end up, free at both
-    /// ends and at rest, in air.
+    /// A rod of `parts` (outside and inside diameter, length, m) from the lower end up, free at
+    /// both ends and at rest, in air.
     pub fn new(parts: &[([f64; 2], f64)], element_length_m: f64, stiffness_damping_s: f64) -> Self {
         Self::in_mud(parts, element_length_m, stiffness_damping_s, AIR, 2.0)
     }
@@ -195,9 +196,9 @@ impl Bench {
         bench
     }
 
-    /// A free rod of `parts` elements of one section, whose `steel_kg_per_m` and `polar_inertia_kg_m` it has, and a
-    /// moment of inertia of its sections across the axis per length, kg·m: as it is, nothing added. It takes `0.9` of
-    /// the longest stable step.
+    /// A free rod of `parts` elements of one section, whose `steel_kg_per_m` and
+    /// `polar_inertia_kg_m` it has, and a moment of inertia of its sections across the axis per
+    /// length, kg·m: as it is, nothing added. It takes `0.9` of the longest stable step.
     pub fn of_section(section: &Section, rotary_kg_m: f64, length_m: f64, parts: usize) -> Self {
         let mut bench = Self::new(&[(PIPE_M, length_m)], length_m / parts as f64, 0.0);
         assert_eq!(bench.chain.elements(), parts);

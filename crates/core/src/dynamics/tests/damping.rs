@@ -10,9 +10,10 @@ const LENGTH_M: f64 = 96.0;
 /// The lengths of element between which nothing may change.
 const MESHES_M: [f64; 3] = [1.6, 3.2, 4.8];
 
-/// A free pipe that spins as one and moves sideways slows down by `exp(−αt)` in its spin and by `exp(−(α + c/m)t)` in its
-/// velocity, `α` the damping by mass, `c/m` that of the mud, `m` with the mud inside and carried along: within 1e-3 for each mesh. The explicit step errs by
-/// `λ² t dt/2`, 6e-4 for the longest.
+/// A free pipe that spins as one and moves sideways slows down by `exp(−αt)` in its spin and by
+/// `exp(−(α + c/m)t)` in its velocity, `α` the damping by mass, `c/m` that of the mud, `m` with the
+/// mud inside and carried along: within 1e-3 for each mesh. The explicit step errs by `λ² t dt/2`,
+/// 6e-4 for the longest.
 #[test]
 fn a_viscous_spin_down_knows_no_mesh() {
     let mud = Mud {
@@ -60,8 +61,9 @@ fn a_viscous_spin_down_knows_no_mesh() {
     }
 }
 
-/// Power that the damping by stiffness takes from a pipe that moves with the velocity `cos kz` along its axis, about it, or
-/// `sin kz` across it, over that of the continuous pipe, `β ∫ EA v'² dz` and so on with `GJ` and `EI v''²`.
+/// Power that the damping by stiffness takes from a pipe that moves with the velocity `cos kz`
+/// along its axis, about it, or `sin kz` across it, over that of the continuous pipe,
+/// `β ∫ EA v'² dz` and so on with `GJ` and `EI v''²`.
 fn taken(element_length_m: f64) -> [f64; 3] {
     let beta = 1e-4;
     let k = std::f64::consts::TAU / LENGTH_M;
@@ -91,8 +93,8 @@ fn taken(element_length_m: f64) -> [f64; 3] {
     })
 }
 
-/// Differences over an element see a wave of 96 m by `(sin(kh/2)/(kh/2))²`: 8e-3 less for 4.8 m, 9e-4 for 1.6 m. All are
-/// within the 1 % that is requested, and what is missing is this.
+/// Differences over an element see a wave of 96 m by `(sin(kh/2)/(kh/2))²`: 8e-3 less for 4.8 m,
+/// 9e-4 for 1.6 m. All are within the 1 % that is requested, and what is missing is this.
 #[test]
 fn damping_by_stiffness_knows_no_mesh() {
     for element_length in MESHES_M {

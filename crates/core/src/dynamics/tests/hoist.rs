@@ -91,8 +91,8 @@ fn oscillation_error(line: HoistLine, steps_per_period: f64) -> f64 {
     worst
 }
 
-/// Resolved, a mass on the line swings and settles as the damped oscillator, with the first order of an
-/// implicit step: `ω dt` of the amplitude and less.
+/// Resolved, a mass on the line swings and settles as the damped oscillator, with the first order
+/// of an implicit step: `ω dt` of the amplitude and less.
 #[test]
 fn a_mass_on_the_line_swings_and_settles() {
     for damping_N_s_per_m in [0.0, 3e4, 1e5, 3e5] {
@@ -137,8 +137,8 @@ fn a_mass_follows_the_block() {
     assert_eq!(load.hoist.velocity_m_per_s(), 0.3);
 }
 
-/// Its work is the change of kinetic energy, to rounding, and what damping takes is lost: upward force on
-/// a falling mass is negative work.
+/// Its work is the change of kinetic energy, to rounding, and what damping takes is lost: upward
+/// force on a falling mass is negative work.
 #[test]
 fn work_is_the_change_of_kinetic_energy() {
     for control in [
@@ -171,8 +171,8 @@ fn a_line_does_not_push() {
     assert!((load.down() + 0.1).abs() < 1e-12);
 }
 
-/// A constant hook load: `v = (g − F/m) t` exactly. The block moves with the mass, so that a line which
-/// takes over has the same load to carry.
+/// A constant hook load: `v = (g − F/m) t` exactly. The block moves with the mass, so that a line
+/// which takes over has the same load to carry.
 #[test]
 fn a_hook_load_lifts_as_newton_says() {
     let force = 6e4;
@@ -214,9 +214,9 @@ fn an_autodriller_follows_its_filter() {
     assert_eq!(load.hoist.velocity_m_per_s(), 0.0);
 }
 
-/// With an integral, `v = v₀ + K e (1 − e^(−t/τ) + (t − τ(1 − e^(−t/τ)))/T_i)` for a weight that stays `e` too
-/// small. Against a limit the integral waits: once the weight is right again the speed is back at once, but
-/// for what the filter holds.
+/// With an integral, `v = v₀ + K e (1 − e^(−t/τ) + (t − τ(1 − e^(−t/τ)))/T_i)` for a weight that
+/// stays `e` too small. Against a limit the integral waits: once the weight is right again the
+/// speed is back at once, but for what the filter holds.
 #[test]
 fn an_autodriller_integrates_and_keeps_to_its_limits() {
     let autodriller = Autodriller {
@@ -245,8 +245,8 @@ fn an_autodriller_integrates_and_keeps_to_its_limits() {
     for _ in 0..30_000 {
         load.step(TARGET.weight_N, 1e-3);
     }
-    // The minute at each limit would have moved an integral that runs on by 0.02 m/s; what is left of the
-    // way there and back moves it by less than a filter's time at each side.
+    // The minute at each limit would have moved an integral that runs on by 0.02 m/s; what is left
+    // of the way there and back moves it by less than a filter's time at each side.
     let after = load.hoist.velocity_m_per_s();
     assert!(
         (after - before).abs() < 1e-7 * 300e3 / 20.0,
@@ -254,8 +254,9 @@ fn an_autodriller_integrates_and_keeps_to_its_limits() {
     );
 }
 
-/// A block of its own mass swings with the load on the line: `ω² = k/(m + M)`, and the hook feels the load's
-/// part of it, `m/(m + M)` of the line's force. Within `π` steps per period, by the first order of the implicit step.
+/// A block of its own mass swings with the load on the line: `ω² = k/(m + M)`, and the hook feels
+/// the load's part of it, `m/(m + M)` of the line's force. Within `π` steps per period, by the
+/// first order of the implicit step.
 #[test]
 fn a_block_swings_with_its_load() {
     let block = 20e3;

@@ -16,9 +16,9 @@ use crate::{
 
 const EAST: Vector<f64> = Vector(1.0, 0.0, 0.0);
 
-/// A pinned shaft of two elements with an imbalance in its middle, turned at `ratio` of its critical speed with a damping
-/// of `zeta`, the step `part` of the planned one: the deflection over the eccentricity, and the angle by which it lags behind
-/// the heavy side, deg.
+/// A pinned shaft of two elements with an imbalance in its middle, turned at `ratio` of its
+/// critical speed with a damping of `zeta`, the step `part` of the planned one: the deflection over
+/// the eccentricity, and the angle by which it lags behind the heavy side, deg.
 fn jeffcott(ratio: f64, zeta: f64, part: f64) -> [f64; 2] {
     let length = 6.0;
     let mut rod = beam(length, 2);
@@ -33,7 +33,8 @@ fn jeffcott(ratio: f64, zeta: f64, part: f64) -> [f64; 2] {
             ..Support::FREE
         },
     );
-    // The ends tilt by three times the deflection over the length: what little inertia they are left swings along.
+    // The ends tilt by three times the deflection over the length: what little inertia they are
+    // left swings along.
     let mut mass = node!(rod.chain, 1, mass_lateral);
     for end in [0, 2] {
         let rotary = rod.rotary_kg_m2(end) / 30.0;
@@ -65,10 +66,11 @@ fn jeffcott(ratio: f64, zeta: f64, part: f64) -> [f64; 2] {
     [with.hypot(behind) / e, behind.atan2(with).to_degrees()]
 }
 
-/// D09: Jeffcott's shaft. The step takes the drag at its beginning, half a step late: as if the mass were less by
-/// `c dt/2`, which moves the critical speed by `ζ ω dt/2`, 7e-4. Beside it the amplitude is off by 0.4 %, the phase at it by
-/// half a degree; half the step halves both, and what two steps extrapolate to is within 2e-4 and 0.01 degrees. Of the
-/// start `exp(-2π ζ 50)`, 2e-7, is left.
+/// D09: Jeffcott's shaft. The step takes the drag at its beginning, half a step late: as if the
+/// mass were less by `c dt/2`, which moves the critical speed by `ζ ω dt/2`, 7e-4. Beside it the
+/// amplitude is off by 0.4 %, the phase at it by half a degree; half the step halves both, and what
+/// two steps extrapolate to is within 2e-4 and 0.01 degrees. Of the start `exp(-2π ζ 50)`, 2e-7, is
+/// left.
 #[test]
 fn an_unbalanced_shaft_whirls_as_jeffcotts() {
     let data = file("D09_linear_frequencies.json");
@@ -111,8 +113,8 @@ fn an_unbalanced_shaft_whirls_as_jeffcotts() {
     }
 }
 
-/// A free rod with an offset mass at two of its nodes, spinning and struck: momentum, moment of momentum about the
-/// start and energy after `time` less those at the start, over their scales.
+/// A free rod with an offset mass at two of its nodes, spinning and struck: momentum, moment of
+/// momentum about the start and energy after `time` less those at the start, over their scales.
 fn free(part: f64, size: f64) -> [f64; 3] {
     let mut rod = Bench::new(&[(PIPE_M, 12.0)], 3.0, 0.0);
     rod.input.dt *= part;
@@ -176,9 +178,9 @@ fn free(part: f64, size: f64) -> [f64; 3] {
     worst
 }
 
-/// Momentum is kept to what the passes of the step leave, moment of momentum within 1e-6, falling with the step,
-/// and the energy with an error that falls with the square of the step: by half as much again as without
-/// offsets, which are 8 % and 16 % of the pipe's diameter.
+/// Momentum is kept to what the passes of the step leave, moment of momentum within 1e-6, falling
+/// with the step, and the energy with an error that falls with the square of the step: by half as
+/// much again as without offsets, which are 8 % and 16 % of the pipe's diameter.
 #[test]
 fn a_free_rod_keeps_its_momenta_and_its_energy() {
     for size in [0.01, 0.02] {
@@ -191,8 +193,9 @@ fn a_free_rod_keeps_its_momenta_and_its_energy() {
     }
 }
 
-/// A level pipe that may only spin is a pendulum by its heavy side: `J φ'' = -U g sin φ`, for small swings at
-/// `√(U g/J)/2π`. The swing of 0.01 rad lowers it by `φ²/16`, 6e-6; the step by `(ω dt)²/24`, less.
+/// A level pipe that may only spin is a pendulum by its heavy side: `J φ'' = -U g sin φ`, for small
+/// swings at `√(U g/J)/2π`. The swing of 0.01 rad lowers it by `φ²/16`, 6e-6; the step by
+/// `(ω dt)²/24`, less.
 #[test]
 fn an_unbalanced_pipe_swings_by_its_weight() {
     let mut rod = Bench::new(&[(PIPE_M, 6.0)], 3.0, 0.0);

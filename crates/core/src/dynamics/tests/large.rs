@@ -66,7 +66,8 @@ impl Swing {
     }
 }
 
-/// D07's cantilever with `parts` elements to a leg, each of them below a bend: a right angle at the elbow, none elsewhere.
+/// D07's cantilever with `parts` elements to a leg, each of them below a bend: a right angle at the
+/// elbow, none elsewhere.
 fn right_angle(parts: usize) -> Swing {
     let data = file("D07_simo_vuquoc_right_angle_cantilever.json");
     let inputs = &data["inputs"];
@@ -122,14 +123,16 @@ fn right_angle(parts: usize) -> Swing {
 
 /// D07: Simo and Vu-Quoc's right-angled cantilever, struck out of its plane at its elbow.
 ///
-/// The digitised curve is named the elbow's in its source. With the stated load and inertia no elbow moves like it (5
-/// off, root mean square, whatever the inertia), and the tip does, 0.9 to 1.1 s later, through both swings and the dent
-/// between 22 and 27 s. So it is compared with the tip: the first peak within its 0.3, the trough, with 8 elements to a leg, within its 0.5, the time
-/// between the two within the 0.4 s that its 0.2 s for either allows, and the whole curve, moved as it
-/// fits best, within 0.7 root mean square, 7 % of the trough.
+/// The digitised curve is named the elbow's in its source. With the stated load and inertia no
+/// elbow moves like it (5 off, root mean square, whatever the inertia), and the tip does, 0.9 to
+/// 1.1 s later, through both swings and the dent between 22 and 27 s. So it is compared with the
+/// tip: the first peak within its 0.3, the trough, with 8 elements to a leg, within its 0.5, the
+/// time between the two within the 0.4 s that its 0.2 s for either allows, and the whole curve,
+/// moved as it fits best, within 0.7 root mean square, 7 % of the trough.
 ///
-/// Mesh and step: 8 elements to a leg are within 0.5 % of 16 in peak and trough, and 16 within 0.2 % of 32. With 8 the
-/// trough is 0.49 below the source's, with 32 it is 0.52. The energy is kept within 2e-4.
+/// Mesh and step: 8 elements to a leg are within 0.5 % of 16 in peak and trough, and 16 within 0.2
+/// % of 32. With 8 the trough is 0.49 below the source's, with 32 it is 0.52. The energy is kept
+/// within 2e-4.
 #[test]
 fn a_right_angled_cantilever_swings_out_of_its_plane() {
     let [coarse, swing] = [8, 16].map(right_angle);
@@ -225,8 +228,8 @@ fn a_right_angled_cantilever_swings_out_of_its_plane() {
     });
 }
 
-/// D08's arm with `parts` elements: the stretch of its tip once it turns steadily, and how far the tip lags behind at
-/// most.
+/// D08's arm with `parts` elements: the stretch of its tip once it turns steadily, and how far the
+/// tip lags behind at most.
 fn arm(parts: usize) -> [f64; 2] {
     let data = file("D08_spin_up.json");
     let inputs = &data["inputs"];
@@ -269,10 +272,11 @@ fn arm(parts: usize) -> [f64; 2] {
     [stretch / samples, lag]
 }
 
-/// D08: an arm that is spun up to 6 rad/s. Mass in lumps is thrown out as if the arm were longer: the stretch errs by
-/// `1/2n²` parts of itself, which Richardson's extrapolation takes away. The source's tolerance is 1 %; 16 elements
-/// have 0.12 % and the limit is within 1e-3 of the linear rod: what is left is the swing that the spin-up leaves. The lag of -0.58 is from memory: 1 % of it is
-/// its last digit.
+/// D08: an arm that is spun up to 6 rad/s. Mass in lumps is thrown out as if the arm were longer:
+/// the stretch errs by `1/2n²` parts of itself, which Richardson's extrapolation takes away. The
+/// source's tolerance is 1 %; 16 elements have 0.12 % and the limit is within 1e-3 of the linear
+/// rod: what is left is the swing that the spin-up leaves. The lag of -0.58 is from memory: 1 % of
+/// it is its last digit.
 #[test]
 fn an_arm_is_stretched_by_its_spin() {
     let data = file("D08_spin_up.json");

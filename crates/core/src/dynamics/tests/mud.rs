@@ -25,8 +25,9 @@ fn rod(mud: Mud) -> Bench {
     Bench::in_mud(&[(PIPE_M, LENGTH_M)], 1.0, 0.0, mud, HOLE_M)
 }
 
-/// Steel, mud inside, and mud that moves along outside, kg/m: a cylinder of radius `r` accelerated across an
-/// annulus that it shares the axis with carries `ρ π r² (R² + r²)/(R² − r²)` (Stokes 1843; Blevins 1979).
+/// Steel, mud inside, and mud that moves along outside, kg/m: a cylinder of radius `r` accelerated
+/// across an annulus that it shares the axis with carries `ρ π r² (R² + r²)/(R² − r²)` (Stokes
+/// 1843; Blevins 1979).
 fn masses_kg_per_m(bench: &Bench, density_kg_per_m3: f64) -> (f64, f64) {
     let steel = bench.mesh.elements[0].section.steel_kg_per_m;
     let quarter = std::f64::consts::FRAC_PI_4;
@@ -51,12 +52,13 @@ fn left_of(mud: Mud, v0: Vector<f64>, time_s: f64, steps: f64) -> Vector<f64> {
 }
 
 /// A rod that moves sideways as a whole loses its velocity as `m v' = −c v − ½ ρ C D v²` has it:
-/// `v = v₀ e/(1 + (k v₀/λ)(1 − e))` with `e = exp(−λt)`, `λ = c/m` and `k = ½ ρ C D/m`; `exp(−λt)` without the
-/// quadratic part, `1/(1 + k v₀ t)` without the linear one. Along the hole it loses nothing.
+/// `v = v₀ e/(1 + (k v₀/λ)(1 − e))` with `e = exp(−λt)`, `λ = c/m` and `k = ½ ρ C D/m`; `exp(−λt)`
+/// without the quadratic part, `1/(1 + k v₀ t)` without the linear one. Along the hole it loses
+/// nothing.
 ///
-/// The step takes the drag at its beginning: first order, with an error of
-/// `λ² t dt/2` for the linear part and `k v₀ dt ln(1 + k v₀ t)/(1 + k v₀ t)` for the quadratic one. Both are below
-/// 4e-4 here; the sum of both is the tolerance. Halving the step halves it.
+/// The step takes the drag at its beginning: first order, with an error of `λ² t dt/2` for the
+/// linear part and `k v₀ dt ln(1 + k v₀ t)/(1 + k v₀ t)` for the quadratic one. Both are below 4e-4
+/// here; the sum of both is the tolerance. Halving the step halves it.
 #[test]
 fn mud_drags_on_lateral_motion() {
     let (speed, time) = (2.0f64, 2.0);
@@ -91,9 +93,9 @@ fn mud_drags_on_lateral_motion() {
 
 /// A pinned pipe that swings in viscous mud decays as `exp(−ct/2m)`.
 ///
-/// Over ten periods, by the peaks. That rate is an oscillator's own, whatever its damping; the step's error is of the order of
-/// `c dt/m`, 1e-5, and a parabola finds a peak, of thousands of steps, to rounding. 0.2 % leaves room for the rounding of
-/// deflections of a micrometre.
+/// Over ten periods, by the peaks. That rate is an oscillator's own, whatever its damping; the
+/// step's error is of the order of `c dt/m`, 1e-5, and a parabola finds a peak, of thousands of
+/// steps, to rounding. 0.2 % leaves room for the rounding of deflections of a micrometre.
 #[test]
 fn a_swinging_pipe_decays_at_half_the_rate_of_drag() {
     let mud = Mud {
@@ -146,9 +148,9 @@ fn a_swinging_pipe_decays_at_half_the_rate_of_drag() {
 /// Mud inside and around slows a swinging pipe by `√(m/(m + m_in + m_out))`, and leaves its axial
 /// vibration alone.
 ///
-/// The beam's shear and the mesh act on both alike, but for the rotary inertia that is given to the mesh: at most
-/// `(kh)²/78` = 1.4e-4 of the frequency. The axial frequency is `c/2L`, the mesh's `(2/πk) sin` of it: both
-/// rods have the same to rounding.
+/// The beam's shear and the mesh act on both alike, but for the rotary inertia that is given to the
+/// mesh: at most `(kh)²/78` = 1.4e-4 of the frequency. The axial frequency is `c/2L`, the mesh's
+/// `(2/πk) sin` of it: both rods have the same to rounding.
 #[test]
 fn mud_takes_part_in_lateral_motion_only() {
     let k = std::f64::consts::PI / LENGTH_M;
@@ -188,8 +190,8 @@ fn mud_takes_part_in_lateral_motion_only() {
     }
 }
 
-/// The mud carried along outside is the concentric annulus's up to a pipe that fills 82 % of its hole, and five times what the
-/// pipe displaces in any tighter one.
+/// The mud carried along outside is the concentric annulus's up to a pipe that fills 82 % of its
+/// hole, and five times what the pipe displaces in any tighter one.
 #[test]
 fn added_mass_is_confined_up_to_a_cap() {
     let outside_kg_per_m = |od: f64| {

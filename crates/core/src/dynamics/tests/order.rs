@@ -5,8 +5,8 @@ use wholestring_verification::{Row, Tolerance, report};
 use super::{beams::beam, bench::Support};
 use crate::{dynamics::kernel::chain::node, simd::vector::Vector};
 
-/// A pinned pipe struck across in two planes and about its axis, so hard that it swings by a metre: where its middle and
-/// its end are after half a second.
+/// A pinned pipe struck across in two planes and about its axis, so hard that it swings by a metre:
+/// where its middle and its end are after half a second.
 fn struck(parts: usize, part: f64) -> [f64; 4] {
     let length = 30.0;
     let mut rod = beam(length, parts);
@@ -30,7 +30,8 @@ fn struck(parts: usize, part: f64) -> [f64; 4] {
         let spin = 10.0 * (0.5 * k * z).sin();
         rod.chain.set_velocity(i, Vector(inner * x, inner * y, 0.0));
         node!(rod.chain, i, spin = spin);
-        // Straight and unstrained, nothing accelerates it but its own gyroscopic moment: half a step before, that had yet to turn it.
+        // Straight and unstrained, nothing accelerates it but its own gyroscopic moment: half a
+        // step before, that had yet to turn it.
         let w = Vector(-tilt_y, tilt_x, 0.0);
         let back = 0.5 * rod.input.dt * node!(rod.chain, i, gyroscopic) * spin;
         let turned = w.cross(Vector(0.0, 0.0, 1.0)).scaled(back);
@@ -55,8 +56,8 @@ fn distance(a: [f64; 4], b: [f64; 4]) -> f64 {
     (0..4).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
 }
 
-/// Successive differences fall to a quarter as the elements or the step are halved: second order, what a rod with
-/// lumped mass and a leapfrog promise.
+/// Successive differences fall to a quarter as the elements or the step are halved: second order,
+/// what a rod with lumped mass and a leapfrog promise.
 #[test]
 fn the_rod_converges_with_the_square_of_element_and_step() {
     let by_mesh = [8, 16, 32, 64].map(|parts| struck(parts, 0.25));

@@ -29,7 +29,8 @@ fn bessel(x: f64) -> (f64, f64) {
     (zero, one)
 }
 
-/// Frequency of mode `mode` of 1000 m of pipe in `parts` elements, with or without its bending stiffness, Hz.
+/// Frequency of mode `mode` of 1000 m of pipe in `parts` elements, with or without its bending
+/// stiffness, Hz.
 fn hanging(mode: usize, parts: usize, stiff: bool) -> f64 {
     const ZEROS: [f64; 5] = [2.404826, 5.520078, 8.653728, 11.791534, 14.930918];
     let length = 1000.0;
@@ -71,11 +72,12 @@ fn hanging(mode: usize, parts: usize, stiff: bool) -> f64 {
     })
 }
 
-/// D09: five modes of a pipe that hangs from a pin, as a chain `j₀ₙ/2 √(g/L)` and with its bending stiffness, within the
-/// source's 0.1 % with elements of 3.2 m, the default. Near the free end the waves are short and mass in lumps lowers the
-/// frequencies, by a part that falls with the square of the element's length: the source's 60 elements leave 1 % of the
-/// fifth. Extrapolated from 6.4 and 3.2 m it is within 3e-4, of which 1e-4 is that the pipe stretches by 2e-4 of its
-/// length, which the source's does not.
+/// D09: five modes of a pipe that hangs from a pin, as a chain `j₀ₙ/2 √(g/L)` and with its bending
+/// stiffness, within the source's 0.1 % with elements of 3.2 m, the default. Near the free end the
+/// waves are short and mass in lumps lowers the frequencies, by a part that falls with the square
+/// of the element's length: the source's 60 elements leave 1 % of the fifth. Extrapolated from 6.4
+/// and 3.2 m it is within 3e-4, of which 1e-4 is that the pipe stretches by 2e-4 of its length,
+/// which the source's does not.
 fn swings_as(what: &str, modes: impl IntoIterator<Item = usize>) {
     let data = file("D09_linear_frequencies.json");
     let stiff = what == PIPE;

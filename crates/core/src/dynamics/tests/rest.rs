@@ -40,13 +40,13 @@ const STEP: StepInput = StepInput {
     stribeck_speed: 0.1,
 };
 
-/// Pushed with less than `μ_s N`, it stays for ever, though `μ_k N` is far exceeded; with more, it goes and gains
-/// speed by `m v' = F − N (μ_k + (μ_s − μ_k)/(1 + (v/v_s)²))`. With `a = (F − μ_k N)/m`, `b = (μ_s − μ_k) N/m` and
-/// `x = v/v_s` that is
+/// Pushed with less than `μ_s N`, it stays for ever, though `μ_k N` is far exceeded; with more, it
+/// goes and gains speed by `m v' = F − N (μ_k + (μ_s − μ_k)/(1 + (v/v_s)²))`. With
+/// `a = (F − μ_k N)/m`, `b = (μ_s − μ_k) N/m` and `x = v/v_s` that is
 /// `t = v_s [x/a + b/(a √(a (a − b))) atan(x √(a/(a − b)))]`.
 ///
-/// Within 0.2 % of `t`. The step takes the coefficient at the speed before friction, which is too fast by `F dt/m`,
-/// 8e-5 m/s here: that makes the acceleration at `v_s/2` 0.15 % too large.
+/// Within 0.2 % of `t`. The step takes the coefficient at the speed before friction, which is too
+/// fast by `F dt/m`, 8e-5 m/s here: that makes the acceleration at `v_s/2` 0.15 % too large.
 #[test]
 fn a_contact_breaks_away() {
     for law in [true, false] {

@@ -9,7 +9,8 @@ use super::{
 };
 use crate::{dynamics::kernel::chain::node, simd::vector::Vector};
 
-/// Angular frequency at which D09's shaft, spinning at `spin`, whirls in its mode `mode` when it is started at `whirl`, rad/s.
+/// Angular frequency at which D09's shaft, spinning at `spin`, whirls in its mode `mode` when it is
+/// started at `whirl`, rad/s.
 fn whirling(spin: f64, mode: usize, whirl: f64, parts: usize) -> f64 {
     let data = file("D09_linear_frequencies.json");
     let inputs = &data["spinning_rayleigh_shaft"]["inputs"];
@@ -52,9 +53,9 @@ fn whirling(spin: f64, mode: usize, whirl: f64, parts: usize) -> f64 {
         })
 }
 
-/// D09: two modes at three speeds, forwards and backwards, no mass scaling. The source asks 0.1 %; 30 elements
-/// are within 2e-6 and 60 within 3e-7, fourth order until the step shows. The split of the two directions is within
-/// 1e-3 of itself, which is 1e-6 to 1e-5 of the frequencies.
+/// D09: two modes at three speeds, forwards and backwards, no mass scaling. The source asks 0.1 %;
+/// 30 elements are within 2e-6 and 60 within 3e-7, fourth order until the step shows. The split of
+/// the two directions is within 1e-3 of itself, which is 1e-6 to 1e-5 of the frequencies.
 #[test]
 fn a_spinning_shaft_whirls_at_its_frequencies() {
     let data = file("D09_linear_frequencies.json");

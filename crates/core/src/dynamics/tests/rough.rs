@@ -74,7 +74,8 @@ fn model() -> Model {
     }
 }
 
-/// Radius, slope, position of the axis and its direction at a depth, as node 10 of a mesh meets them.
+/// Radius, slope, position of the axis and its direction at a depth, as node 10 of a mesh meets
+/// them.
 fn met(model: &Model, element_length_m: f64, md_m: f64, along_m: f64) -> [f64; 8] {
     let mesh = Mesh::new(&model.string, element_length_m);
     let settings = DynamicsSettings::default();
@@ -91,7 +92,8 @@ fn met(model: &Model, element_length_m: f64, md_m: f64, along_m: f64) -> [f64; 8
     let mut anchors = vec![anchor; mesh.nodes.len()];
     borehole.place(&mut chain, &mut anchors, 10, md_m);
     let tangent = chain.tangent(10);
-    // The wall `along_m` further on, as the step finds it from this anchor, for a node that is off the axis.
+    // The wall `along_m` further on, as the step finds it from this anchor, for a node that is off
+    // the axis.
     let aside = tangent.cross(Vector(0.3, 0.5, 0.8)).scaled(0.02);
     let place = tangent.scaled(along_m) + aside;
     chain.set_displacement(10, place);
@@ -113,11 +115,12 @@ fn a_wall_does_not_know_the_mesh() {
     }
 }
 
-/// A node that takes up a new anchor at its reach finds the wall where it had it: within 1e-4 of the rms for the
-/// radius, 2e-6 of it for the axis.
+/// A node that takes up a new anchor at its reach finds the wall where it had it: within 1e-4 of
+/// the rms for the radius, 2e-6 of it for the axis.
 ///
-/// What the reach leaves out is `(k z)²/2` of the shortest waves' radius and `(k z)³/6` of their offset, 1e-4 and
-/// 5e-7 by its choice; the sum of 32 waves has less of it than its rms, and three times that at its worst.
+/// What the reach leaves out is `(k z)²/2` of the shortest waves' radius and `(k z)³/6` of their
+/// offset, 1e-4 and 5e-7 by its choice; the sum of 32 waves has less of it than its rms, and three
+/// times that at its worst.
 #[test]
 fn taking_up_an_anchor_moves_no_wall() {
     let model = model();

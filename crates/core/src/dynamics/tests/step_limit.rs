@@ -24,8 +24,8 @@ const ASSEMBLY: [([f64; 2], f64); 8] = [
     ([0.1397, 0.0921], 84.53),
 ];
 
-/// Highest angular frequency of the chain as assembled, rad/s: dense eigenvalues of bending and stretch
-/// in a plane, and of torsion.
+/// Highest angular frequency of the chain as assembled, rad/s: dense eigenvalues of bending and
+/// stretch in a plane, and of torsion.
 fn highest(rod: &Bench) -> f64 {
     let n = rod.chain.nodes();
     let mut k: DMatrix<f64> = DMatrix::zeros(3 * n, 3 * n);
@@ -113,9 +113,9 @@ fn growth(rod: &mut Bench, dt: f64, steps: usize) -> f64 {
     most
 }
 
-/// The elements' own bound: no frequency of the whole lies above it, whatever the string, and the plan
-/// uses a stated part of it. It is sharp for uniform pipe, whose shortest wave has both halves of every node's
-/// mass in step.
+/// The elements' own bound: no frequency of the whole lies above it, whatever the string, and the
+/// plan uses a stated part of it. It is sharp for uniform pipe, whose shortest wave has both halves
+/// of every node's mass in step.
 #[test]
 fn no_frequency_of_the_whole_exceeds_the_elements() {
     let pipe = [(PIPE_M, 100.0)];
@@ -138,13 +138,14 @@ fn no_frequency_of_the_whole_exceeds_the_elements() {
     }
 }
 
-/// How much the kinetic energy of one frequency may swing at the part `S` of its limit: `1/(1 − S²)`.
+/// How much the kinetic energy of one frequency may swing at the part `S` of its limit:
+/// `1/(1 − S²)`.
 fn swing() -> f64 {
     1.0 / (1.0 - SAFETY * SAFETY)
 }
 
-/// Driven: at the planned step a disturbance keeps its size over 20000 steps, a tenth beyond the limit of the
-/// assembled chain it explodes.
+/// Driven: at the planned step a disturbance keeps its size over 20000 steps, a tenth beyond the
+/// limit of the assembled chain it explodes.
 #[test]
 fn the_planned_step_is_stable_and_a_tenth_beyond_the_limit_is_not() {
     for (parts, element_length) in [
@@ -184,8 +185,8 @@ fn damping_shortens_the_step_as_its_formula_says() {
     }
 }
 
-/// Uniform pipe gets no added mass, an assembly up to 0.3 %, and what is reported is what the nodes weigh
-/// more than the steel.
+/// Uniform pipe gets no added mass, an assembly up to 0.3 %, and what is reported is what the nodes
+/// weigh more than the steel.
 #[test]
 fn added_mass_is_small_and_reported() {
     for beta in [0.0, 1e-5] {

@@ -41,9 +41,9 @@ fn close(case: &str, quantity: &str, computed: f64, expected: f64, within: f64, 
 
 const SOURCE: &str = "the tolerance of the source";
 
-/// A disc at the end of a spring whose other end turns at a constant speed: the two ends of one element.
-/// The disc is pressed against the wall by a penetration that nothing changes, so that its friction is `T_s` at
-/// rest and `T_d` when it slides.
+/// A disc at the end of a spring whose other end turns at a constant speed: the two ends of one
+/// element. The disc is pressed against the wall by a penetration that nothing changes, so that its
+/// friction is `T_s` at rest and `T_d` when it slides.
 struct Disc {
     rod: Bench,
     stepper: Stepper,
@@ -93,8 +93,8 @@ impl Disc {
         let wall = sliding / (mu * radius * deep.powf(1.5));
         node!(rod.chain, DISC, stiffness = wall);
         node!(rod.chain, DISC, mass_lateral = UNMOVED_KG);
-        // Coulomb's friction drops at once: here at a speed that the spring's own kick in a step stays well below
-        // while the disc sticks.
+        // Coulomb's friction drops at once: here at a speed that the spring's own kick in a step
+        // stays well below while the disc sticks.
         rod.input.dt = dt;
         rod.input.stribeck_speed = DROP_RAD_PER_S * radius;
         let stepper = Stepper::new(Abilities {
@@ -140,12 +140,13 @@ impl Disc {
 /// Sliding speed below which a disc counts as at rest, rad/s.
 const STILL_RAD_PER_S: f64 = 1e-9;
 
-/// E01 within its 0.5 %: peak speed, the time of slip and of stick, the period, the largest and least torque of
-/// stick-slip under Coulomb friction; the least, a small difference of large ones, within 0.5 % of their swing.
+/// E01 within its 0.5 %: peak speed, the time of slip and of stick, the period, the largest and
+/// least torque of stick-slip under Coulomb friction; the least, a small difference of large ones,
+/// within 0.5 % of their swing.
 ///
-/// A friction that drops over 0.001 rad/s instead of at once lets the spring wind by `(4 J² v_s²/(ΔT k Ω))^⅓ k Ω` more
-/// before the disc is off: 12 and 21 of 3000 N·m, up to 0.4 % of the time of stick. The spring's kick in a step of
-/// 2 µs, 4.8e-5 rad/s, takes 7 N·m off.
+/// A friction that drops over 0.001 rad/s instead of at once lets the spring wind by
+/// `(4 J² v_s²/(ΔT k Ω))^⅓ k Ω` more before the disc is off: 12 and 21 of 3000 N·m, up to 0.4 % of
+/// the time of stick. The spring's kick in a step of 2 µs, 4.8e-5 rad/s, takes 7 N·m off.
 #[test]
 fn a_disc_on_a_spring_sticks_and_slips() {
     let data = file("E01_stick_slip_1dof.json");
@@ -189,9 +190,9 @@ fn a_disc_on_a_spring_sticks_and_slips() {
     }
 }
 
-/// E01, viscous damping at the disc: the speed below which it sticks again after its release and above which it
-/// does not, by bisection to 6e-4 of it. From its release until it is at rest again the disc feels nothing but its
-/// sliding friction.
+/// E01, viscous damping at the disc: the speed below which it sticks again after its release and
+/// above which it does not, by bisection to 6e-4 of it. From its release until it is at rest again
+/// the disc feels nothing but its sliding friction.
 #[test]
 fn damping_keeps_a_disc_from_sticking_again() {
     let data = &file("E01_stick_slip_1dof.json")["damped_threshold"];
@@ -261,8 +262,8 @@ impl Well {
     }
 }
 
-/// E02, lowest torsional frequency of 2500 m of pipe and bottom-hole assembly, held at the top: within 1 % of the
-/// computed one (1e-4 was measured) and 3 % of the published 0.22 Hz.
+/// E02, lowest torsional frequency of 2500 m of pipe and bottom-hole assembly, held at the top:
+/// within 1 % of the computed one (1e-4 was measured) and 3 % of the published 0.22 Hz.
 #[test]
 fn a_string_swings_at_its_torsional_frequency() {
     let data = file("E02_aarsnes_shor_synthetic_well.json");
@@ -299,10 +300,11 @@ fn a_string_swings_at_its_torsional_frequency() {
     }
 }
 
-/// E02, break-off: turned slowly at the top, the string slips from above until it turns as a whole. Its torque and
-/// twist then, with the side force prescribed as its authors have it (the weight across a hole that is vertical
-/// to 1500 m, builds to 60° at 2100 m and continues so), whatever the tension: within 0.5 %. At 0.02 rad/s the impedance
-/// of the pipe and the damping add 20 N·m, 0.2 %.
+/// E02, break-off: turned slowly at the top, the string slips from above until it turns as a whole.
+/// Its torque and twist then, with the side force prescribed as its authors have it (the weight
+/// across a hole that is vertical to 1500 m, builds to 60° at 2100 m and continues so), whatever
+/// the tension: within 0.5 %. At 0.02 rad/s the impedance of the pipe and the damping add 20 N·m,
+/// 0.2 %.
 #[test]
 fn a_string_breaks_off_at_its_friction() {
     let data = file("E02_aarsnes_shor_synthetic_well.json");
@@ -322,7 +324,8 @@ fn a_string_breaks_off_at_its_friction() {
             let z = rod.z_m(i);
             let inclination = 60f64.to_radians() * ((z - 1500.0) / 600.0).clamp(0.0, 1.0);
             let half = |element: usize| 0.5 * rod.mesh.elements[element].length_m;
-            // What the elements above and below press on the node, by the radius that each rubs with.
+            // What the elements above and below press on the node, by the radius that each rubs
+            // with.
             let part = |element: usize| match element < pipe {
                 true => (light * half(element), slim),
                 false => (heavy * half(element), thick),

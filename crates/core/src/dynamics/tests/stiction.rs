@@ -19,7 +19,8 @@ fn number(value: &Value) -> f64 {
     value.as_f64().expect("a number")
 }
 
-/// What the end of a rod moves by when its load comes on and when it has gone again, `turning` about the axis or along it.
+/// What the end of a rod moves by when its load comes on and when it has gone again, `turning`
+/// about the axis or along it.
 fn loaded(turning: bool, element_length_m: f64) -> [f64; 2] {
     let data = file("D10_axial_torsional_waves.json");
     let inputs = &data["quasi_static_stiction"]["inputs"];
@@ -78,9 +79,10 @@ fn loaded(turning: bool, element_length_m: f64) -> [f64; 2] {
     [peak, moved]
 }
 
-/// D10: friction lets a load `F` reach `F/f` into the rod and move its end by `F²/2EAf`; half of that stays when the load has
-/// gone; so it is with a torque. The tolerance is the source's 0.5 %. The front stands on whole elements, `h/l` of
-/// which would be 0.7 % for 5 m; it stops halfway between two on average, which leaves 0.02 to 0.13 %.
+/// D10: friction lets a load `F` reach `F/f` into the rod and move its end by `F²/2EAf`; half of
+/// that stays when the load has gone; so it is with a torque. The tolerance is the source's 0.5 %.
+/// The front stands on whole elements, `h/l` of which would be 0.7 % for 5 m; it stops halfway
+/// between two on average, which leaves 0.02 to 0.13 %.
 #[test]
 fn friction_keeps_half_of_what_a_load_has_moved() {
     let data = file("D10_axial_torsional_waves.json");

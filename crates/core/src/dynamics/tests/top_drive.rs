@@ -62,7 +62,8 @@ fn size(a: Complex) -> f64 {
     a.0.hypot(a.1)
 }
 
-/// `|(Z_td − Z)/(Z_td + Z)|` with `Z_td = (J s + C)/(1 + C H/Z_s)`, `C = K_p + K_i/s`, `H = s/(s + ω₁)`.
+/// `|(Z_td − Z)/(Z_td + Z)|` with `Z_td = (J s + C)/(1 + C H/Z_s)`, `C = K_p + K_i/s`,
+/// `H = s/(s + ω₁)`.
 fn reflection(gains: &Gains, pipe: f64, omega: f64) -> f64 {
     let control = (gains.proportional_N_m_s, -gains.integral_N_m / omega);
     let stiff = plus(control, (0.0, INERTIA_KG_M2 * omega));
@@ -79,9 +80,10 @@ fn reflection(gains: &Gains, pipe: f64, omega: f64) -> f64 {
 const ELEMENT_M: f64 = 25.0;
 const WAVE_M_PER_S: f64 = 3178.35;
 
-/// Reflection of a pulse at the top drive, measured at each frequency, Hz: the pipe is so long that nothing
-/// comes back from its lower end. A pulse that runs up is split into what goes up and what comes down at an
-/// element below the top, `(Ω ∓ T/Z)/2`, by the Fourier transforms of its speed and torque.
+/// Reflection of a pulse at the top drive, measured at each frequency, Hz: the pipe is so long that
+/// nothing comes back from its lower end. A pulse that runs up is split into what goes up and what
+/// comes down at an element below the top, `(Ω ∓ T/Z)/2`, by the Fourier transforms of its speed
+/// and torque.
 fn measured(
     controller: SpeedController,
     frequencies_Hz: &[f64],
@@ -137,9 +139,9 @@ fn measured(
     (Gains::of(controller, INERTIA_KG_M2, string), pipe, found)
 }
 
-/// What the drive sends back of a torsional wave, at seven frequencies, for each controller. The implicit step
-/// errs in proportion to its length, by 0.0017 at 1 ms where SoftTorque takes all, and by half of that at half of it.
-/// A stiff controller sends nearly all back; SoftTorque least at
+/// What the drive sends back of a torsional wave, at seven frequencies, for each controller. The
+/// implicit step errs in proportion to its length, by 0.0017 at 1 ms where SoftTorque takes all,
+/// and by half of that at half of it. A stiff controller sends nearly all back; SoftTorque least at
 /// the frequency that it is tuned to; Z-Torque little over a band.
 #[test]
 fn waves_are_thrown_back_as_the_impedances_say() {
@@ -198,9 +200,10 @@ fn held(stiffness: f64) -> Chain {
     chain
 }
 
-/// A string that is stuck at its lower end stalls the drive: it swings about the twist that its limit holds, with
-/// nothing to damp it. Let go, it comes back to its speed, and how far it overshoots does not depend on how long it
-/// was stalled (ten swings or forty): the integral has waited.
+/// A string that is stuck at its lower end stalls the drive: it swings about the twist that its
+/// limit holds, with nothing to damp it. Let go, it comes back to its speed, and how far it
+/// overshoots does not depend on how long it was stalled (ten swings or forty): the integral has
+/// waited.
 #[test]
 fn a_stuck_string_stalls_the_drive() {
     let (limit, stiffness, dt) = (20e3, 500.0, 1e-3);

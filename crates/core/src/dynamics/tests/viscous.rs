@@ -128,12 +128,12 @@ fn spin_drag_and_inertia(wet: &Wet) -> (f64, f64) {
     (drag, section.polar_inertia_kg_m)
 }
 
-/// A free string that spins in a Newtonian mud comes to rest as `exp(−kt/J)`, `k = 4πμ a²R²/(R² − a²)` and `J` per
-/// metre, whatever its elements.
+/// A free string that spins in a Newtonian mud comes to rest as `exp(−kt/J)`,
+/// `k = 4πμ a²R²/(R² − a²)` and `J` per metre, whatever its elements.
 ///
-/// The step takes the drag at its beginning, an error of `(k/J)² t dt/2`, up to 8e-4. The neighbours of the two ends bear
-/// their share and run ahead of the mean by 1e-4; a fifth of that is left in it. Meshes of 1.6, 3.2 and 4.8 m
-/// agree within their steps' errors, far within 1 %.
+/// The step takes the drag at its beginning, an error of `(k/J)² t dt/2`, up to 8e-4. The
+/// neighbours of the two ends bear their share and run ahead of the mean by 1e-4; a fifth of that
+/// is left in it. Meshes of 1.6, 3.2 and 4.8 m agree within their steps' errors, far within 1 %.
 #[test]
 fn spin_down_follows_the_closed_form_on_every_mesh() {
     let mut left = vec![];
@@ -159,11 +159,12 @@ fn spin_down_follows_the_closed_form_on_every_mesh() {
     assert!(high / low - 1.0 < 0.01, "{left:?}");
 }
 
-/// In a Bingham mud it comes to rest as `J s' = −T(s)` has it, with Reiner and Riwlin's torque, integrated by
-/// Runge and Kutta's rule.
+/// In a Bingham mud it comes to rest as `J s' = −T(s)` has it, with Reiner and Riwlin's torque,
+/// integrated by Runge and Kutta's rule.
 ///
-/// The drag is found anew every 16 steps (10 ms) where the motion has changed by 1 %. Torque over spin lags behind a spin
-/// that falls from 10 rad/s in less than a second, so that the spin is up to 0.1 rad/s late: 2 % of 10 rad/s are held.
+/// The drag is found anew every 16 steps (10 ms) where the motion has changed by 1 %. Torque over
+/// spin lags behind a spin that falls from 10 rad/s in less than a second, so that the spin is up
+/// to 0.1 rad/s late: 2 % of 10 rad/s are held.
 #[test]
 fn a_yield_point_brings_a_string_to_rest() {
     let mut wet = Wet::new(weightless(BINGHAM), 3.2, 0.0, 10.0, 0.0);
@@ -195,14 +196,16 @@ fn a_yield_point_brings_a_string_to_rest() {
             "{wanted} s: {found} for {spin} rad/s"
         );
     }
-    // It is held by the yield point, not braked for ever: at rest within the time that the yield torque alone takes.
+    // It is held by the yield point, not braked for ever: at rest within the time that the yield
+    // torque alone takes.
     wet.go(3.0);
     let found = node!(wet.bench.chain, wet.middle(), spin);
     assert!(found.abs() < 0.05, "{found} rad/s is left");
 }
 
-/// A heavy string that falls in a Newtonian mud reaches `v = w/c`, `c = 2πμ(R² + a²)/((R² + a²) ln(R/a) − R² + a²)`, as
-/// `v (1 − exp(−ct/m))`: the drag of a pipe that pushes aside what it displaces. At first order in the step.
+/// A heavy string that falls in a Newtonian mud reaches `v = w/c`,
+/// `c = 2πμ(R² + a²)/((R² + a²) ln(R/a) − R² + a²)`, as `v (1 − exp(−ct/m))`: the drag of a pipe
+/// that pushes aside what it displaces. At first order in the step.
 #[test]
 fn a_falling_string_reaches_its_terminal_velocity() {
     let weight = 100.0;

@@ -123,7 +123,8 @@ impl Pipe {
         u.1.atan2(u.0)
     }
 
-    /// Continues for `seconds`; the mean rate at which it goes round, rad/s, and the mean contact force, N.
+    /// Continues for `seconds`; the mean rate at which it goes round, rad/s, and the mean contact
+    /// force, N.
     fn round(&mut self, seconds: f64, mut push: impl FnMut(&mut Chain, f64)) -> (f64, f64) {
         let steps = (seconds / self.input.dt) as u64;
         self.chain.clear_sums();
@@ -141,11 +142,11 @@ impl Pipe {
     }
 }
 
-/// E03: a turning pipe that touches the wall lightly is driven backwards along it by friction until it rolls
-/// without slip, at `−Ω r/(R − r)`, pressed by `m (R − r) ω²`.
+/// E03: a turning pipe that touches the wall lightly is driven backwards along it by friction until
+/// it rolls without slip, at `−Ω r/(R − r)`, pressed by `m (R − r) ω²`.
 ///
-/// The file requires 1 % after the transient; 1e-3 is held, and 2e-3 for the force. Found is up to 6e-4 at either
-/// step: the pipe sinks into the rock, by 1e-5 m of 0.025 m.
+/// The file requires 1 % after the transient; 1e-3 is held, and 2e-3 for the force. Found is up to
+/// 6e-4 at either step: the pipe sinks into the rock, by 1e-5 m of 0.025 m.
 #[test]
 fn a_pipe_that_rolls_whirls_backwards() {
     for row in rows("E03_whirl_in_clearance.json") {
@@ -192,9 +193,10 @@ fn named(row: &Value) -> String {
     format!("{geometry} at {} rev/min", row["rpm"])
 }
 
-/// E03's condition: the whirl lasts where friction can give what slows it, `μ N` or more, and dies where it
-/// cannot. A drag `c v` slows it here; `μ m (Ω r)²/(R − r) = c Ω r` is the limit, and 2 % on either side decide: what
-/// a whirl lacks or has over it grows e-fold in `(R − r)/(μ Ω r)`, a quarter of a second.
+/// E03's condition: the whirl lasts where friction can give what slows it, `μ N` or more, and dies
+/// where it cannot. A drag `c v` slows it here; `μ m (Ω r)²/(R − r) = c Ω r` is the limit, and 2 %
+/// on either side decide: what a whirl lacks or has over it grows e-fold in `(R − r)/(μ Ω r)`, a
+/// quarter of a second.
 #[test]
 fn backward_whirl_needs_its_friction() {
     for row in rows("E03_whirl_in_clearance.json") {
@@ -234,8 +236,8 @@ fn backward_whirl_needs_its_friction() {
     }
 }
 
-/// E03: an unbalanced pipe that slides round its hole forwards, in step with its rotation. The imbalance `F`
-/// runs ahead of the contact by `φ`, `F sin φ = μ N`, `N = m (R − r) Ω² + F cos φ`.
+/// E03: an unbalanced pipe that slides round its hole forwards, in step with its rotation. The
+/// imbalance `F` runs ahead of the contact by `φ`, `F sin φ = μ N`, `N = m (R − r) Ω² + F cos φ`.
 ///
 /// Rate and force are held to 1e-3 and 2e-3 as above; found is 6e-6 and 4e-4.
 #[test]
@@ -278,12 +280,12 @@ fn an_unbalanced_pipe_whirls_in_step() {
     }
 }
 
-/// E04: a pipe that swings across the low side of its hole by 2°: it slides where there is no friction, and
-/// rolls where there is enough, which its rotary inertia makes slower. In mud the weight is less and the
-/// mass more.
+/// E04: a pipe that swings across the low side of its hole by 2°: it slides where there is no
+/// friction, and rolls where there is enough, which its rotary inertia makes slower. In mud the
+/// weight is less and the mass more.
 ///
-/// The file requires 1 %; 5e-4 is held. A swing of 2° is 8e-5 slower than a small one, and the pipe has sunk into
-/// the rock, which lengthens the pendulum by as much; found is 2e-4 at either step.
+/// The file requires 1 %; 5e-4 is held. A swing of 2° is 8e-5 slower than a small one, and the pipe
+/// has sunk into the rock, which lengthens the pendulum by as much; found is 2e-4 at either step.
 #[test]
 fn a_pipe_swings_across_the_low_side() {
     for row in rows("E04_pipe_in_trough_small_oscillation.json") {
@@ -344,8 +346,8 @@ fn swings_Hz(pipe: &mut Pipe) -> f64 {
     5.0 / (zeros[10] - zeros[0])
 }
 
-/// A blow against the wall: deepest penetration, duration, largest force and the part of the speed that is
-/// given back. `phase` says where in a step it meets the wall.
+/// A blow against the wall: deepest penetration, duration, largest force and the part of the speed
+/// that is given back. `phase` says where in a step it meets the wall.
 fn impulse(
     mass_kg: f64,
     speed: f64,
@@ -382,9 +384,10 @@ fn impulse(
     }
 }
 
-/// E06: a node that strikes the wall is Hertz's impact where the step resolves it: depth, duration and force
-/// within the file's 1 % at a two-thousandth of the blow (the loss is first-order in the step). At the usual
-/// step nothing is resolved: what is given back is stated, and is what the book says.
+/// E06: a node that strikes the wall is Hertz's impact where the step resolves it: depth, duration
+/// and force within the file's 1 % at a two-thousandth of the blow (the loss is first-order in the
+/// step). At the usual step nothing is resolved: what is given back is stated, and is what the book
+/// says.
 #[test]
 fn a_node_strikes_the_wall_as_hertz_says() {
     const STIFFNESS: f64 = 27_415_000_000.0;
@@ -425,8 +428,8 @@ fn a_node_strikes_the_wall_as_hertz_says() {
     }
 }
 
-/// A heavy node pressed on the wall that slides at a speed which friction does not change in a step: the
-/// friction that it meets, along and around, over the contact force.
+/// A heavy node pressed on the wall that slides at a speed which friction does not change in a
+/// step: the friction that it meets, along and around, over the contact force.
 fn friction_of(
     vector: bool,
     coefficients: [f64; 3],
@@ -459,8 +462,8 @@ fn friction_of(
     ]
 }
 
-/// Friction by direction and by speed: on the cone `f = N (μ_a u_a, μ_t u_t)/|u|`, or each in full, with the
-/// coefficient `μ_k + (μ_s − μ_k)/(1 + (|u|/v_s)²)`, `μ_t` in its ratio to `μ_a`.
+/// Friction by direction and by speed: on the cone `f = N (μ_a u_a, μ_t u_t)/|u|`, or each in full,
+/// with the coefficient `μ_k + (μ_s − μ_k)/(1 + (|u|/v_s)²)`, `μ_t` in its ratio to `μ_a`.
 ///
 /// Within 1e-3: in the step of 2 µs friction moves the node around by 2e-4 of these speeds.
 #[test]

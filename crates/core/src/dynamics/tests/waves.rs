@@ -40,9 +40,10 @@ fn speed(rod: &Bench, kind: Kind, i: usize) -> f64 {
     }
 }
 
-/// D09: three modes of 1000 m, held at the top, free at the bottom. Mass in lumps and time in steps near
-/// the limit err by opposite dispersion; what is left is `(kh)²/24 (1 − S²)`, `S` the distance that a wave runs in a step over
-/// the element's length: 1e-5 and 1.7e-4 for the third mode and 100 elements.
+/// D09: three modes of 1000 m, held at the top, free at the bottom. Mass in lumps and time in steps
+/// near the limit err by opposite dispersion; what is left is `(kh)²/24 (1 − S²)`, `S` the distance
+/// that a wave runs in a step over the element's length: 1e-5 and 1.7e-4 for the third mode and 100
+/// elements.
 #[test]
 fn a_hanging_pipe_rings_at_its_frequencies() {
     let data = file("D09_linear_frequencies.json");
@@ -69,7 +70,8 @@ fn a_hanging_pipe_rings_at_its_frequencies() {
             let courant = wave * rod.input.dt / 10.0;
             let dispersion = (k * 10.0).powi(2) / 24.0 * (1.0 - courant * courant);
             let error = found / exact - 1.0;
-            // A zero found on the chord of a sine between two steps is off by 0.016 (ω dt)² dt at most, and there are two.
+            // A zero found on the chord of a sine between two steps is off by 0.016 (ω dt)² dt at
+            // most, and there are two.
             let dt = rod.input.dt;
             let zeros = 0.032 * (std::f64::consts::TAU * exact * dt).powi(2) * dt * exact / 3.0;
             let within = 0.02 * dispersion + zeros;
@@ -117,8 +119,8 @@ fn struck(kind: Kind, below: [f64; 2], wave_m_per_s: f64) -> Bench {
     let mut rod = Bench::new(&[(below, 1000.0), (PIPE_M, 1000.0)], 5.0, 0.0);
     let shape = |z: f64| 1e-3 * (-((z - 400.0) / PULSE_M).powi(2)).exp();
     set_speed(&mut rod, kind, shape);
-    // In a wave that runs down, the strain is −v/c. Displacements live half a step later than velocities,
-    // the twist, which the step first carries on, half a step earlier.
+    // In a wave that runs down, the strain is −v/c. Displacements live half a step later than
+    // velocities, the twist, which the step first carries on, half a step earlier.
     let later = if kind == Kind::Axial { 0.5 } else { -0.5 } * rod.input.dt * wave_m_per_s;
     let mut moved = 0.0;
     for i in 0..rod.chain.elements() {
@@ -143,9 +145,9 @@ fn run(rod: &mut Bench, seconds: f64) -> f64 {
     steps * rod.input.dt
 }
 
-/// D10: speed, impedance, reflection and transmission at the joint of pipe and collar. Its tolerance is
-/// 0.5 %. Sums over a pulse know nothing of dispersion, which changes its shape alone: the bound of 1e-5 is
-/// what its tails leave (4e-7 was measured).
+/// D10: speed, impedance, reflection and transmission at the joint of pipe and collar. Its
+/// tolerance is 0.5 %. Sums over a pulse know nothing of dispersion, which changes its shape alone:
+/// the bound of 1e-5 is what its tails leave (4e-7 was measured).
 #[test]
 fn pulses_run_and_are_thrown_back_as_their_impedances_say() {
     let expected = &file("D10_axial_torsional_waves.json")["expected"];
@@ -246,9 +248,10 @@ fn ends_throw_pulses_back() {
 }
 
 /// D10: a rod on a wall with dry friction `f` per length, its end pulled at `v₀` (pushed, it would
-/// buckle). The front runs at the speed of sound `c` and the force on the end grows by `f c/2` a second;
-/// behind the front the rod moves at `v₀ − f x/2Z`, `Z = ρAc`. Gives the mean error of the force between
-/// 0.4 and 0.5 s, and that of the speed between 200 and 1000 m over `v₀`, at an element length.
+/// buckle). The front runs at the speed of sound `c` and the force on the end grows by `f c/2` a
+/// second; behind the front the rod moves at `v₀ − f x/2Z`, `Z = ρAc`. Gives the mean error of the
+/// force between 0.4 and 0.5 s, and that of the speed between 200 and 1000 m over `v₀`, at an
+/// element length.
 fn slip_front(element_length_m: f64) -> (f64, f64) {
     let data = file("D10_axial_torsional_waves.json");
     let data = &data["friction_front"];
@@ -308,8 +311,9 @@ fn slip_front(element_length_m: f64) -> (f64, f64) {
     (force / samples, speed / samples)
 }
 
-/// The ringing of the chain behind so sharp a front turns some friction round for a moment, the less the
-/// finer it is: the force errs in proportion to the element's length, both are within the source's 0.5 % from 5 m on.
+/// The ringing of the chain behind so sharp a front turns some friction round for a moment, the
+/// less the finer it is: the force errs in proportion to the element's length, both are within the
+/// source's 0.5 % from 5 m on.
 #[test]
 fn a_front_of_slip_runs_into_a_rod_that_lies_on_the_wall() {
     let [coarse, fine] = [10.0, 5.0].map(slip_front);

@@ -49,9 +49,9 @@ fn moving(axial: f64, spin: f64, flow: f64) -> Motion {
     }
 }
 
-/// Newtonian: the pressure of a concentric annulus (Lamb 1932, Bird, Stewart and Lightfoot), the torque of Couette,
-/// and for a pipe that moves along, the pressure and the pull that its displaced mud makes, each by its
-/// own closed form, to rounding.
+/// Newtonian: the pressure of a concentric annulus (Lamb 1932, Bird, Stewart and Lightfoot), the
+/// torque of Couette, and for a pipe that moves along, the pressure and the pull that its displaced
+/// mud makes, each by its own closed form, to rounding.
 #[test]
 fn newtonian_mud_is_exact() {
     let viscosity = 0.03;
@@ -74,8 +74,9 @@ fn newtonian_mud_is_exact() {
     let torque = 4.0 * PI * viscosity * 7.0 * a2 * r2 / (r2 - a2);
     close("torque", -turned.torque_N(7.0), torque, 1e-12);
 
-    // A pipe that is run in pumps what it displaces and drags mud down: superposed, Couette's flow along
-    // the pipe carries `v π ((R² − a²)/(2 log) − a²)` down, so that the pressure must drive that up as well.
+    // A pipe that is run in pumps what it displaces and drags mud down: superposed, Couette's flow
+    // along the pipe carries `v π ((R² − a²)/(2 log) − a²)` down, so that the pressure must drive
+    // that up as well.
     let v = 0.5;
     let run = GAP.drag(&mud, &moving(v, 0.0, 0.0));
     let couette = v * PI * ((r2 - a2) / (2.0 * log) - a2);
@@ -88,8 +89,8 @@ fn newtonian_mud_is_exact() {
     close("drag", run.axial_N_per_m(v), pull, 1e-12);
 }
 
-/// The solver for any mud gives the Newtonian closed form for a power law of index 1: to the quadrature's
-/// rounding.
+/// The solver for any mud gives the Newtonian closed form for a power law of index 1: to the
+/// quadrature's rounding.
 #[test]
 fn a_power_law_of_index_one_is_newtonian() {
     let newton = weightless(Rheology::Newtonian {
@@ -113,9 +114,9 @@ fn a_power_law_of_index_one_is_newtonian() {
     }
 }
 
-/// Reiner and Riwlin's torque of a Bingham mud: `Ω = T/4πμ (1/a² − 1/r₀²) − τ₀/μ ln(r₀/a)`, where the mud is
-/// yielded to `r₀ = √(T/2πτ₀)` or to the hole. The solid part is a stiff liquid here, 1e-4 of it, and where it
-/// begins the integrand has a kink: 24 points hold it to 1e-3.
+/// Reiner and Riwlin's torque of a Bingham mud: `Ω = T/4πμ (1/a² − 1/r₀²) − τ₀/μ ln(r₀/a)`, where
+/// the mud is yielded to `r₀ = √(T/2πτ₀)` or to the hole. The solid part is a stiff liquid here,
+/// 1e-4 of it, and where it begins the integrand has a kink: 24 points hold it to 1e-3.
 #[test]
 fn bingham_torque_is_that_of_reiner_and_riwlin() {
     let (viscosity, yield_point) = (0.025, 7.2);
@@ -144,8 +145,9 @@ fn power_law_torque_is_that_of_couette() {
 }
 
 /// Flow through a narrow slot: `Q = W h² n/(2(2n + 1)) (G h/2K)^(1/n)` for the power law,
-/// `Q = W h² τ_w/6μ (1 − 3/2 y + y³/2)` with `y = τ₀/τ_w` for Bingham. A slot as narrow as a hundredth of its
-/// radius differs from an annulus by the square of that; the stiff liquid in Bingham's plug adds 3e-4.
+/// `Q = W h² τ_w/6μ (1 − 3/2 y + y³/2)` with `y = τ₀/τ_w` for Bingham. A slot as narrow as a
+/// hundredth of its radius differs from an annulus by the square of that; the stiff liquid in
+/// Bingham's plug adds 3e-4.
 #[test]
 fn slots_meet_their_closed_forms() {
     let gap = SLOT.hole_m - SLOT.pipe_m;
@@ -168,8 +170,9 @@ fn slots_meet_their_closed_forms() {
     }
 }
 
-/// Helical flow: with the stresses that were found, the velocities integrated across the gap in 20000 steps meet
-/// the pipe's velocity, its spin and the flow rate. What the points of the quadrature miss is within 1e-4 of the largest.
+/// Helical flow: with the stresses that were found, the velocities integrated across the gap in
+/// 20000 steps meet the pipe's velocity, its spin and the flow rate. What the points of the
+/// quadrature miss is within 1e-4 of the largest.
 #[test]
 fn helical_flow_meets_its_three_conditions() {
     for rheology in [BINGHAM, POWER_LAW] {
@@ -212,8 +215,8 @@ fn helical_flow_meets_its_three_conditions() {
     }
 }
 
-/// The slopes with the velocity along the hole are the difference quotients of force and pressure, and the mud always
-/// takes energy.
+/// The slopes with the velocity along the hole are the difference quotients of force and pressure,
+/// and the mud always takes energy.
 #[test]
 fn the_slope_is_the_forces_own() {
     let newtonian = Rheology::Newtonian {
@@ -241,7 +244,8 @@ fn the_slope_is_the_forces_own() {
     }
 }
 
-/// A mud at rest answers with finite coefficients, also where it has a yield point, and pulls at nothing.
+/// A mud at rest answers with finite coefficients, also where it has a yield point, and pulls at
+/// nothing.
 #[test]
 fn a_mud_at_rest_pulls_at_nothing() {
     for rheology in [BINGHAM, POWER_LAW] {
@@ -256,8 +260,8 @@ fn a_mud_at_rest_pulls_at_nothing() {
     assert!(drag.axial_N_per_m(0.3).is_finite() && drag.axial_N_per_m(0.3) < 0.0);
 }
 
-/// Turbulent flow without motion of the pipe takes the gradient of the friction factor: `2 f ρ U²/D_h`. The
-/// annulus's own laminar factor is 24/Re within 3 %, a slot's.
+/// Turbulent flow without motion of the pipe takes the gradient of the friction factor:
+/// `2 f ρ U²/D_h`. The annulus's own laminar factor is 24/Re within 3 %, a slot's.
 #[test]
 fn turbulent_flow_takes_the_friction_factors_gradient() {
     let water = Mud {
@@ -284,9 +288,10 @@ fn turbulent_flow_takes_the_friction_factors_gradient() {
     close("torque", found, wendt, 1e-9);
 }
 
-/// Where the flow up the hole turns turbulent, every mud's gradient is its laminar one times what API RP 13D has for a
-/// slot at Metzner and Reed's Reynolds number: laminar up to 3470 − 1370 n, turbulent from 4270 − 1370 n on, halfway
-/// the mean of the two frictions. Exact but for the root that finds the laminar gradient.
+/// Where the flow up the hole turns turbulent, every mud's gradient is its laminar one times what
+/// API RP 13D has for a slot at Metzner and Reed's Reynolds number: laminar up to 3470 − 1370 n,
+/// turbulent from 4270 − 1370 n on, halfway the mean of the two frictions. Exact but for the root
+/// that finds the laminar gradient.
 #[test]
 fn the_transition_is_that_of_api_rp_13d() {
     let newtonian = Rheology::Newtonian {

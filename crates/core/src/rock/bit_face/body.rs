@@ -6,10 +6,11 @@ use nalgebra::Vector3;
 
 use super::profile::Profile;
 
-/// The bit's body: all that lies behind the profile by an offset, and gauge pads; of a bladed bit the part of it that
-/// lies within a blade's width behind the cutters.
+/// The bit's body: all that lies behind the profile by an offset, and gauge pads; of a bladed bit
+/// the part of it that lies within a blade's width behind the cutters.
 ///
-/// The floor between the blades is not there: rock that gets as deep as a blade is high has no place in this model.
+/// The floor between the blades is not there: rock that gets as deep as a blade is high has no
+/// place in this model.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Body {
     /// How far the cutters stand out of it, m.
@@ -19,7 +20,8 @@ pub(super) struct Body {
     pub blades: Option<Blades>,
 }
 
-/// Blades at even angles. The front of the first one is at the angle `−lag r`, and the tips of its cutters stand above it.
+/// Blades at even angles. The front of the first one is at the angle `−lag r`, and the tips of its
+/// cutters stand above it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Blades {
     pub count: usize,
@@ -34,8 +36,9 @@ impl Blades {
         TAU * blade as f64 / self.count as f64 - self.lag_rad_per_m * radius_m
     }
 
-    /// Depth below the front or the back of the nearest blade, m, with the way out; nothing where the blades have grown
-    /// together; `None` beside a blade. Exact for straight blades; of curved ones to the first order.
+    /// Depth below the front or the back of the nearest blade, m, with the way out; nothing where
+    /// the blades have grown together; `None` beside a blade. Exact for straight blades; of curved
+    /// ones to the first order.
     fn depth(&self, radius_m: f64, angle_rad: f64) -> Option<Option<(f64, [f64; 2])>> {
         let pitch = TAU / self.count as f64;
         if self.width_m >= radius_m * pitch {
@@ -46,7 +49,8 @@ impl Blades {
         if left <= 0.0 {
             return None;
         }
-        // Gradient of the way behind the front, r (θ_k(r) − θ): outwards, and the way that the bit turns.
+        // Gradient of the way behind the front, r (θ_k(r) − θ): outwards, and the way that the bit
+        // turns.
         let turn = self.lag_rad_per_m * radius_m;
         let front = 1.0 / turn.hypot(1.0);
         let back = 1.0 / (behind - turn).hypot(1.0);
@@ -60,8 +64,8 @@ impl Blades {
 }
 
 impl Body {
-    /// Distance from the body of revolution in the plane of radius and depth, negative inside, m, and the direction in
-    /// which it grows.
+    /// Distance from the body of revolution in the plane of radius and depth, negative inside, m,
+    /// and the direction in which it grows.
     pub(super) fn distance(&self, profile: &Profile, radius_m: f64, z_m: f64) -> (f64, [f64; 2]) {
         let (distance, normal) = profile.distance(radius_m, z_m);
         let face = (distance + self.offset_m, normal);

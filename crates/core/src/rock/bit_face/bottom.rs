@@ -57,7 +57,8 @@ impl BottomHole {
         (count > 0).then(|| sum / f64::from(count))
     }
 
-    /// Takes in a point of the bottom, `x` and `y` across the hole's axis, `z` down it. One outside the rings is left out.
+    /// Takes in a point of the bottom, `x` and `y` across the hole's axis, `z` down it. One outside
+    /// the rings is left out.
     pub fn add(&mut self, [x, y, z]: [f64; 3]) {
         let [from, to] = self.radii_m;
         let ring = (x.hypot(y) - from) / (to - from) * self.rings as f64;

@@ -8,20 +8,22 @@ use super::{face::BitFace, pose::Pose};
 /// How the face pushes back and rubs.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ContactLaw {
-    /// Pressure per depth of penetration, Pa/m; times a node's area it is the stiffness that holds the node. It stands for the
-    /// rock that is crushed within an element. Any is stable; more lets less penetrate.
+    /// Pressure per depth of penetration, Pa/m; times a node's area it is the stiffness that holds
+    /// the node. It stands for the rock that is crushed within an element. Any is stable; more lets
+    /// less penetrate.
     pub stiffness_Pa_per_m: f64,
-    /// Damping against that of a node on this stiffness that does not swing. Default 0: what it takes grows with the speed and
-    /// the density, also where that is scaled. More keeps nodes from bouncing.
+    /// Damping against that of a node on this stiffness that does not swing. Default 0: what it
+    /// takes grows with the speed and the density, also where that is scaled. More keeps nodes from
+    /// bouncing.
     pub damping_ratio: f64,
     /// Coefficient of friction between the face and the rock. Default 0.3.
     pub friction: f64,
 }
 
 impl ContactLaw {
-    /// The defaults for a rock of this unconfined strength in elements of this size: the pressure is the strength at a 25th of
-    /// an element. Stiffer, an element breaks as soon as a cutter meets it, however little of it is in the way, and bears less
-    /// weight.
+    /// The defaults for a rock of this unconfined strength in elements of this size: the pressure
+    /// is the strength at a 25th of an element. Stiffer, an element breaks as soon as a cutter
+    /// meets it, however little of it is in the way, and bears less weight.
     pub fn for_rock(ucs_Pa: f64, element_m: f64) -> Self {
         Self {
             stiffness_Pa_per_m: 25.0 * ucs_Pa / element_m,
@@ -44,8 +46,9 @@ pub struct RockNode {
     pub mass_kg: f64,
 }
 
-/// What the rock does to the bit in a step, and where the energy goes. Works are exact for a step that gives the
-/// velocities `dt F/m`: force times the mean of the velocities before and after. The four add up to nothing.
+/// What the rock does to the bit in a step, and where the energy goes. Works are exact for a step
+/// that gives the velocities `dt F/m`: force times the mean of the velocities before and after. The
+/// four add up to nothing.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct BitLoad {
     /// Force on the bit, N.
@@ -66,22 +69,22 @@ pub struct BitLoad {
     pub deepest_m: f64,
 }
 
-/// A node this far outside the cylinder around the face is not looked at, m: it would have to come as far in one step, and
-/// would be met in the next.
+/// A node this far outside the cylinder around the face is not looked at, m: it would have to come
+/// as far in one step, and would be met in the next.
 const NEAR_M: f64 = 2e-3;
 
 /// A face in a step of the rock, and what the nodes that it has met did to the bit.
 ///
-/// Penetration `α` and closing speed `v` are those with which the step would end without the face; the force
-/// solves `N = k α' + c v'` with what it leaves of them,
+/// Penetration `α` and closing speed `v` are those with which the step would end without the face;
+/// the force solves `N = k α' + c v'` with what it leaves of them,
 ///
 /// ```text
 /// N = max(0, k α + c v)/(1 + (dt/m)(k dt + c)),   k = stiffness · area,   c = 2 ζ √(k m)
 /// ```
 ///
-/// and never takes more than all penetration away, so that no stiffness limits the step and a node that has just come is
-/// not thrown back. Friction is the smaller of `μ N` and what stops the sliding, exactly. The
-/// motion of the bit within the step is taken to the first order.
+/// and never takes more than all penetration away, so that no stiffness limits the step and a node
+/// that has just come is not thrown back. Friction is the smaller of `μ N` and what stops the
+/// sliding, exactly. The motion of the bit within the step is taken to the first order.
 #[derive(Debug, Clone, Copy)]
 pub struct Contact<'a> {
     face: &'a BitFace,
@@ -120,8 +123,9 @@ impl<'a> Contact<'a> {
         z <= low && z >= high && arm.norm_squared() - z * z <= self.radius2_m2
     }
 
-    /// The force of the face on a node, N, its reaction booked; none on one that does not touch. Sums run in the order of the
-    /// calls. Of a node that touches it asks `area_m2`, its part of the surface, m².
+    /// The force of the face on a node, N, its reaction booked; none on one that does not touch.
+    /// Sums run in the order of the calls. Of a node that touches it asks `area_m2`, its part of
+    /// the surface, m².
     #[inline]
     pub fn touch(
         &mut self,

@@ -19,27 +19,32 @@ pub struct Cutter {
     pub axis: Vector3<f64>,
     /// Between the face and the normal of the rock, the edge trailing, rad; zero of an insert.
     pub back_rake_rad: f64,
-    /// Of the face about the normal, positive where it pushes cuttings outwards, rad; zero of an insert.
+    /// Of the face about the normal, positive where it pushes cuttings outwards, rad; zero of an
+    /// insert.
     pub side_rake_rad: f64,
     /// Origin of the solid's coordinates: the middle of a cutter's face, of an insert's tip sphere.
     pub(super) origin: Vector3<f64>,
     pub(super) solid: Revolved,
     /// Squared half width of the solid, its lowest and highest point along the axis.
     reach: (f64, [f64; 2]),
-    /// A direction across the axis, for points on it; of a cutter, from the middle of its face to its tip.
+    /// A direction across the axis, for points on it; of a cutter, from the middle of its face to
+    /// its tip.
     pub(super) across: Vector3<f64>,
-    /// Lines on its surface: turned about the bit's axis they sweep the cutter's track. Let go once that is known.
+    /// Lines on its surface: turned about the bit's axis they sweep the cutter's track. Let go once
+    /// that is known.
     pub(super) lines: Vec<Vec<Vector3<f64>>>,
 }
 
-/// How far off the axis the first track is, of the spacing of the tracks: near enough for its cutter to cut the axis.
+/// How far off the axis the first track is, of the spacing of the tracks: near enough for its
+/// cutter to cut the axis.
 pub(super) const OFF_AXIS: f64 = 0.25;
 
-/// Points of a circle around a cutter. On one of 8 mm the straight lines between them are within 0.3 μm.
+/// Points of a circle around a cutter. On one of 8 mm the straight lines between them are within
+/// 0.3 μm.
 const CIRCLE_POINTS: usize = 361;
 
-/// Circles around a cutter, from its edge to its back. Near the bit's axis the back of a cutter, which runs straight,
-/// sweeps rings that its edge does not.
+/// Circles around a cutter, from its edge to its back. Near the bit's axis the back of a cutter,
+/// which runs straight, sweeps rings that its edge does not.
 const CIRCLES: usize = 13;
 
 /// Shape of a cutter, m.
@@ -65,9 +70,9 @@ fn reach(solid: &Revolved) -> (f64, [f64; 2]) {
 impl Cutter {
     /// A disc with its edge on `point` of the profile at an angle about the bit's axis.
     ///
-    /// With `t` the way it moves, `s` along the profile outwards and `n` its normal, the face looks along
-    /// `f = cos β (cos δ t + sin δ s) + sin β n`, back rake `β`, side rake `δ`, and its tip lies from its middle along
-    /// `m = cos β n − sin β (cos δ t + sin δ s)`.
+    /// With `t` the way it moves, `s` along the profile outwards and `n` its normal, the face looks
+    /// along `f = cos β (cos δ t + sin δ s) + sin β n`, back rake `β`, side rake `δ`, and its tip
+    /// lies from its middle along `m = cos β n − sin β (cos δ t + sin δ s)`.
     pub(super) fn disc(
         blade: usize,
         point: ProfilePoint,
@@ -126,8 +131,8 @@ impl Cutter {
         }
     }
 
-    /// A solid that stands upright on the profile, its tip the rounding's radius above the origin. `outline` is its
-    /// half section seen from the origin, from the tip on, the rounding included.
+    /// A solid that stands upright on the profile, its tip the rounding's radius above the origin.
+    /// `outline` is its half section seen from the origin, from the tip on, the rounding included.
     pub(super) fn upright(
         row: usize,
         point: ProfilePoint,
@@ -160,8 +165,8 @@ impl Cutter {
         }
     }
 
-    /// Distance of a point of the bit's frame from its surface, negative inside, m, and the direction in which it
-    /// grows.
+    /// Distance of a point of the bit's frame from its surface, negative inside, m, and the
+    /// direction in which it grows.
     pub fn distance(&self, position_m: Vector3<f64>) -> (f64, Vector3<f64>) {
         let (rho, zeta, out) = self.seen_from(position_m);
         let (distance, [n_rho, n_zeta]) = self.solid.distance(rho, zeta);

@@ -51,7 +51,8 @@ pub enum FaceError {
         /// Diameter of a cutter, m.
         diameter_m: f64,
     },
-    /// No cutter reaches this ring of the bottom: rock would stand there until the body rests on it.
+    /// No cutter reaches this ring of the bottom: rock would stand there until the body rests on
+    /// it.
     #[error("bit face: no cutter cuts the ring between the radii {from_m} and {to_m} m")]
     UncutRing {
         /// Where it begins, m.

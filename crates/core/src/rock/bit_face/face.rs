@@ -11,7 +11,8 @@ use super::{
     tracks::Tracks,
 };
 
-/// The face of a bit: its cutters or inserts, the body that carries them, and the grid that finds them.
+/// The face of a bit: its cutters or inserts, the body that carries them, and the grid that finds
+/// them.
 ///
 /// Made by [`PdcBit::face`](super::PdcBit::face) or [`InsertBit::face`](super::InsertBit::face).
 #[derive(Debug, Clone)]
@@ -92,7 +93,8 @@ impl BitFace {
         self.body.blades.as_ref().map_or(0, |b: &Blades| b.count)
     }
 
-    /// The part that holds a point of the bit's frame deepest; `None` outside the face. Of parts as deep the first.
+    /// The part that holds a point of the bit's frame deepest; `None` outside the face. Of parts as
+    /// deep the first.
     #[inline]
     pub fn holds(&self, position_m: Vector3<f64>) -> Option<Touch> {
         let (cutters, body) = self.grid.near(position_m)?;

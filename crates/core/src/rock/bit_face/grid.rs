@@ -4,7 +4,8 @@ use nalgebra::Vector3;
 
 use super::{body::Body, cutter::Cutter, profile::Profile};
 
-/// Cells across the axis, each with the cutters that may reach into it and the lowest point of anything there.
+/// Cells across the axis, each with the cutters that may reach into it and the lowest point of
+/// anything there.
 #[derive(Debug, Clone)]
 pub(super) struct Grid {
     half_width_m: f64,
@@ -58,7 +59,8 @@ impl Grid {
                 let farther = |a: [f64; 2]| a[1].max(-a[0]);
                 let from = near(x).hypot(near(y));
                 let to = farther(x).hypot(farther(y));
-                // What is the offset behind the profile is at least as far above it; the pads end where the gauge begins.
+                // What is the offset behind the profile is at least as far above it; the pads end
+                // where the gauge begins.
                 let body_m = if from <= body.pad_radius_m {
                     let face = profile.lowest_between_m(from, to) - body.offset_m;
                     face.max(profile.gauge_z_m()) + SLACK_M

@@ -29,8 +29,9 @@ pub enum InsertShape {
 
 /// A face of carbide inserts in rows, by its numbers.
 ///
-/// The cones of a roller bit do **not** roll here: the inserts are fixed on one body of revolution and scrape, as those of an impregnated
-/// or percussion bit do. Weight and penetration of a row's inserts are those of a roller bit; the torque of its rolling is not.
+/// The cones of a roller bit do **not** roll here: the inserts are fixed on one body of revolution
+/// and scrape, as those of an impregnated or percussion bit do. Weight and penetration of a row's
+/// inserts are those of a roller bit; the torque of its rolling is not.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct InsertBit {
     /// Diameter of the hole that it cuts, m.
@@ -41,7 +42,8 @@ pub struct InsertBit {
     pub protrusion_m: f64,
     /// Shape of the tips. Default: hemispheres.
     pub shape: InsertShape,
-    /// Rows of inserts from the axis to the gauge. Default: as many as leave no more than the inserts' own width between them.
+    /// Rows of inserts from the axis to the gauge. Default: as many as leave no more than the
+    /// inserts' own width between them.
     pub rows: usize,
     /// Distance between the inserts of a row, m, about. Default: 1.5 of an insert's diameter.
     pub pitch_m: f64,
@@ -59,7 +61,8 @@ pub struct InsertBit {
     pub gauge_relief_m: f64,
 }
 
-/// Turn of a row against the one inside it, of a pitch: the golden section, so that no two rows line up.
+/// Turn of a row against the one inside it, of a pitch: the golden section, so that no two rows
+/// line up.
 const STAGGER: f64 = 0.618_033_988_749_894_8;
 
 /// Points of a quarter of a tip's arc.
@@ -87,8 +90,8 @@ impl InsertBit {
         bit.filled()
     }
 
-    /// With as many rows as leave no more than the inserts' own width between them. As it is where its other numbers make
-    /// no profile.
+    /// With as many rows as leave no more than the inserts' own width between them. As it is where
+    /// its other numbers make no profile.
     #[must_use]
     pub fn filled(mut self) -> Self {
         if let Ok(profile) = self.profile() {
@@ -114,7 +117,8 @@ impl InsertBit {
     ///
     /// # Errors
     ///
-    /// A number out of its range; arcs that do not join nose and gauge; a ring of the bottom that no insert reaches.
+    /// A number out of its range; arcs that do not join nose and gauge; a ring of the bottom that
+    /// no insert reaches.
     pub fn face(&self) -> Result<BitFace, FaceError> {
         let profile = self.profile()?;
         positive("insert diameter", self.insert_diameter_m)?;

@@ -1,12 +1,12 @@
 //! The face of a bit as a rigid body, and its contact with the nodes of a rock's surface.
 //!
-//! The bit's own frame has its origin on the bit's axis at the level of the lowest point of its profile, `z` down
-//! the hole, `x` towards the high side while the bit's angle is zero, `y` to the right of that, looking down. The
-//! bit turns clockwise, from `x` to `y`.
+//! The bit's own frame has its origin on the bit's axis at the level of the lowest point of its
+//! profile, `z` down the hole, `x` towards the high side while the bit's angle is zero, `y` to the
+//! right of that, looking down. The bit turns clockwise, from `x` to `y`.
 //!
-//! Parameters ([`PdcBit`], [`InsertBit`]) make a [`BitFace`], once: its cutters, the body that carries them, and
-//! a grid that knows what is where. [`Contact`] then gives nodes their forces and the bit its own, and
-//! [`Tracks`] says what the cutters cut at a given advance per revolution.
+//! Parameters ([`PdcBit`], [`InsertBit`]) make a [`BitFace`], once: its cutters, the body that
+//! carries them, and a grid that knows what is where. [`Contact`] then gives nodes their forces and
+//! the bit its own, and [`Tracks`] says what the cutters cut at a given advance per revolution.
 
 mod body;
 mod bottom;

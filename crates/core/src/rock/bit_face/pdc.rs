@@ -12,21 +12,23 @@ use super::{
 
 /// A drag bit with discs of polycrystalline diamond on blades, by its numbers.
 ///
-/// Cutters stand along the profile on *tracks*, one after the other on blades that lie opposite each other. The innermost
-/// one cuts the axis, the outermost one the gauge. Defaults are those of [`PdcBit::for_diameter`].
+/// Cutters stand along the profile on *tracks*, one after the other on blades that lie opposite
+/// each other. The innermost one cuts the axis, the outermost one the gauge. Defaults are those of
+/// [`PdcBit::for_diameter`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PdcBit {
     /// Diameter of the hole that it cuts, m.
     pub diameter_m: f64,
     /// Diameter of the core that it leaves, m; zero (default) of a bit that cuts the whole bottom.
     pub core_diameter_m: f64,
-    /// Number of blades. Default: 5 below 165 mm, 6, 7 from 312 mm. More blades thin the cut of each.
+    /// Number of blades. Default: 5 below 165 mm, 6, 7 from 312 mm. More blades thin the cut of
+    /// each.
     pub blades: usize,
-    /// Cutters on a blade. Default: as many as leave half a cutter's width between them on average. More thin the cut of each
-    /// and lower the ridges between the tracks.
+    /// Cutters on a blade. Default: as many as leave half a cutter's width between them on average.
+    /// More thin the cut of each and lower the ridges between the tracks.
     pub cutters_per_blade: usize,
-    /// Cutters that follow each other on a track, spread evenly over the blades. Default 1. With 2 or more the cutting
-    /// forces of a track balance.
+    /// Cutters that follow each other on a track, spread evenly over the blades. Default 1. With 2
+    /// or more the cutting forces of a track balance.
     pub cutters_per_track: usize,
     /// Diameter of a cutter, m. Default: 8 mm below 120 mm, 13 mm below 165 mm,
     /// 16 mm, 19 mm from 312 mm.
@@ -35,19 +37,23 @@ pub struct PdcBit {
     pub cutter_length_m: f64,
     /// Width of the chamfer at 45° around its face, m. Default: 0.4 mm. Zero: sharp.
     pub chamfer_m: f64,
-    /// Back rake, rad: by how much the face leans so that its edge trails. Default: 17.5°. More takes more weight for the
-    /// same torque.
+    /// Back rake, rad: by how much the face leans so that its edge trails. Default: 17.5°. More
+    /// takes more weight for the same torque.
     pub back_rake_rad: f64,
     /// Side rake, rad: by how much the face is turned to push cuttings outwards. Default: 5°.
     pub side_rake_rad: f64,
-    /// Angle of the inner cone against the plane across the axis, rad. Default: 15°. No effect on a core bit.
+    /// Angle of the inner cone against the plane across the axis, rad. Default: 15°. No effect on a
+    /// core bit.
     pub cone_angle_rad: f64,
-    /// Radius at which the profile is lowest, m. Default: 0.6 of the bit's; of a core bit halfway across its face.
+    /// Radius at which the profile is lowest, m. Default: 0.6 of the bit's; of a core bit halfway
+    /// across its face.
     pub nose_m: f64,
-    /// Radius of the nose's arc, m. Default: 0.3 of the bit's; of a core bit half the width of its face.
+    /// Radius of the nose's arc, m. Default: 0.3 of the bit's; of a core bit half the width of its
+    /// face.
     pub nose_radius_m: f64,
-    /// Radius of the shoulder's arc, m. Default: 0.5 of the bit's; of a core bit half the width of its face. Of this and the
-    /// nose's radius one must be no smaller and one no larger than the way from the nose to the gauge.
+    /// Radius of the shoulder's arc, m. Default: 0.5 of the bit's; of a core bit half the width of
+    /// its face. Of this and the nose's radius one must be no smaller and one no larger than the
+    /// way from the nose to the gauge.
     pub shoulder_radius_m: f64,
     /// Length of the gauge above the shoulder, m. Default: a quarter of the diameter.
     pub gauge_length_m: f64,
@@ -55,12 +61,13 @@ pub struct PdcBit {
     pub gauge_relief_m: f64,
     /// Angle by which a blade's outer end trails its inner one, rad. Default: 20°.
     pub spiral_rad: f64,
-    /// How far the cutters' tips stand out of the blades, m. Default: half a cutter's diameter. Less lets the blades bear
-    /// at a smaller depth of cut.
+    /// How far the cutters' tips stand out of the blades, m. Default: half a cutter's diameter.
+    /// Less lets the blades bear at a smaller depth of cut.
     pub exposure_m: f64,
     /// Width of a blade behind its cutters, m. Default: a fifth of the diameter.
     pub blade_width_m: f64,
-    /// Spacing of the tracks at the axis against that at the gauge, linear along the profile. Default 1.5, of a core bit
+    /// Spacing of the tracks at the axis against that at the gauge, linear along the profile.
+    /// Default 1.5, of a core bit
     /// 1. More gives the outer cutters, which run faster, less to cut.
     pub centre_spacing: f64,
 }
@@ -119,8 +126,9 @@ impl PdcBit {
         bit.filled()
     }
 
-    /// With as many cutters on a blade as leave half a cutter's width between them on average, or fewer, until they
-    /// have room at the sharpest bend of the profile. As it is where its other numbers make no profile.
+    /// With as many cutters on a blade as leave half a cutter's width between them on average, or
+    /// fewer, until they have room at the sharpest bend of the profile. As it is where its other
+    /// numbers make no profile.
     #[must_use]
     pub fn filled(mut self) -> Self {
         if let (Ok(profile), Ok(())) = (self.profile(), self.check()) {
@@ -149,8 +157,8 @@ impl PdcBit {
     ///
     /// # Errors
     ///
-    /// A number out of its range; arcs that do not join nose and gauge; cutters of a blade that overlap; a ring of the
-    /// bottom that no cutter cuts.
+    /// A number out of its range; arcs that do not join nose and gauge; cutters of a blade that
+    /// overlap; a ring of the bottom that no cutter cuts.
     pub fn face(&self) -> Result<BitFace, FaceError> {
         let profile = self.profile()?;
         self.check()?;
@@ -259,8 +267,8 @@ impl PdcBit {
         within("centre spacing", self.centre_spacing, 0.2..=5.0, "0.2 to 5")
     }
 
-    /// Where along a profile the tracks are, m. The first is a quarter of a spacing from the axis (a core bit's on its core), the
-    /// last on the gauge.
+    /// Where along a profile the tracks are, m. The first is a quarter of a spacing from the axis
+    /// (a core bit's on its core), the last on the gauge.
     fn spread(&self, tracks: usize, length_m: f64) -> impl Iterator<Item = f64> {
         let gaps = tracks.saturating_sub(1);
         let weight = |gap: usize| {

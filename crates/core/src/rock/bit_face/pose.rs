@@ -8,7 +8,8 @@ use serde::{Deserialize, Serialize};
 pub struct Pose {
     /// The bit's reference point, m.
     pub position_m: Vector3<f64>,
-    /// Turns the bit's frame into the rock's: its columns are the bit's `x`, `y` and `z` (down the hole).
+    /// Turns the bit's frame into the rock's: its columns are the bit's `x`, `y` and `z` (down the
+    /// hole).
     pub rotation: Matrix3<f64>,
     /// Velocity of the reference point, m/s.
     pub velocity_m_per_s: Vector3<f64>,
@@ -17,10 +18,12 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// A bit at rest. `axis` points down the hole, `high_side` says where the bit's `x` is at an angle of zero (its part
-    /// along the axis does not count); `angle_rad` is positive clockwise, looking down the hole.
+    /// A bit at rest. `axis` points down the hole, `high_side` says where the bit's `x` is at an
+    /// angle of zero (its part along the axis does not count); `angle_rad` is positive clockwise,
+    /// looking down the hole.
     ///
-    /// A `high_side` along the axis, as in a vertical hole, leaves the choice to the bit: any direction across.
+    /// A `high_side` along the axis, as in a vertical hole, leaves the choice to the bit: any
+    /// direction across.
     pub fn new(
         position_m: Vector3<f64>,
         axis: Vector3<f64>,

@@ -1,15 +1,17 @@
-//! The profile of a bit: the line in the plane of radius and depth that the tips of its cutters stand on.
+//! The profile of a bit: the line in the plane of radius and depth that the tips of its cutters
+//! stand on.
 
 use std::f64::consts::FRAC_PI_2;
 
 use super::error::{FaceError, positive, within};
 
-/// The profile from the axis to the gauge: a straight cone, the arc of the nose, the arc of the shoulder, and the
-/// straight gauge, joined without a corner.
+/// The profile from the axis to the gauge: a straight cone, the arc of the nose, the arc of the
+/// shoulder, and the straight gauge, joined without a corner.
 ///
-/// Depth `z` grows down the hole and is zero at the nose, the lowest point. The nose's arc goes from `−α`, the
-/// cone's angle, to `β`, the shoulder's from there to the right angle; both centres lie on one line,
-/// `(R_n − R_s) sin β = R − R_s − r_n`. A core bit has an inner gauge in the cone's place, `α = π/2`.
+/// Depth `z` grows down the hole and is zero at the nose, the lowest point. The nose's arc goes
+/// from `−α`, the cone's angle, to `β`, the shoulder's from there to the right angle; both centres
+/// lie on one line, `(R_n − R_s) sin β = R − R_s − r_n`. A core bit has an inner gauge in the
+/// cone's place, `α = π/2`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
     radius_m: f64,
@@ -239,7 +241,8 @@ impl Profile {
         self.z_m(self.nose_m.clamp(from_m, to_m.max(from_m)))
     }
 
-    /// Distance of a point from the profile, positive on the rock's side, m, and the direction in which it grows.
+    /// Distance of a point from the profile, positive on the rock's side, m, and the direction in
+    /// which it grows.
     pub(super) fn distance(&self, radius_m: f64, z_m: f64) -> (f64, [f64; 2]) {
         let [inner, outer] = self.tangents;
         let from_nose = [radius_m - self.nose_m, z_m + self.nose_radius_m];

@@ -1,9 +1,11 @@
 //! Convex solids of revolution: cutters and inserts.
 
-/// A convex solid of revolution, rounded: all points within `rounding` of a convex polygon turned about its axis.
+/// A convex solid of revolution, rounded: all points within `rounding` of a convex polygon turned
+/// about its axis.
 ///
-/// Coordinates are the distance `ρ` from the axis and the height `ζ` along it. A disc with a chamfer is a polygon
-/// without rounding, a hemispherical insert a piece of the axis with its radius, a conical one a cone rounded.
+/// Coordinates are the distance `ρ` from the axis and the height `ζ` along it. A disc with a
+/// chamfer is a polygon without rounding, a hemispherical insert a piece of the axis with its
+/// radius, a conical one a cone rounded.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Revolved {
     /// Corners from the top of the axis to its bottom; the last one repeats.
@@ -18,7 +20,8 @@ pub(super) struct Revolved {
 const CORNERS: usize = 5;
 
 impl Revolved {
-    /// The solid of this polygon, whose first and last corners are on the axis, the first on top. Corners that coincide are one.
+    /// The solid of this polygon, whose first and last corners are on the axis, the first on top.
+    /// Corners that coincide are one.
     pub(super) fn new(outline: &[[f64; 2]], rounding_m: f64) -> Self {
         let mut corners = [outline[0]; CORNERS];
         let mut normals = [[1.0, 0.0]; CORNERS - 1];
@@ -43,7 +46,8 @@ impl Revolved {
         }
     }
 
-    /// Distance of a point from the surface, negative inside, m, and the direction in which it grows.
+    /// Distance of a point from the surface, negative inside, m, and the direction in which it
+    /// grows.
     pub(super) fn distance(&self, rho: f64, zeta: f64) -> (f64, [f64; 2]) {
         let (mut distance, mut normal) = self.farthest_edge(rho, zeta);
         if distance > 0.0 {

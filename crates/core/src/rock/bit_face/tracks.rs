@@ -6,10 +6,11 @@ use nalgebra::Vector3;
 
 use super::{bottom::BottomHole, cutter::Cutter, profile::Profile};
 
-/// The tracks of a face: for each cutter and each ring of the bottom the lowest point that it passes, and the angle at
-/// which it does.
+/// The tracks of a face: for each cutter and each ring of the bottom the lowest point that it
+/// passes, and the angle at which it does.
 ///
-/// Rings are of equal width from the axis, or the core, to the gauge; a track is known at the middle of each.
+/// Rings are of equal width from the axis, or the core, to the gauge; a track is known at the
+/// middle of each.
 #[derive(Debug, Clone)]
 pub struct Tracks {
     core_radius_m: f64,
@@ -35,13 +36,14 @@ struct Pass {
 pub struct Cut {
     /// Advance per revolution that it is for, m.
     pub depth_of_cut_m: f64,
-    /// Rock that each cutter removes in a revolution, m³. They add up to the area of the bottom times the depth of cut.
+    /// Rock that each cutter removes in a revolution, m³. They add up to the area of the bottom
+    /// times the depth of cut.
     pub volume_m3: Vec<f64>,
-    /// Section of each cutter's cut in the plane of radius and depth, m². They add up to the width of the bottom times the
-    /// depth of cut.
+    /// Section of each cutter's cut in the plane of radius and depth, m². They add up to the width
+    /// of the bottom times the depth of cut.
     pub area_m2: Vec<f64>,
-    /// Sum of the cutters' drag across the axis, in the bit's frame, if each is its cut's area times one specific energy: against
-    /// the sum of its magnitudes.
+    /// Sum of the cutters' drag across the axis, in the bit's frame, if each is its cut's area
+    /// times one specific energy: against the sum of its magnitudes.
     pub drag_imbalance: [f64; 2],
     /// The same of thrusts along the profile's normals.
     pub thrust_imbalance: [f64; 2],
@@ -50,7 +52,8 @@ pub struct Cut {
 /// Rings of the bottom.
 const RINGS: usize = 512;
 
-/// How far from the axis, in half widths of a cutter that holds it, verticals are asked, and their number around it.
+/// How far from the axis, in half widths of a cutter that holds it, verticals are asked, and their
+/// number around it.
 const AXIS: f64 = 0.25;
 const VERTICALS: usize = 120;
 
@@ -103,7 +106,8 @@ impl Tracks {
         self.fill_axis(index, cutter);
     }
 
-    /// Near the axis, which its lines pass at a distance, a cutter is asked itself: along verticals.
+    /// Near the axis, which its lines pass at a distance, a cutter is asked itself: along
+    /// verticals.
     fn fill_axis(&mut self, index: usize, cutter: &Cutter) {
         if lowest_above(cutter, 0.0, 0.0).is_none() {
             return;
@@ -149,19 +153,22 @@ impl Tracks {
         &self.passes[ring * self.cutters..(ring + 1) * self.cutters]
     }
 
-    /// Lowest point that a cutter passes on a ring, m below the reference point; `None` where it does not reach.
+    /// Lowest point that a cutter passes on a ring, m below the reference point; `None` where it
+    /// does not reach.
     pub fn track_m(&self, cutter: usize, ring: usize) -> Option<f64> {
         let z = self.ring(ring)[cutter].z_m;
         (z > f64::NEG_INFINITY).then_some(z)
     }
 
-    /// Lowest point that any cutter passes on a ring, m below the reference point: the bottom at no advance.
+    /// Lowest point that any cutter passes on a ring, m below the reference point: the bottom at no
+    /// advance.
     pub fn envelope_m(&self, ring: usize) -> f64 {
         let deeper = |z: f64, pass: &Pass| z.max(pass.z_m);
         self.ring(ring).iter().fold(f64::NEG_INFINITY, deeper)
     }
 
-    /// How far rock stands above the profile on a ring at no advance, m: the ridge between the tracks.
+    /// How far rock stands above the profile on a ring at no advance, m: the ridge between the
+    /// tracks.
     pub fn ridge_m(&self, ring: usize) -> f64 {
         self.profile_m[ring] - self.envelope_m(ring)
     }
@@ -173,7 +180,8 @@ impl Tracks {
             .count()
     }
 
-    /// The first rings that no cutter reaches outside a body, given by the distance from it at a radius and a depth.
+    /// The first rings that no cutter reaches outside a body, given by the distance from it at a
+    /// radius and a depth.
     pub(super) fn uncut(&self, from_body: impl Fn(f64, f64) -> f64) -> Option<[f64; 2]> {
         let stands = |&ring: &usize| {
             let z = self.envelope_m(ring);
@@ -185,7 +193,8 @@ impl Tracks {
         Some([self.radius_m(first) - half, self.radius_m(last) + half])
     }
 
-    /// What a cutter takes off on a ring: from the deepest that the others, and itself a revolution ago, have left.
+    /// What a cutter takes off on a ring: from the deepest that the others, and itself a revolution
+    /// ago, have left.
     fn thickness_m(&self, ring: usize, cutter: usize, depth_of_cut_m: f64) -> f64 {
         let passes = self.ring(ring);
         let own = passes[cutter];
@@ -194,7 +203,8 @@ impl Tracks {
         }
         let left = passes.iter().enumerate().map(|(other, pass)| {
             let ahead = (pass.angle_rad - own.angle_rad).rem_euclid(TAU) / TAU;
-            // Of two that pass together the first counts as ahead by nothing, the other by a whole turn.
+            // Of two that pass together the first counts as ahead by nothing, the other by a whole
+            // turn.
             let turns = if ahead == 0.0 && other >= cutter {
                 1.0
             } else {
@@ -205,7 +215,8 @@ impl Tracks {
         (own.z_m - left.fold(f64::NEG_INFINITY, f64::max)).max(0.0)
     }
 
-    /// What each cutter removes while the bit drills straight on about its axis at an advance per revolution.
+    /// What each cutter removes while the bit drills straight on about its axis at an advance per
+    /// revolution.
     pub fn cut(&self, depth_of_cut_m: f64) -> Cut {
         let mut cut = Cut {
             depth_of_cut_m,
@@ -239,8 +250,9 @@ impl Tracks {
         cut
     }
 
-    /// The bottom that a bit leaves at an advance per revolution, its angle being `angle_rad` and its reference point at zero:
-    /// in each sector the deepest that a cutter has left since it passed there.
+    /// The bottom that a bit leaves at an advance per revolution, its angle being `angle_rad` and
+    /// its reference point at zero: in each sector the deepest that a cutter has left since it
+    /// passed there.
     pub fn bottom(&self, depth_of_cut_m: f64, angle_rad: f64, sectors: usize) -> BottomHole {
         let outer = self.core_radius_m + self.width_m * RINGS as f64;
         let mut bottom = BottomHole::new([self.core_radius_m, outer], RINGS, sectors);
@@ -264,8 +276,8 @@ impl Tracks {
     }
 }
 
-/// Where a vertical enters a cutter from below, m; `None` if it passes by. Each step goes as far as the cutter is away,
-/// which cannot miss a convex solid.
+/// Where a vertical enters a cutter from below, m; `None` if it passes by. Each step goes as far as
+/// the cutter is away, which cannot miss a convex solid.
 fn lowest_above(cutter: &Cutter, x: f64, y: f64) -> Option<f64> {
     let [top, bottom] = cutter.bounds();
     let mut z = bottom.z;

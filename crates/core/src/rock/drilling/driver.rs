@@ -13,7 +13,8 @@ pub enum Driver {
     Weight {
         /// The weight, N.
         weight_N: f64,
-        /// Mass that moves along the hole with the bit, kg. It must be well above that of the nodes that the bit touches.
+        /// Mass that moves along the hole with the bit, kg. It must be well above that of the nodes
+        /// that the bit touches.
         mass_kg: f64,
         /// Rotary speed, rad/s.
         rotary_rad_per_s: f64,

@@ -49,8 +49,9 @@ impl DrillingEnergies {
 
 /// A rigid bit on a block of rock, each of which moves the other.
 ///
-/// It is plain data; of the bit, its numbers are stored. The frame is that of the hole: z points down along it, the origin
-/// is the corner of the block as it was at first, and stays there while the block follows the bit.
+/// It is plain data; of the bit, its numbers are stored. The frame is that of the hole: z points
+/// down along it, the origin is the corner of the block as it was at first, and stays there while
+/// the block follows the bit.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Drilling {
     block: Block,
@@ -64,8 +65,9 @@ pub struct Drilling {
 }
 
 impl Drilling {
-    /// A bit at rest on the middle of a block, upright: in the hole that it would have drilled, as deep as the wall that is
-    /// kept, or on the flat top. The elements of that hole count as dropped, not as broken.
+    /// A bit at rest on the middle of a block, upright: in the hole that it would have drilled, as
+    /// deep as the wall that is kept, or on the flat top. The elements of that hole count as
+    /// dropped, not as broken.
     ///
     /// # Errors
     /// Those of [`DrillingSpec::check`].
@@ -112,9 +114,10 @@ impl Drilling {
 
     /// Moves bit and rock through a time, in equal steps that the rock bears.
     ///
-    /// The bit is pushed by the rock after each step of the rock, as the nodes that it touches are: what the one gains in
-    /// momentum the others lose, and works are forces times the means of the velocities before and after. The contact takes the
-    /// bit's velocity from before the push, so that the bit must be heavier than the nodes that it touches.
+    /// The bit is pushed by the rock after each step of the rock, as the nodes that it touches are:
+    /// what the one gains in momentum the others lose, and works are forces times the means of the
+    /// velocities before and after. The contact takes the bit's velocity from before the push, so
+    /// that the bit must be heavier than the nodes that it touches.
     pub fn advance(
         &mut self,
         time_s: f64,
@@ -175,8 +178,8 @@ impl Drilling {
         advance
     }
 
-    /// The bit continues and turns; its spin, rad/s. The spin stays with the axis and what tilts the bit goes along: how a spinning
-    /// bit precesses is its string's.
+    /// The bit continues and turns; its spin, rad/s. The spin stays with the axis and what tilts
+    /// the bit goes along: how a spinning bit precesses is its string's.
     fn go(&mut self, dt: f64) -> f64 {
         let omega = self.pose.angular_velocity_rad_per_s;
         let axis = self.pose.axis();
@@ -230,8 +233,8 @@ impl Drilling {
         self.energies
     }
 
-    /// Elements that were dropped, not broken: those of the hole that the bit began in, and of its wall as the block followed the
-    /// bit. They count among those that have gone from the block.
+    /// Elements that were dropped, not broken: those of the hole that the bit began in, and of its
+    /// wall as the block followed the bit. They count among those that have gone from the block.
     pub fn dropped(&self) -> usize {
         self.dropped
     }

@@ -10,7 +10,8 @@ pub struct Inertia {
     pub mass_kg: f64,
     /// Mass across it, kg.
     pub lateral_mass_kg: f64,
-    /// A unit vector of the hole's frame: z, or where a string that leans in its hole says otherwise.
+    /// A unit vector of the hole's frame: z, or where a string that leans in its hole says
+    /// otherwise.
     pub along: Vector3<f64>,
     /// Moment of inertia about the bit's axis, kg·m².
     pub about_axis_kg_m2: f64,
@@ -40,7 +41,8 @@ impl Inertia {
         along * self.mass_kg + (change_m_per_s - along) * self.lateral_mass_kg
     }
 
-    /// What the impulse of a moment, N·m·s, changes of the angular velocity of a bit with an axis, rad/s.
+    /// What the impulse of a moment, N·m·s, changes of the angular velocity of a bit with an axis,
+    /// rad/s.
     pub(super) fn turned(&self, impulse_N_m_s: Vector3<f64>, axis: &Vector3<f64>) -> Vector3<f64> {
         let about = axis * axis.dot(&impulse_N_m_s);
         about / self.about_axis_kg_m2 + (impulse_N_m_s - about) / self.across_axis_kg_m2
@@ -86,7 +88,8 @@ pub struct Advance {
 }
 
 impl Advance {
-    /// Continues with what became of the bit next: forces and moments are those of both times on average.
+    /// Continues with what became of the bit next: forces and moments are those of both times on
+    /// average.
     pub fn join(&mut self, next: &Self) {
         let time_s = self.time_s + next.time_s;
         let mean = |before: Vector3<f64>, after: Vector3<f64>| {

@@ -11,8 +11,8 @@ const FINE: f64 = 1.0 / 64.0;
 const FAR: f64 = 4.0;
 
 impl Drilling {
-    /// Takes away what is in the way of the bit turned about its axis, its nose as deep as the wall is high, and lowers it
-    /// until the face, as it stands, touches. What goes counts as dropped.
+    /// Takes away what is in the way of the bit turned about its axis, its nose as deep as the wall
+    /// is high, and lowers it until the face, as it stands, touches. What goes counts as dropped.
     pub(super) fn seat(&mut self) {
         let grid = *self.block.grid();
         let nose_m = self.pose.position_m + Vector3::z() * self.wall_m;

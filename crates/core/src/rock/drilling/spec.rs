@@ -20,10 +20,11 @@ pub struct DrillingSpec {
     pub bit: BitShape,
     /// How bit and rock touch.
     pub contact: ContactLaw,
-    /// Height of the hole's wall above the bit's lowest point that is kept, m; what is higher is dropped while the block
-    /// follows the bit.
+    /// Height of the hole's wall above the bit's lowest point that is kept, m; what is higher is
+    /// dropped while the block follows the bit.
     pub wall_m: f64,
-    /// Whether the bit begins in the hole that it would have drilled (default), its nose as deep as `wall_m`, or on the flat top.
+    /// Whether the bit begins in the hole that it would have drilled (default), its nose as deep as
+    /// `wall_m`, or on the flat top.
     pub seated: bool,
 }
 
@@ -57,11 +58,12 @@ const SLABS: usize = 4;
 impl DrillingSpec {
     /// A bit on cubes of this size.
     ///
-    /// The block is two elements, or an eighth of the diameter, wider than the bit on each side, and as deep as the face from its
-    /// nose to the gauge, and a quarter of the diameter, or four elements, below. It is held at the bottom, so that the
-    /// weight does not push it away; there is more rock around. Its density is 400 times the rock's: four times as much moves mean
-    /// forces by less than 5 % while `ρ v²`, with the scaled density and the speed of the bit's rim, stays below a quarter of the
-    /// rock's strength.
+    /// The block is two elements, or an eighth of the diameter, wider than the bit on each side,
+    /// and as deep as the face from its nose to the gauge, and a quarter of the diameter, or four
+    /// elements, below. It is held at the bottom, so that the weight does not push it away; there
+    /// is more rock around. Its density is 400 times the rock's: four times as much moves mean
+    /// forces by less than 5 % while `ρ v²`, with the scaled density and the speed of the bit's
+    /// rim, stays below a quarter of the rock's strength.
     ///
     /// # Errors
     /// Numbers that make no face.

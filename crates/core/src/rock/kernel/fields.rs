@@ -20,8 +20,8 @@ pub struct Fields {
     pub books: *mut RowBook,
 }
 
-// SAFETY: each slab reads and writes its own elements, books and inner layers of nodes, and reads the layers of nodes that it
-// shares with its neighbours, which nothing writes meanwhile.
+// SAFETY: each slab reads and writes its own elements, books and inner layers of nodes, and reads
+// the layers of nodes that it shares with its neighbours, which nothing writes meanwhile.
 unsafe impl Send for Fields {}
 // SAFETY: as above.
 unsafe impl Sync for Fields {}

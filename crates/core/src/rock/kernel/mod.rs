@@ -1,13 +1,14 @@
 //! One step of a block: the inner loop of the rock.
 //!
-//! Central differences: nodes drift with their velocities, elements answer to where they got and how fast, nodes are kicked.
-//! The three follow each other layer by layer, so that a layer is still in the cache. A row of elements along x writes what
-//! its near and its far corners get side by side, in the order of the elements, and the rows of nodes take it up: nothing
-//! is gathered or scattered.
+//! Central differences: nodes drift with their velocities, elements answer to where they got and
+//! how fast, nodes are kicked. The three follow each other layer by layer, so that a layer is still
+//! in the cache. A row of elements along x writes what its near and its far corners get side by
+//! side, in the order of the elements, and the rows of nodes take it up: nothing is gathered or
+//! scattered.
 //!
-//! A block is cut into slabs along z. Between two slabs a layer of nodes is shared: it drifts before the slabs are
-//! worked on and is kicked after them, by what both have found. So slabs may be worked on at the same time, and the
-//! sums are taken in one order.
+//! A block is cut into slabs along z. Between two slabs a layer of nodes is shared: it drifts
+//! before the slabs are worked on and is kicked after them, by what both have found. So slabs may
+//! be worked on at the same time, and the sums are taken in one order.
 
 mod fields;
 mod nodes;
@@ -105,14 +106,16 @@ impl Stepper {
     /// # Safety
     /// `fields` point to the state of a block of this grid, which nothing else uses.
     pub unsafe fn begin(&self, fields: &Fields, grid: &Grid, dt: f64, slab: &Slab) {
-        // SAFETY: the caller's; `all` lists only code whose instructions the processor was found to have.
+        // SAFETY: the caller's; `all` lists only code whose instructions the processor was found to
+        // have.
         unsafe { (self.begin)(fields, grid, dt, slab.from) }
     }
 
     /// The elements of a slab answer, and its own nodes move.
     ///
     /// # Safety
-    /// `fields` point to the state of a block of this grid, of which nothing else uses what is this slab's.
+    /// `fields` point to the state of a block of this grid, of which nothing else uses what is this
+    /// slab's.
     pub unsafe fn work(
         &self,
         fields: &Fields,

@@ -13,8 +13,8 @@ use crate::{
 /// What a row of elements pulls at its nodes, N.
 #[derive(Debug, Clone)]
 pub struct Pulls {
-    /// One after the other: near and far corners in x of the four edges along x, by component. A group of
-    /// zeros stands before and after each.
+    /// One after the other: near and far corners in x of the four edges along x, by component. A
+    /// group of zeros stands before and after each.
     of: Vec<f64>,
     length: usize,
 }
@@ -37,7 +37,8 @@ impl Pulls {
         (3 * corner + axis) * self.length + GROUP + element
     }
 
-    /// Nodes take up what the elements between them pull: the two rows of nodes above the elements or those below.
+    /// Nodes take up what the elements between them pull: the two rows of nodes above the elements
+    /// or those below.
     ///
     /// # Safety
     /// `layer` is a layer of nodes of this grid.
@@ -56,7 +57,8 @@ impl Pulls {
                 let (near, far) = (self.place(edge, axis, 0), self.place(edge + 1, axis, 0) - 1);
                 let pulls = pulls[from..from + grid.node_row()].as_mut_ptr();
                 for at in (0..grid.node_row()).step_by(N::WIDTH) {
-                    // SAFETY: a row of nodes is a group longer than one of elements, as are the pulls.
+                    // SAFETY: a row of nodes is a group longer than one of elements, as are the
+                    // pulls.
                     unsafe {
                         let sum = N::load(pulls.add(at)) + N::load(self.of.as_ptr().add(near + at));
                         (sum + N::load(self.of.as_ptr().add(far + at))).store(pulls.add(at));
@@ -77,7 +79,8 @@ struct Books<N> {
 /// A row of elements answers. Whether there is an element left in it.
 ///
 /// # Safety
-/// `fields` point to the state of a block of this grid, whose elements in this row and their book nothing else uses.
+/// `fields` point to the state of a block of this grid, whose elements in this row and their book
+/// nothing else uses.
 #[inline(always)]
 pub unsafe fn work<N: Number<Real = f64>>(
     fields: &Fields,

@@ -56,7 +56,8 @@ impl Slab {
 /// The elements of a slab answer, and the nodes between them move.
 ///
 /// # Safety
-/// `fields` point to the state of a block of this grid, of which nothing else uses what is this slab's.
+/// `fields` point to the state of a block of this grid, of which nothing else uses what is this
+/// slab's.
 #[inline(always)]
 pub unsafe fn work<N: Number<Real = f64>>(
     fields: &Fields,

@@ -25,11 +25,11 @@ use super::{
 /// Samples of the rock's energies in a revolution: each costs as much as a few steps.
 const SAMPLES_PER_REVOLUTION: u64 = 8;
 
-/// A trial under way: the bit is held to the hole's axis and turned at a constant speed under a constant weight, first until
-/// it has made its bottom, then for the count.
+/// A trial under way: the bit is held to the hole's axis and turned at a constant speed under a
+/// constant weight, first until it has made its bottom, then for the count.
 ///
-/// It is plain data: one that is stored and resumed comes to the same bits. It ends after its revolutions,
-/// whether the bit gets on or not.
+/// It is plain data: one that is stored and resumed comes to the same bits. It ends after its
+/// revolutions, whether the bit gets on or not.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Trial {
     spec: TrialSpec,
@@ -63,7 +63,8 @@ impl Trial {
         self.drilling.check(drilling)
     }
 
-    /// Continues by at most so many steps, as far as there are any left. The pieces do not matter: the same steps come to the same bits.
+    /// Continues by at most so many steps, as far as there are any left. The pieces do not matter:
+    /// the same steps come to the same bits.
     ///
     /// # Errors
     /// Forces that are not finite.

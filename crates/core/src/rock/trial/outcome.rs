@@ -9,9 +9,10 @@ use crate::rock::drilling::{Advance, Progress};
 
 /// Means of a bit alone on the rock under one weight at one speed.
 ///
-/// Standard deviations are those of means over [`averaging_time_s`](Self::averaging_time_s). The errors are standard errors of
-/// the means, each revolution being one measurement; none where less than two whole revolutions were counted. A revolution
-/// cuts what the one before has left, so that they are somewhat too small.
+/// Standard deviations are those of means over [`averaging_time_s`](Self::averaging_time_s). The
+/// errors are standard errors of the means, each revolution being one measurement; none where less
+/// than two whole revolutions were counted. A revolution cuts what the one before has left, so that
+/// they are somewhat too small.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TrialOutcome {
     /// Weight that was put on the bit, N.
@@ -44,8 +45,9 @@ pub struct TrialOutcome {
     pub weight_on_bit_std_N: f64,
     /// Work of the bit per volume of rock that it broke, Pa; none where it broke nothing.
     pub specific_energy_Pa: Option<f64>,
-    /// Work of the bit per volume of the hole that it made, its section times its way, Pa: Teale's mechanical specific energy
-    /// (*International Journal of Rock Mechanics and Mining Sciences* 2, 1965). None where the bit did not get on.
+    /// Work of the bit per volume of the hole that it made, its section times its way, Pa: Teale's
+    /// mechanical specific energy (*International Journal of Rock Mechanics and Mining Sciences* 2,
+    /// 1965). None where the bit did not get on.
     pub mechanical_specific_energy_Pa: Option<f64>,
     /// Elements that it broke.
     pub bricks_broken: u64,

@@ -5,21 +5,24 @@ use serde::{Deserialize, Serialize};
 use super::TrialOutcome;
 use crate::rock::drilling::BitShape;
 
-/// The numbers by which a bit on a rock is judged, from trials under several weights at several speeds.
+/// The numbers by which a bit on a rock is judged, from trials under several weights at several
+/// speeds.
 ///
-/// Detournay and Defourny (*International Journal of Rock Mechanics and Mining Sciences* 29, 1992) have `T = ½ μ γ a W` of what
-/// bears on wear flats, `T = a W/2ζ` of what cuts, and a specific energy of the order of the rock's strength.
+/// Detournay and Defourny (*International Journal of Rock Mechanics and Mining Sciences* 29, 1992)
+/// have `T = ½ μ γ a W` of what bears on wear flats, `T = a W/2ζ` of what cuts, and a specific
+/// energy of the order of the rock's strength.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct DrillingResponse {
-    /// Slope of the line `T = s W + t` with the least squares of the torque, m, `W` the weight that the rock bore; none where
-    /// but one weight was put on the bit.
+    /// Slope of the line `T = s W + t` with the least squares of the torque, m, `W` the weight that
+    /// the rock bore; none where but one weight was put on the bit.
     pub torque_over_weight_m: Option<f64>,
     /// The same over the bit's radius.
     pub torque_over_weight_and_radius: Option<f64>,
     /// Torque of that line where there is no weight, N·m.
     pub torque_at_no_weight_N_m: Option<f64>,
-    /// Weight over a blade's depth of cut `d/n`, by the least squares of the weight, N/m: against what the blade before has left, the
-    /// bottom is as stiff. None of a bit without blades, or where none got on.
+    /// Weight over a blade's depth of cut `d/n`, by the least squares of the weight, N/m: against
+    /// what the blade before has left, the bottom is as stiff. None of a bit without blades, or
+    /// where none got on.
     pub bottom_stiffness_N_per_m: Option<f64>,
     /// Work per volume broken, of all trials together, Pa; none where nothing was broken.
     pub specific_energy_Pa: Option<f64>,
@@ -149,8 +152,8 @@ mod tests {
         assert_eq!(DrillingResponse::of(&[], &bit, 50e6), of);
     }
 
-    /// Under one weight at three speeds the rock bears it but for some newtons: a line through these had a slope of hundreds of
-    /// radii.
+    /// Under one weight at three speeds the rock bears it but for some newtons: a line through
+    /// these had a slope of hundreds of radii.
     #[test]
     fn what_scatters_about_one_weight_is_no_second_weight() {
         let trial = |weight_borne_N: f64, torque_N_m: f64| TrialOutcome {

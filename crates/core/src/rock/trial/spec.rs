@@ -14,17 +14,18 @@ pub struct TrialSpec {
     pub weight_N: f64,
     /// Rotary speed, rad/s.
     pub rotary_rad_per_s: f64,
-    /// Mass that moves along the hole with the bit, kg: more of it steadies the bit, and makes its weight fluctuate more.
+    /// Mass that moves along the hole with the bit, kg: more of it steadies the bit, and makes its
+    /// weight fluctuate more.
     pub mass_kg: f64,
     /// Revolutions before anything is counted, in which the bit makes its bottom.
     pub settle_revolutions: f64,
     /// Revolutions that are counted.
     pub revolutions: f64,
-    /// The time over which forces are averaged before their standard deviations are taken, s. A revolution takes a whole number
-    /// of equal times, which are no longer than this.
+    /// The time over which forces are averaged before their standard deviations are taken, s. A
+    /// revolution takes a whole number of equal times, which are no longer than this.
     pub averaging_s: f64,
-    /// The time in which bit and rock are driven at a time, s: about a step of a string. Such an average takes a whole number of
-    /// equal steps, which are no longer than this.
+    /// The time in which bit and rock are driven at a time, s: about a step of a string. Such an
+    /// average takes a whole number of equal steps, which are no longer than this.
     pub step_s: f64,
 }
 
@@ -140,8 +141,8 @@ impl TrialSpec {
     }
 }
 
-/// Into how many equal parts a time is cut that are no longer than another. A part that rounding has made a little too long is
-/// none the worse.
+/// Into how many equal parts a time is cut that are no longer than another. A part that rounding
+/// has made a little too long is none the worse.
 fn parts(time_s: f64, longest_s: f64) -> u64 {
     (time_s / longest_s * (1.0 - 1e-12)).ceil().max(1.0) as u64
 }

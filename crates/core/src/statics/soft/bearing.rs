@@ -109,8 +109,8 @@ impl<'a> Carrier<'a> {
         }
     }
 
-    /// The largest curvature that the body has near a point: the hole's, where tool joints hold it off the wall that
-    /// at the joints or half-way between them, whichever is more.
+    /// The largest curvature that the body has near a point: the hole's, where tool joints hold it
+    /// off the wall that at the joints or half-way between them, whichever is more.
     fn curvature_per_m(&self, point: &Point, load: &Load, totals: &Totals) -> f64 {
         let hole_per_m = point.curvature_per_m;
         let Some(span) = &self.span else {
@@ -127,7 +127,8 @@ impl<'a> Carrier<'a> {
     }
 }
 
-/// Angle of the load from the low side, rad, positive to the right looking down the hole; none without a load.
+/// Angle of the load from the low side, rad, positive to the right looking down the hole; none
+/// without a load.
 fn climb_rad(point: &Point, high_side: &Vector3<f64>, load: &Load) -> Option<f64> {
     let up = load.q_N_per_m.dot(high_side);
     let right = load.q_N_per_m.dot(&point.tangent.cross(high_side));

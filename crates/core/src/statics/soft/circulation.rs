@@ -27,15 +27,18 @@ pub(super) struct Circulating {
     pub(super) torque_N_m_per_m: f64,
     /// Strain by the pressures that flow adds, the mean of the stretch.
     pub(super) strain: f64,
-    /// What the flow adds to the pressure in the annulus at the lower end, Pa, and what of it a metre upwards takes.
+    /// What the flow adds to the pressure in the annulus at the lower end, Pa, and what of it a
+    /// metre upwards takes.
     pub(super) outer_Pa: f64,
     pub(super) outer_fall_Pa_per_m: f64,
-    /// What it adds to the pressure in the bore at the lower end, Pa, and what a metre upwards adds.
+    /// What it adds to the pressure in the bore at the lower end, Pa, and what a metre upwards
+    /// adds.
     pub(super) inner_Pa: f64,
     pub(super) inner_rise_Pa_per_m: f64,
 }
 
-/// What the mud does to stretches, from the bit up, and to the whole string; nothing without a rheology.
+/// What the mud does to stretches, from the bit up, and to the whole string; nothing without a
+/// rheology.
 pub(super) fn along(
     model: &Model,
     operation: &Operation,

@@ -116,8 +116,8 @@ impl Segment<'_> {
     }
 }
 
-/// Ends of the stretches, from the bit up: where the path's curvature, the component or the hole section
-/// may change.
+/// Ends of the stretches, from the bit up: where the path's curvature, the component or the hole
+/// section may change.
 fn ends(model: &Model, bit_depth_m: f64) -> Vec<f64> {
     let stations = model
         .well
@@ -264,7 +264,8 @@ pub(super) fn from_bit(
             rows.push(segment.row(path, lower_md_m, &lower, &totals));
             let middle = path.heading_at(0.5 * (lower_md_m + upper_md_m));
             let upper = path.heading_at(upper_md_m);
-            // Simpson's rule from the stretch's lower end up: `κ⁴ step⁵/2880` a step, for pressures.
+            // Simpson's rule from the stretch's lower end up: `κ⁴ step⁵/2880` a step, for
+            // pressures.
             let [low_z, middle_z, up_z] = [lower.tangent.z, middle.tangent.z, upper.tangent.z];
             let middle_tvd_m = lower.tvd_m - step_m / 24.0 * (5.0 * low_z + 8.0 * middle_z - up_z);
             let upper_tvd_m = lower.tvd_m - step_m / 6.0 * (low_z + 4.0 * middle_z + up_z);

@@ -31,8 +31,8 @@ impl Sliding {
         }
     }
 
-    /// Parts of the sliding direction along the hole (positive towards the bit) and around it, for a
-    /// surface at a radius, m. Their squares add up to one.
+    /// Parts of the sliding direction along the hole (positive towards the bit) and around it, for
+    /// a surface at a radius, m. Their squares add up to one.
     pub(super) fn direction(self, radius_m: f64) -> (f64, f64) {
         match self {
             Self::Axial(along) => (along, 0.0),

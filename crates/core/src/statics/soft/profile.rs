@@ -25,8 +25,8 @@ use crate::{
 pub struct SoftProfile {
     /// Along the string.
     pub profile: Profile,
-    /// Unit vector from the hole's axis to where the pipe touches the wall, the direction of the load;
-    /// towards the low side where there is no load. A row for each of the profile.
+    /// Unit vector from the hole's axis to where the pipe touches the wall, the direction of the
+    /// load; towards the low side where there is no load. A row for each of the profile.
     pub contact_direction: Vec<Vector3<f64>>,
     /// Along the hole.
     pub wear: HoleWear,
@@ -127,12 +127,14 @@ impl SoftProfile {
         }
     }
 
-    /// Effective tension at a measured depth, N, linear between the rows; the end's value beyond them.
+    /// Effective tension at a measured depth, N, linear between the rows; the end's value beyond
+    /// them.
     pub fn tension_at_N(&self, md_m: f64) -> f64 {
         interpolate(&self.md_m, &self.tension_N, md_m)
     }
 
-    /// Signed side force at a measured depth, N/m, linear between the rows; the end's value beyond them.
+    /// Signed side force at a measured depth, N/m, linear between the rows; the end's value beyond
+    /// them.
     pub fn side_force_at_N_per_m(&self, md_m: f64) -> f64 {
         interpolate(&self.md_m, &self.side_force_N_per_m, md_m)
     }

@@ -4,10 +4,11 @@
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SoftSettings {
     /// Longest step along the hole, m, from 0.05 to 100. Steps also end at survey stations, at the
-    /// ends of components and at those of hole sections. The rows of the profile are the steps' ends.
+    /// ends of components and at those of hole sections. The rows of the profile are the steps'
+    /// ends.
     ///
-    /// Default 1 m. The method is of fourth order, but where the pipe changes sides `|q|` has a kink
-    /// that costs `μ |dq/ds| step²`: at 1 m less than a newton, 1e-6 of a hook load.
+    /// Default 1 m. The method is of fourth order, but where the pipe changes sides `|q|` has a
+    /// kink that costs `μ |dq/ds| step²`: at 1 m less than a newton, 1e-6 of a hook load.
     pub step_m: f64,
 }
 

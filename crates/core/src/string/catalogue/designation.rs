@@ -7,16 +7,17 @@ use super::{
 
 /// Two outside diameters or bores closer than this are the same, in: "5.88 in" is 5-7/8 in.
 const DIAMETER_TOLERANCE_IN: f64 = 0.006;
-/// Two nominal weights closer than this are the same, lb/ft; those of one size differ by 1.7 or more.
+/// Two nominal weights closer than this are the same, lb/ft; those of one size differ by 1.7 or
+/// more.
 const WEIGHT_TOLERANCE_LB_PER_FT: f64 = 0.15;
 /// How many entries an error names.
 const NEAREST: usize = 4;
 
 /// The entry of a designation.
 ///
-/// Understood are `5-1/2 in 21.90 lb/ft S-135`, `HWDP 5 in 49.3 lb/ft` and `8 in x 2-13/16 in collar`,
-/// and the usual other spellings: `5 1/2" 21.9 ppf S135`, `5.5 in 21.90# s-135 drill pipe`. An unknown
-/// designation is answered with the nearest entries:
+/// Understood are `5-1/2 in 21.90 lb/ft S-135`, `HWDP 5 in 49.3 lb/ft` and
+/// `8 in x 2-13/16 in collar`, and the usual other spellings: `5 1/2" 21.9 ppf S135`,
+/// `5.5 in 21.90# s-135 drill pipe`. An unknown designation is answered with the nearest entries:
 ///
 /// ```
 /// use wholestring::string::catalogue;
@@ -105,8 +106,8 @@ fn edit_distance(a: &[char], b: &[char]) -> usize {
 struct Reading {
     kind: TubularKind,
     od_in: f64,
-    /// Nominal weight in lb/ft, or the bore of a collar in inches; of heavy-weight pipe, whose sizes
-    /// have one weight each, it may be left out.
+    /// Nominal weight in lb/ft, or the bore of a collar in inches; of heavy-weight pipe, whose
+    /// sizes have one weight each, it may be left out.
     second: Option<f64>,
     /// Letter of the grade: `e`, `x`, `g`, `s`.
     grade: Option<String>,

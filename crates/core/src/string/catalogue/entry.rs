@@ -56,8 +56,8 @@ pub struct CatalogueEntry {
     pub source: &'static str,
 }
 
-/// Volume of metal of a joint's two tapers, 18° on the box's elevator shoulder and 35° on the pin's,
-/// and the length of pipe that they replace, m³ and m.
+/// Volume of metal of a joint's two tapers, 18° on the box's elevator shoulder and 35° on the
+/// pin's, and the length of pipe that they replace, m³ and m.
 fn tapers(joint: &JointDimensions) -> (f64, f64) {
     let Some(upset_od_m) = joint.upset_od_m else {
         return (0.0, 0.0);
@@ -76,9 +76,9 @@ impl CatalogueEntry {
     ///
     /// `m = ρ [A_body (S - L_joint - L_taper) + A_joint L_joint + V_taper + (A_pad - A_body) L_pad] / S`
     ///
-    /// with `S` the spacing of the joints and `L_taper`, `V_taper` those of an 18° and a 35° cone from
-    /// the joint's diameter down to the upset's (the cones of API RP 7G's formula for the weight of a
-    /// tool joint). The pipe's upsets are left out; they add 1 to 2 %.
+    /// with `S` the spacing of the joints and `L_taper`, `V_taper` those of an 18° and a 35° cone
+    /// from the joint's diameter down to the upset's (the cones of API RP 7G's formula for the
+    /// weight of a tool joint). The pipe's upsets are left out; they add 1 to 2 %.
     pub fn mass_per_length_kg_per_m(&self, density_kg_per_m3: f64) -> f64 {
         let body_m2 = ring_area_m2(self.od_m, self.id_m);
         let Some(joint) = &self.joints else {

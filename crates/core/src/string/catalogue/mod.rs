@@ -2,10 +2,11 @@
 //!
 //! Only dimensions and grades are stored, as facts with the standard that they come from; masses
 //! and strengths are computed from them. One tool joint is chosen for each pipe and grade where the
-//! standards offer several: copy the [`CatalogueEntry`], change its dimensions, and the mass follows.
+//! standards offer several: copy the [`CatalogueEntry`], change its dimensions, and the mass
+//! follows.
 //!
-//! The computed mass of a drill pipe is within 3 % of the approximate weights of API RP 7G, mostly below
-//! them: those count the upsets too.
+//! The computed mass of a drill pipe is within 3 % of the approximate weights of API RP 7G, mostly
+//! below them: those count the upsets too.
 
 mod designation;
 mod entry;

@@ -21,8 +21,8 @@ const HEAVY_WEIGHT_SOURCE: &str =
     "API Spec 7-1 and API RP 7G (body, 55 ksi tube, joints, wear pad), range 2 pipe";
 const COLLAR_SOURCE: &str = "API Spec 7-1 (outside diameter, bore, yield strength)";
 
-/// Distance between joints of range 2 drill pipe, m: a third of a stand of 28.8 m. API Spec 5DP lets a
-/// range 2 pipe be 8.84 to 9.75 m long with its tool joint.
+/// Distance between joints of range 2 drill pipe, m: a third of a stand of 28.8 m. API Spec 5DP
+/// lets a range 2 pipe be 8.84 to 9.75 m long with its tool joint.
 const PIPE_SPACING_M: f64 = 9.6;
 /// Distance between joints of range 2 heavy-weight drill pipe, m (30-1/2 ft).
 const HEAVY_WEIGHT_SPACING_M: f64 = 9.3;
@@ -35,8 +35,8 @@ struct Pipe {
     wall: f64,
     /// Outside diameter of the upset at the joint.
     upset_od: f64,
-    /// Connection, outside and inside diameter, and length (tong spaces of pin and box together) of the
-    /// joint, in the order of [`GRADES`]. The light weights are made in E-75 alone.
+    /// Connection, outside and inside diameter, and length (tong spaces of pin and box together) of
+    /// the joint, in the order of [`GRADES`]. The light weights are made in E-75 alone.
     joints: &'static [(&'static str, f64, f64, f64)],
 }
 

@@ -5,9 +5,10 @@ use std::f64::consts::{PI, TAU};
 type Vector = [f64; 3];
 type Matrix = [Vector; 3];
 
-/// Eyes with all cones, and without those for long, middle and short waves: matrices for linear sRGB at severity 1 of
-/// Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of color vision deficiency", IEEE
-/// Transactions on Visualization and Computer Graphics 15(6), 2009.
+/// Eyes with all cones, and without those for long, middle and short waves: matrices for linear
+/// sRGB at severity 1 of Machado, Oliveira and Fernandes, "A physiologically-based model for
+/// simulation of color vision deficiency", IEEE Transactions on Visualization and Computer Graphics
+/// 15(6), 2009.
 const EYES: [Matrix; 4] = [
     [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
     [
@@ -81,8 +82,8 @@ pub(super) fn contrast(a: [u8; 3], b: [u8; 3]) -> f64 {
     a.max(b) / a.min(b)
 }
 
-/// The difference of two colours: Sharma, Wu and Dalal, "The CIEDE2000 color-difference formula", Color Research and
-/// Application 30(1), 2005, with its numbers of equations.
+/// The difference of two colours: Sharma, Wu and Dalal, "The CIEDE2000 color-difference formula",
+/// Color Research and Application 30(1), 2005, with its numbers of equations.
 fn ciede2000([l1, a1, b1]: Vector, [l2, a2, b2]: Vector) -> f64 {
     let seventh = |chroma: f64| (chroma.powi(7) / (chroma.powi(7) + 25_f64.powi(7))).sqrt();
     // (2) to (7)
@@ -142,7 +143,8 @@ fn the_difference_is_that_of_its_authors() {
     }
 }
 
-/// Black on white is 21 to 1 by definition; a grey is a grey to every eye, for each row of a matrix sums to one.
+/// Black on white is 21 to 1 by definition; a grey is a grey to every eye, for each row of a matrix
+/// sums to one.
 #[test]
 fn white_and_grey_are_the_same_to_every_eye() {
     assert!((contrast([0; 3], [255; 3]) - 21.0).abs() < 1e-12);

@@ -8,11 +8,11 @@ const POINTS: usize = 1024;
 
 /// The cut surface ahead of a blade, up to the next one: measured depth against angle.
 ///
-/// All blades are alike and spaced evenly, so what stands ahead of one of them is what the blade before
-/// it has left, and one such sector reports the whole bottom. The surface is kept as a ring of points at
-/// fixed angles, straight lines between: a blade that passes a point lowers it to where it passed, if it
-/// reached that deep. So the delay between the blades needs no search in the past, holds while the bit
-/// stands or jumps, and does not know of the step.
+/// All blades are alike and spaced evenly, so what stands ahead of one of them is what the blade
+/// before it has left, and one such sector reports the whole bottom. The surface is kept as a ring
+/// of points at fixed angles, straight lines between: a blade that passes a point lowers it to
+/// where it passed, if it reached that deep. So the delay between the blades needs no search in the
+/// past, holds while the bit stands or jumps, and does not know of the step.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Bottom {
     surface_m: Vec<f64>,
@@ -33,8 +33,8 @@ impl Bottom {
         ensure(fits && self.spacing_rad > 0.0, "the bottom under the bit")
     }
 
-    /// A bottom that `blades` have left in drilling steadily: at `depth_m` now, each of them cutting
-    /// `depth_of_cut_m`.
+    /// A bottom that `blades` have left in drilling steadily: at `depth_m` now, each of them
+    /// cutting `depth_of_cut_m`.
     pub(super) fn new(blades: u32, depth_m: f64, depth_of_cut_m: f64) -> Self {
         let ramp = |i: usize| depth_m - depth_of_cut_m * (1.0 - i as f64 / POINTS as f64);
         Self {

@@ -2,11 +2,13 @@
 
 use serde::{Deserialize, Serialize};
 
-/// The cutters of a bit in a rock, by Detournay and Defourny (*International Journal of Rock Mechanics* 29, 1992).
+/// The cutters of a bit in a rock, by Detournay and Defourny (*International Journal of Rock
+/// Mechanics* 29, 1992).
 ///
-/// A bit that takes the depth `d` per revolution cuts with `W_c = ζ (a − b) ε d` and `T_c = (a² − b²) ε d/2`; wear flats
-/// that bear `W_f` rub with `T_f = μ γ (a + b) W_f/2`, and bear no more than `σ (a − b) l` by themselves. `b` is the
-/// radius of the core that a core bit leaves, zero of others.
+/// A bit that takes the depth `d` per revolution cuts with `W_c = ζ (a − b) ε d` and
+/// `T_c = (a² − b²) ε d/2`; wear flats that bear `W_f` rub with `T_f = μ γ (a + b) W_f/2`, and bear
+/// no more than `σ (a − b) l` by themselves. `b` is the radius of the core that a core bit leaves,
+/// zero of others.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Cutters {
     /// Radius `a` of the bit, m.
@@ -38,8 +40,8 @@ impl Cutters {
         self.contact_strength_Pa * self.width_m() * self.wear_flat_m
     }
 
-    /// Torque of cutting with `cutting_N` while the wear flats bear `bearing_N`, N·m: both act, on average, halfway
-    /// between the core and the gauge.
+    /// Torque of cutting with `cutting_N` while the wear flats bear `bearing_N`, N·m: both act, on
+    /// average, halfway between the core and the gauge.
     pub fn torque_N_m(&self, cutting_N: f64, bearing_N: f64) -> f64 {
         let rubbing_N = self.friction * self.bit_geometry * bearing_N;
         0.5 * (self.radius_m + self.core_radius_m)

@@ -6,22 +6,23 @@ use serde::{Deserialize, Serialize};
 
 use super::{Cutters, Excitation, SteadyCut, rate_segment::RateSegment};
 
-/// The law of Detournay and Defourny for drag bits, with the three regimes that Detournay, Richard and Shepherd measured
-/// (*International Journal of Rock Mechanics and Mining Sciences* 45, 2008).
+/// The law of Detournay and Defourny for drag bits, with the three regimes that Detournay, Richard
+/// and Shepherd measured (*International Journal of Rock Mechanics and Mining Sciences* 45, 2008).
 ///
 /// The weight is what cutting takes and what the wear flats bear, `W = ζ a ε d + W_f`:
 ///
 /// 1. Up to the depth of cut `d*` the flats come to lie on the rock, `W_f = σ a l d/d*`.
 /// 2. From there they are in full contact, `W_f = σ a l`, and what the weight grows by cuts.
-/// 3. At the cleaning limit `d†` the bit face is choked with cuttings: what the weight grows by rests on them and rubs as
-///    the wear flats do, and the depth of cut grows no more.
+/// 3. At the cleaning limit `d†` the bit face is choked with cuttings: what the weight grows by
+///    rests on them and rubs as the wear flats do, and the depth of cut grows no more.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct DetournayDefournyLaw {
     /// Cutters and rock.
     pub cutters: Cutters,
     /// Depth of cut per revolution `d*` from which the wear flats are in full contact, m.
     pub full_contact_depth_m: f64,
-    /// Largest depth of cut per revolution `d†` that the mud keeps clean, m; `None` where it keeps any.
+    /// Largest depth of cut per revolution `d†` that the mud keeps clean, m; `None` where it keeps
+    /// any.
     pub cleaning_limit_m: Option<f64>,
     /// Stiffness of the contact between bit and rock front, N/m.
     pub rock_stiffness_N_per_m: f64,
@@ -30,7 +31,8 @@ pub struct DetournayDefournyLaw {
 }
 
 impl DetournayDefournyLaw {
-    /// Weight on bit that takes a depth of cut per revolution, N; no weight takes more than the cleaning limit.
+    /// Weight on bit that takes a depth of cut per revolution, N; no weight takes more than the
+    /// cleaning limit.
     pub fn weight_on_bit_N(&self, depth_of_cut_m: f64) -> f64 {
         let bearing = self.cutters.wear_flat_weight_N();
         let contact = if depth_of_cut_m < self.full_contact_depth_m {

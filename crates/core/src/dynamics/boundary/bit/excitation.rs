@@ -6,9 +6,9 @@ use crate::random::Random;
 
 /// What shakes the bit.
 ///
-/// The rock front under the bit stands `A sin(m φ) + r g(x)` deeper than it would, `φ` the angle through
-/// which the bit has turned, `m` the lobes, `g` seeded noise of mean zero and variance one. The torque is
-/// multiplied by `1 + q g'(x)`, but never turned round.
+/// The rock front under the bit stands `A sin(m φ) + r g(x)` deeper than it would, `φ` the angle
+/// through which the bit has turned, `m` the lobes, `g` seeded noise of mean zero and variance one.
+/// The torque is multiplied by `1 + q g'(x)`, but never turned round.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Excitation {
     /// Lobes `m` of the bottom pattern per revolution: three of a tricone bit.
@@ -117,10 +117,11 @@ impl Shaker {
     }
 }
 
-/// Smooth noise along a line: independent random numbers at whole places, blended by the cubic B-spline.
+/// Smooth noise along a line: independent random numbers at whole places, blended by the cubic
+/// B-spline.
 ///
-/// It is a function of the place alone, so that neither step nor history nor direction of motion can
-/// change it. Its power density falls as `sinc⁸(f)`, `f` in waves per knot.
+/// It is a function of the place alone, so that neither step nor history nor direction of motion
+/// can change it. Its power density falls as `sinc⁸(f)`, `f` in waves per knot.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 struct Noise {
     key: u64,
@@ -152,8 +153,8 @@ impl Noise {
         sum * (315.0f64 / 151.0).sqrt()
     }
 
-    /// The sum of four even random numbers, of mean zero and variance one: near to normal, never beyond
-    /// 3.5, and the same on every machine.
+    /// The sum of four even random numbers, of mean zero and variance one: near to normal, never
+    /// beyond 3.5, and the same on every machine.
     fn knot(self, knot: i64) -> f64 {
         let bits = scramble(self.key ^ knot.cast_unsigned());
         let sum: u64 = (0..4).map(|i| (bits >> (16 * i)) & 0xffff).sum();

@@ -1,4 +1,5 @@
-//! A rock front that the bit cuts away, for the laws that know no more of the bottom than its depth.
+//! A rock front that the bit cuts away, for the laws that know no more of the bottom than its
+//! depth.
 
 use super::{
     DetournayDefournyLaw, TableLaw,
@@ -15,10 +16,11 @@ use serde::{Deserialize, Serialize};
 
 /// The rock front that the bit cuts away.
 ///
-/// The rock front lies where the bit has cut to. Pressed against it with a force, the bit advances it at the rate that the
-/// law says of force and speed, which straight stretches make: so the force at the step's end is found exactly. The bit
-/// leaves the rock freely. Its torque is against the rotation and holds the bit when nothing turns it any more. An
-/// excitation raises and lowers the front under the bit.
+/// The rock front lies where the bit has cut to. Pressed against it with a force, the bit advances
+/// it at the rate that the law says of force and speed, which straight stretches make: so the force
+/// at the step's end is found exactly. The bit leaves the rock freely. Its torque is against the
+/// rotation and holds the bit when nothing turns it any more. An excitation raises and lowers the
+/// front under the bit.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct FrontCut {
     law: FrontLaw,
@@ -58,8 +60,8 @@ struct Press {
 }
 
 impl Press {
-    /// The weight at which the rock is compressed by as much as bit and front leave at the step's end, and the
-    /// front's advance.
+    /// The weight at which the rock is compressed by as much as bit and front leave at the step's
+    /// end, and the front's advance.
     fn on(&self, segments: impl IntoIterator<Item = RateSegment>) -> (f64, f64) {
         let (k, dt) = (self.stiffness_N_per_m, self.dt);
         let mut found = (0.0, 0.0);
@@ -183,7 +185,8 @@ impl FrontCut {
         }
     }
 
-    /// Rock stops a bit but never turns it back; the reaction of a motor that does all the turning does turn the string.
+    /// Rock stops a bit but never turns it back; the reaction of a motor that does all the turning
+    /// does turn the string.
     fn turn(&self, at: &Approach, drive: &mut Drive, wanted_N_m: f64) -> Turned {
         match &self.law {
             FrontLaw::Rate(law) if law.slides => {

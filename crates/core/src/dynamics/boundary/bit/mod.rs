@@ -79,8 +79,9 @@ impl Bit {
         }
     }
 
-    /// The bit of `operation` at `depth_m`, pressed on the rock with the operation's weight as it is
-    /// while drilling steadily. `seed` is that of the excitation. Solid rock comes under it with [`Self::stand`].
+    /// The bit of `operation` at `depth_m`, pressed on the rock with the operation's weight as it
+    /// is while drilling steadily. `seed` is that of the excitation. Solid rock comes under it with
+    /// [`Self::stand`].
     pub fn new(settings: &BitSettings, operation: &Operation, depth_m: f64, seed: u64) -> Self {
         let drills = operation.weight_on_bit_now_N() > 0.0;
         let motor = settings.motor;
@@ -184,9 +185,9 @@ impl Bit {
         }
     }
 
-    /// Corrects the bit's node, which the step has moved without it, and advances the rock. The rock
-    /// is evaluated at the step's end: with last step's position it would feed energy in. `anchor` is that of the bit's
-    /// node.
+    /// Corrects the bit's node, which the step has moved without it, and advances the rock. The
+    /// rock is evaluated at the step's end: with last step's position it would feed energy in.
+    /// `anchor` is that of the bit's node.
     pub fn act(
         &mut self,
         chain: &mut Chain<impl Real>,

@@ -7,7 +7,8 @@ use serde::{Deserialize, Serialize};
 /// The motor between string and bit.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Motor {
-    /// It turns the bit at this speed against the string, rad/s, whatever the torque; zero without a motor.
+    /// It turns the bit at this speed against the string, rad/s, whatever the torque; zero without
+    /// a motor.
     Speed(f64),
     /// It turns as flow and torque let it.
     Displacement(MudMotor),
@@ -15,10 +16,11 @@ pub enum Motor {
 
 /// A positive displacement motor.
 ///
-/// Each revolution takes the volume `V` through it, and the pressure `p` that it takes off the mud turns it with
-/// `T = η V p/2π`. What leaks past its seals does not turn it: `Ω = 2π (Q − q(p))/V`, `q` growing evenly to the slip `s` of
-/// the rated flow at the largest pressure that the motor is made for, and from there evenly to all of it at the stall. A
-/// motor does not turn the bit with more than its stall torque: its seals give way.
+/// Each revolution takes the volume `V` through it, and the pressure `p` that it takes off the mud
+/// turns it with `T = η V p/2π`. What leaks past its seals does not turn it: `Ω = 2π (Q − q(p))/V`,
+/// `q` growing evenly to the slip `s` of the rated flow at the largest pressure that the motor is
+/// made for, and from there evenly to all of it at the stall. A motor does not turn the bit with
+/// more than its stall torque: its seals give way.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct MudMotor {
     /// Volume per revolution `V`, m³.
@@ -51,7 +53,8 @@ impl MudMotor {
         self.torque_N_m(self.max_pressure_Pa)
     }
 
-    /// Speed against the string at a flow rate and a torque, rad/s; negative where the torque turns it back.
+    /// Speed against the string at a flow rate and a torque, rad/s; negative where the torque turns
+    /// it back.
     pub fn speed_rad_per_s(&self, flow_m3_per_s: f64, torque_N_m: f64) -> f64 {
         TAU * (flow_m3_per_s - self.leak_m3_per_s(torque_N_m)) / self.displacement_m3
     }
@@ -62,7 +65,8 @@ impl MudMotor {
         from.1 + part * (to.1 - from.1)
     }
 
-    /// The ends of a straight part of the leak, torque and flow: below the largest pressure, or above.
+    /// The ends of a straight part of the leak, torque and flow: below the largest pressure, or
+    /// above.
     fn segment(&self, below: bool) -> [(f64, f64); 2] {
         let rated = (self.max_torque_N_m(), self.slip * self.rated_flow_m3_per_s);
         if below {
@@ -72,8 +76,8 @@ impl MudMotor {
         }
     }
 
-    /// Torque at which a bit stands that turns at `turning_rad_per_s` without one, each unit of torque slowing the string
-    /// under it by `mobility`; no more than the stall torque.
+    /// Torque at which a bit stands that turns at `turning_rad_per_s` without one, each unit of
+    /// torque slowing the string under it by `mobility`; no more than the stall torque.
     fn holding_N_m(&self, flow_m3_per_s: f64, spin_rad_per_s: f64, mobility: f64) -> f64 {
         let turning = |torque: f64| {
             spin_rad_per_s - mobility * torque + self.speed_rad_per_s(flow_m3_per_s, torque)
@@ -135,8 +139,9 @@ impl Motor {
         }
     }
 
-    /// Speed at which a bit drills steadily under a string that turns at `string_rad_per_s`, rad/s, where it takes
-    /// the torque that `torque_N_m` says of its speed; zero where that stalls the motor.
+    /// Speed at which a bit drills steadily under a string that turns at `string_rad_per_s`, rad/s,
+    /// where it takes the torque that `torque_N_m` says of its speed; zero where that stalls the
+    /// motor.
     pub(super) fn steady_rad_per_s(
         &self,
         flow_m3_per_s: f64,
@@ -199,8 +204,9 @@ impl Drive {
         self.speed_rad_per_s = self.motor.speed_rad_per_s(self.flow_m3_per_s, torque_N_m);
     }
 
-    /// Turns a bit that resists with up to `forward_N_m` when it turns forward and up to `back_N_m` when it turns back.
-    /// `spin_rad_per_s` is the string's without any torque, `mobility` its spin per torque.
+    /// Turns a bit that resists with up to `forward_N_m` when it turns forward and up to `back_N_m`
+    /// when it turns back. `spin_rad_per_s` is the string's without any torque, `mobility` its spin
+    /// per torque.
     pub(super) fn turn(
         &mut self,
         spin_rad_per_s: f64,

@@ -5,8 +5,9 @@ use serde::{Deserialize, Serialize};
 use super::{Excitation, motor::Drive, rate_segment::RateSegment};
 use crate::operation::{Operation, OperationKind};
 
-/// The rate law: on rock that lies where the bit has cut to, pressed with the force `W`, the bit advances
-/// at the rate `v = v₀ (W/W₀)(Ω/Ω₀)`, its torque is `T₀ W/W₀`; `v₀`, `W₀`, `Ω₀`, `T₀` are the operation's.
+/// The rate law: on rock that lies where the bit has cut to, pressed with the force `W`, the bit
+/// advances at the rate `v = v₀ (W/W₀)(Ω/Ω₀)`, its torque is `T₀ W/W₀`; `v₀`, `W₀`, `Ω₀`, `T₀` are
+/// the operation's.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct RateLaw {
     /// Stiffness of the contact between bit and rock front, N/m.
@@ -17,11 +18,12 @@ pub struct RateLaw {
 
 /// The rate law with the numbers of an operation.
 ///
-/// The torque holds the bit when the string no longer turns it. A sliding string's bit is turned by its motor: the
-/// front advances at the motor's pace and the string carries the reaction.
+/// The torque holds the bit when the string no longer turns it. A sliding string's bit is turned by
+/// its motor: the front advances at the motor's pace and the string carries the reaction.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Rate {
-    /// Whether the string stands and a motor of which no more is known than its speed does all the turning.
+    /// Whether the string stands and a motor of which no more is known than its speed does all the
+    /// turning.
     pub(super) slides: bool,
     /// Advance of the front per force and second at nominal speed, m/s/N.
     rate_m_per_s_per_N: f64,

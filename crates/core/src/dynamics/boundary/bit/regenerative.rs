@@ -10,12 +10,13 @@ use super::{
 };
 use crate::{damage::Damaged, operation::Operation};
 
-/// The law of Richard, Germay and Detournay for drag bits (*Journal of Sound and Vibration* 305, 2007),
-/// on the cutting law of Detournay and Defourny (1992).
+/// The law of Richard, Germay and Detournay for drag bits (*Journal of Sound and Vibration* 305,
+/// 2007), on the cutting law of Detournay and Defourny (1992).
 ///
-/// `n` blades cut `d_n` each: the depth of the bit less that of the surface which the preceding blade has
-/// left. With `d = n d_n`, cutting takes `W_c = ζ a ε d` and `T_c = a² ε d/2`; the wear flats bear up to
-/// `W_f = σ a l` while the bit goes down, nothing while it goes up, and rub with `T_f = μ γ a W_f/2`.
+/// `n` blades cut `d_n` each: the depth of the bit less that of the surface which the preceding
+/// blade has left. With `d = n d_n`, cutting takes `W_c = ζ a ε d` and `T_c = a² ε d/2`; the wear
+/// flats bear up to `W_f = σ a l` while the bit goes down, nothing while it goes up, and rub with
+/// `T_f = μ γ a W_f/2`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct RegenerativeLaw {
     /// Cutters and rock.
@@ -30,8 +31,8 @@ impl RegenerativeLaw {
         f64::from(self.blades) * self.cutters.cutting_N_per_m()
     }
 
-    /// How it drills steadily under a weight on bit, turning at a speed: `W = ζ a ε d + σ a l`. Under a
-    /// weight that the wear flats bear alone it turns without cutting.
+    /// How it drills steadily under a weight on bit, turning at a speed: `W = ζ a ε d + σ a l`.
+    /// Under a weight that the wear flats bear alone it turns without cutting.
     pub fn steady(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> SteadyCut {
         let bearing = self.cutters.wear_flat_weight_N().min(weight_on_bit_N);
         let cutting = weight_on_bit_N - bearing;
@@ -76,8 +77,8 @@ impl RegenerativeCut {
     pub(super) fn meet(&mut self, at: &Approach, drive: &mut Drive) -> RockReaction {
         let law = &self.law;
         let mobility = at.axial_mobility_s_per_kg;
-        // A torque bends the angle by dt², and the rock ahead slopes by a thousandth: the turn can be
-        // foretold, the depth cannot.
+        // A torque bends the angle by dt², and the rock ahead slopes by a thousandth: the turn can
+        // be foretold, the depth cannot.
         let turn = at.dt * (at.spin_before_rad_per_s + drive.speed_rad_per_s()) - self.back_rad;
         let over = at.depth_m - self.bottom.ahead_m(turn);
         let (mut weight, mut depth_of_cut) = (0.0, 0.0);
@@ -86,7 +87,8 @@ impl RegenerativeCut {
             let yielding = 1.0 + k * at.dt * mobility;
             let going_up = k * over / yielding;
             let going_down = (k * over + law.cutters.wear_flat_weight_N()) / yielding;
-            // Between the two the wear flats bear what stops the bit; nothing pulls it into the rock.
+            // Between the two the wear flats bear what stops the bit; nothing pulls it into the
+            // rock.
             let stops = at.velocity_m_per_s / mobility;
             weight = stops
                 .max(going_up)

@@ -10,17 +10,19 @@ use crate::operation::Operation;
 pub struct BitSettings {
     /// How the rock answers.
     pub law: BitLaw,
-    /// Lateral stiffness that holds the bit to the hole's axis, N/m. On solid rock the elements that it meets hold it besides.
+    /// Lateral stiffness that holds the bit to the hole's axis, N/m. On solid rock the elements
+    /// that it meets hold it besides.
     pub lateral_stiffness_N_per_m: f64,
-    /// What the bit cuts sideways per force, over what it cuts along the hole per weight: its steerability. Zero of one
-    /// that does not cut sideways.
+    /// What the bit cuts sideways per force, over what it cuts along the hole per weight: its
+    /// steerability. Zero of one that does not cut sideways.
     pub steerability: f64,
     /// What turns the bit against the string.
     pub motor: Motor,
 }
 
 impl Default for BitSettings {
-    /// The rate law on rock of 1e8 N/m without excitation, 1e7 N/m across and no side cutting, no motor.
+    /// The rate law on rock of 1e8 N/m without excitation, 1e7 N/m across and no side cutting, no
+    /// motor.
     fn default() -> Self {
         Self {
             law: BitLaw::Rate(RateLaw {
@@ -35,7 +37,8 @@ impl Default for BitSettings {
 }
 
 impl BitSettings {
-    /// Whether the speed of a sliding string's motor makes a difference: where the bit's angle counts.
+    /// Whether the speed of a sliding string's motor makes a difference: where the bit's angle
+    /// counts.
     pub fn asks_for_motor_speed(&self) -> bool {
         match &self.law {
             BitLaw::Rate(law) => law.excitation.is_some(),
@@ -43,8 +46,8 @@ impl BitSettings {
         }
     }
 
-    /// Rotary speed at which the bit drills an operation steadily, its motor's included, rad/s; zero where it stalls the
-    /// motor.
+    /// Rotary speed at which the bit drills an operation steadily, its motor's included, rad/s;
+    /// zero where it stalls the motor.
     pub fn drilling_speed_rad_per_s(&self, operation: &Operation) -> f64 {
         let weight = operation.weight_on_bit_N;
         self.motor.steady_rad_per_s(
@@ -57,8 +60,9 @@ impl BitSettings {
         )
     }
 
-    /// The operation with the torque and the rate of penetration of steady drilling, where the law knows
-    /// them from weight and speed; the rate law takes the operation's. With them comes what a motor takes off the mud.
+    /// The operation with the torque and the rate of penetration of steady drilling, where the law
+    /// knows them from weight and speed; the rate law takes the operation's. With them comes what a
+    /// motor takes off the mud.
     #[must_use]
     pub fn drilling_steadily(&self, mut operation: Operation) -> Operation {
         let speed = self.drilling_speed_rad_per_s(&operation);
@@ -71,8 +75,8 @@ impl BitSettings {
         operation
     }
 
-    /// Axial speed of the string at another weight on bit and rotary speed, m/s, positive towards the bit: on bottom by
-    /// the law, which for the rate law is in proportion to both.
+    /// Axial speed of the string at another weight on bit and rotary speed, m/s, positive towards
+    /// the bit: on bottom by the law, which for the rate law is in proportion to both.
     pub fn axial_velocity_m_per_s(
         &self,
         operation: &Operation,
@@ -107,8 +111,8 @@ impl BitSettings {
 /// How the rock answers a bit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum BitLaw {
-    /// The operation's rate of penetration in proportion to weight and speed; torque in proportion to
-    /// weight.
+    /// The operation's rate of penetration in proportion to weight and speed; torque in proportion
+    /// to weight.
     Rate(RateLaw),
     /// Weight and torque from the depth of cut, which the bit's own passage before has left.
     Regenerative(RegenerativeLaw),
@@ -132,8 +136,8 @@ impl BitLaw {
         }
     }
 
-    /// How a bit drills steadily under a weight on bit, turning at a speed; the rate law does not know, and of solid rock it is
-    /// an [estimate](RockLaw::estimate).
+    /// How a bit drills steadily under a weight on bit, turning at a speed; the rate law does not
+    /// know, and of solid rock it is an [estimate](RockLaw::estimate).
     pub fn steady(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> Option<SteadyCut> {
         let (weight, speed) = (weight_on_bit_N, rotary_speed_rad_per_s);
         match self {

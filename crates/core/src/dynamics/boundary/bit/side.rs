@@ -6,8 +6,8 @@ use crate::simd::vector::Vector;
 
 /// The rock beside the bit.
 ///
-/// The bit is held by `F = k (u − s)`, `u` its place across the hole and `s` that to which it has cut the hole. On bottom it
-/// cuts sideways with the force and the speed, `s' = c |Ω| F`.
+/// The bit is held by `F = k (u − s)`, `u` its place across the hole and `s` that to which it has
+/// cut the hole. On bottom it cuts sideways with the force and the speed, `s' = c |Ω| F`.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Side {
     stiffness_N_per_m: f64,
@@ -54,7 +54,8 @@ impl Side {
         let rate = self.cut_m_per_N * turning_rad_per_s.abs();
         let hold = k / (1.0 + k * (mobility + rate) * dt);
         let pressed = if rate > 0.0 {
-            // The hole continues with the bit: what it was cut by lies across wherever the bit gets to.
+            // The hole continues with the bit: what it was cut by lies across wherever the bit gets
+            // to.
             let axis = self.axis_m.minus(tangent, self.axis_m.dot(tangent));
             let pressed = across.minus(axis, 1.0);
             self.axis_m = axis.plus(pressed, dt * rate * hold);

@@ -1,4 +1,5 @@
-//! A law that was measured: rate of penetration and torque in a table of weight on bit and rotary speed.
+//! A law that was measured: rate of penetration and torque in a table of weight on bit and rotary
+//! speed.
 
 use serde::{Deserialize, Serialize};
 
@@ -15,14 +16,15 @@ pub struct TableLaw {
     pub table: BitTable,
     /// Stiffness of the contact between bit and rock front, N/m.
     pub rock_stiffness_N_per_m: f64,
-    /// What shakes the bit; `None` for a smooth bottom. A spread that the table has takes the place of `roughness_m` and
-    /// `torque_fluctuation`.
+    /// What shakes the bit; `None` for a smooth bottom. A spread that the table has takes the place
+    /// of `roughness_m` and `torque_fluctuation`.
     pub excitation: Option<Excitation>,
 }
 
 impl TableLaw {
-    /// The noise under a weight at a speed: of the torque, the standard deviation over the mean; of the front, what
-    /// changes the weight of a bit that does not give way by the standard deviation.
+    /// The noise under a weight at a speed: of the torque, the standard deviation over the mean; of
+    /// the front, what changes the weight of a bit that does not give way by the standard
+    /// deviation.
     pub(super) fn spread(&self, weight_N: f64, speed_rad_per_s: f64) -> Spread {
         let excitation = self.excitation.as_ref();
         let mut spread = excitation.map_or(
@@ -99,12 +101,14 @@ pub enum TableFault {
     },
 }
 
-/// Rate of penetration and torque against weight on bit and rotary speed: every weight at every speed.
+/// Rate of penetration and torque against weight on bit and rotary speed: every weight at every
+/// speed.
 ///
-/// Between the points it is bilinear. Nothing is cut without weight or without rotation, so that below the least weight the
-/// rate and the torque go evenly to zero with the weight, and below the least speed the rate goes to zero with the speed,
-/// while the torque stays. Above the largest weight and the largest speed the values are those of the edge. All of this is
-/// outside, and [`TableUse`] reports it.
+/// Between the points it is bilinear. Nothing is cut without weight or without rotation, so that
+/// below the least weight the rate and the torque go evenly to zero with the weight, and below the
+/// least speed the rate goes to zero with the speed, while the torque stays. Above the largest
+/// weight and the largest speed the values are those of the edge. All of this is outside, and
+/// [`TableUse`] reports it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BitTable {
     weights_N: Vec<f64>,

@@ -9,7 +9,8 @@ pub struct FlowPressures {
     pub outside_Pa: Vec<f64>,
     /// Pressure in the bore, Pa.
     pub inside_Pa: Vec<f64>,
-    /// `ρ Q²`, N·m²: over the area of a bore it is the momentum that the stream carries through it in a second.
+    /// `ρ Q²`, N·m²: over the area of a bore it is the momentum that the stream carries through it
+    /// in a second.
     pub stream_N_m2: f64,
 }
 
@@ -30,9 +31,9 @@ impl FlowPressures {
         self.stream_N_m2 = 0.0;
     }
 
-    /// Finds the pressures from the losses of each element's annulus and bore, Pa, and of bit and motor, Pa: the mud
-    /// leaves the annulus at the surface without any, so that they rise down the annulus, by the loss below to the bore
-    /// and on up it.
+    /// Finds the pressures from the losses of each element's annulus and bore, Pa, and of bit and
+    /// motor, Pa: the mud leaves the annulus at the surface without any, so that they rise down the
+    /// annulus, by the loss below to the bore and on up it.
     pub fn find(
         &mut self,
         below_Pa: f64,

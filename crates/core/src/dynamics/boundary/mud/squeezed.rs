@@ -8,7 +8,8 @@ use crate::{
     rod::mesh::{Mesh, MeshElement},
 };
 
-/// What the pressure `p` of mud at rest shortens each element by against the unloaded one, `(1 − 2ν)p/E` of its length.
+/// What the pressure `p` of mud at rest shortens each element by against the unloaded one,
+/// `(1 − 2ν)p/E` of its length.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(in crate::dynamics) struct Squeezed {
     /// From the top down, m.

@@ -1,12 +1,13 @@
 //! The mud's drag along the hole and about the axis, in time.
 //!
-//! Each element has its annulus and the mean motion of its two nodes; [`Annulus::drag`] says what the mud does to
-//! it: a pull, a drag per velocity and a torque per spin, which go half to either node. The kernel applies
-//! drag and torque at each step with the node's own velocity and spin; they are found anew when the
-//! motion has changed.
+//! Each element has its annulus and the mean motion of its two nodes; [`Annulus::drag`] says what
+//! the mud does to it: a pull, a drag per velocity and a torque per spin, which go half to either
+//! node. The kernel applies drag and torque at each step with the node's own velocity and spin;
+//! they are found anew when the motion has changed.
 //!
-//! Hoist and bit correct the two end nodes after the kernel, and the top's spin is prescribed: drag booked there would be
-//! booked with velocities that the nodes do not keep. What is the ends' goes to their neighbours.
+//! Hoist and bit correct the two end nodes after the kernel, and the top's spin is prescribed: drag
+//! booked there would be booked with velocities that the nodes do not keep. What is the ends' goes
+//! to their neighbours.
 
 use std::f64::consts::FRAC_PI_4;
 
@@ -30,8 +31,8 @@ use crate::{
     simd::number::Real,
 };
 
-/// Change of an element's motion, as a part of all that shears the mud there, after which its drag is found
-/// anew.
+/// Change of an element's motion, as a part of all that shears the mud there, after which its drag
+/// is found anew.
 const STALE: f64 = 0.01;
 
 /// What the mud is sheared by when nothing moves, as far as that comparison goes, m/s.
@@ -40,9 +41,10 @@ const STILL_M_PER_S: f64 = 0.01;
 /// Distance that an element slides until its hole is looked at again, m.
 const REACH_M: f64 = 1.0;
 
-/// Largest part γ of a node's velocity that drag takes in a step. Taken at the step's beginning, it makes
-/// `(ω dt)² < 4 − 2γ` of the leapfrog's limit `(ω dt)² < 4`, and the step uses 0.99² of that: 0.040 would be
-/// unstable. A mud below its yield point requires more; the force itself stays what it is.
+/// Largest part γ of a node's velocity that drag takes in a step. Taken at the step's beginning, it
+/// makes `(ω dt)² < 4 − 2γ` of the leapfrog's limit `(ω dt)² < 4`, and the step uses 0.99² of that:
+/// 0.040 would be unstable. A mud below its yield point requires more; the force itself stays what
+/// it is.
 const STRONGEST: f64 = 0.025;
 
 /// An element in its annulus.
@@ -104,8 +106,8 @@ impl Viscous {
         ensure(fits, "the mud")
     }
 
-    /// The mud around a string that moves as `operation` has it, its bit at `bit_md_m`; none without a
-    /// rheology.
+    /// The mud around a string that moves as `operation` has it, its bit at `bit_md_m`; none
+    /// without a rheology.
     pub fn new(
         model: &Model,
         mesh: &Mesh,
@@ -174,7 +176,8 @@ impl Viscous {
         }
     }
 
-    /// Changes what the pumps deliver, m³/s, from the next update on, and with it the bit's pressure drop, Pa.
+    /// Changes what the pumps deliver, m³/s, from the next update on, and with it the bit's
+    /// pressure drop, Pa.
     pub fn set_flow(&mut self, flow_m3_per_s: f64, bit_loss_Pa: f64) {
         (self.flow_m3_per_s, self.bit_loss_Pa) = (flow_m3_per_s, bit_loss_Pa);
     }
@@ -259,8 +262,8 @@ impl Viscous {
         chain.set_weight(index, (Vector3::from(self.weight_N[index]) + pull_N).into());
     }
 
-    /// What the pulls would do on the way from the origin to where the string is, J: the negative of the potential
-    /// that they add to that of the weights.
+    /// What the pulls would do on the way from the origin to where the string is, J: the negative
+    /// of the potential that they add to that of the weights.
     pub fn pull_potential_J(&self, chain: &Chain<impl Real>, anchors: &[Anchor], dt: f64) -> f64 {
         let nodes = self.pull_N.iter().enumerate();
         nodes
@@ -356,7 +359,8 @@ impl Viscous {
 }
 
 impl Passage {
-    /// Gradient of the annulus's pressure by friction at a velocity near that of the motion that the drag was found for.
+    /// Gradient of the annulus's pressure by friction at a velocity near that of the motion that
+    /// the drag was found for.
     fn gradient_Pa_per_m(&self, axial_m_per_s: f64) -> f64 {
         let since = axial_m_per_s - self.motion.axial_m_per_s;
         self.drag.gradient_Pa_per_m + self.drag.surge_Pa_s_per_m2 * since

@@ -40,8 +40,9 @@ fn model(friction: f64) -> Model {
     }
 }
 
-/// A pipe that turns clockwise is laid to the right of the low side, looking down the hole, by the angle `atan μ` at which
-/// friction carries its weight: what a rigid cylinder climbs to. To rounding.
+/// A pipe that turns clockwise is laid to the right of the low side, looking down the hole, by the
+/// angle `atan μ` at which friction carries its weight: what a rigid cylinder climbs to. To
+/// rounding.
 #[test]
 fn a_turning_pipe_is_laid_where_it_climbs_to() {
     let operation = Operation {

@@ -80,7 +80,8 @@ impl<R: Real> StateBlock<R> {
 }
 
 block! {
-    /// A row of nodes: what they are, what is summed up between samples, and last what a plain step does not require.
+    /// A row of nodes: what they are, what is summed up between samples, and last what a plain step
+    /// does not require.
     pub struct NodeBlock<R> {
         /// Tangent of the hole's axis at the anchor.
         pub tangent: Rows<R>,
@@ -179,8 +180,8 @@ impl<R: Real> NodeBlock<R> {
         (self.sum_torque, self.sum_wear) = (zero, zero);
     }
 
-    /// Nodes that fill the last lane: no force moves them, they move nothing and have no energy. Real nodes begin as
-    /// these.
+    /// Nodes that fill the last lane: no force moves them, they move nothing and have no energy.
+    /// Real nodes begin as these.
     pub(super) fn idle() -> Self {
         let row = Row::filled;
         let (zero, one) = (row(0.0), row(1.0));

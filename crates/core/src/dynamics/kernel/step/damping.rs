@@ -1,5 +1,5 @@
-//! Mass-proportional damping: it is slow beside a step, and so acts once in several, between two of them. What precession
-//! has lengthened by then is taken out.
+//! Mass-proportional damping: it is slow beside a step, and so acts once in several, between two of
+//! them. What precession has lengthened by then is taken out.
 
 use super::lane::{add, at, at3, lanes, put, put3};
 use crate::{
@@ -22,7 +22,8 @@ pub struct MassDamping {
     pub rigid_spin: f64,
 }
 
-/// Damps all nodes; the energy that it takes, J. That of lateral rotation is a millionth of the whole and not counted.
+/// Damps all nodes; the energy that it takes, J. That of lateral rotation is a millionth of the
+/// whole and not counted.
 #[inline(always)]
 pub(super) fn damp<N: Number>(chain: &mut Chain<N::Real>, mass_damping: &MassDamping) -> f64 {
     let splat = N::splat;

@@ -2,7 +2,8 @@
 
 use crate::{dynamics::kernel::chain::Row, simd::number::Real};
 
-/// Energies that left the string in a step, J. What friction on the wall took is summed with the nodes.
+/// Energies that left the string in a step, J. What friction on the wall took is summed with the
+/// nodes.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct StepLosses {
     /// To the wall's contact forces.

@@ -1,15 +1,16 @@
 //! One step of the whole chain: the inner loop of everything.
 //!
 //! Leapfrog (central differences): forces at the present positions kick the velocities across the
-//! step, the velocities carry the positions on. Contact and friction act within the step, implicitly
-//! at each node, so that they never limit it. One pass does both: a row of elements is evaluated from
-//! positions that no node has left yet, and the row of nodes above it is moved, while all of it is
-//! still in the first-level cache.
+//! step, the velocities carry the positions on. Contact and friction act within the step,
+//! implicitly at each node, so that they never limit it. One pass does both: a row of elements is
+//! evaluated from positions that no node has left yet, and the row of nodes above it is moved,
+//! while all of it is still in the first-level cache.
 //!
-//! A row is worked on in short loops, and those of the elements stand between those of the nodes, for neither waits for
-//! the other. What one register of lanes waits for (a root or a division takes twenty cycles) is then hidden behind the
-//! others; in one long loop the processor does not see far enough ahead. Where roots and divisions follow one another,
-//! two registers are worked on in turn.
+//! A row is worked on in short loops, and those of the elements stand between those of the nodes,
+//! for neither waits for the other. What one register of lanes waits for (a root or a division
+//! takes twenty cycles) is then hidden behind the others; in one long loop the processor does not
+//! see far enough ahead. Where roots and divisions follow one another, two registers are worked on
+//! in turn.
 //!
 //! Directors move on the sphere by Cayley's rotation, which keeps their length and the right angle
 //! to their angular velocity to rounding.
@@ -46,8 +47,9 @@ pub struct Abilities {
     pub hertz: bool,
     /// Vector friction, not the independent one.
     pub vector: bool,
-    /// Any of: friction at rest above the kinetic one, friction around the hole other than along it,
-    /// viscous drag of the mud along the hole and about the axis, a clearance that changes along the hole.
+    /// Any of: friction at rest above the kinetic one, friction around the hole other than along
+    /// it, viscous drag of the mud along the hole and about the axis, a clearance that changes
+    /// along the hole.
     pub full: bool,
 }
 
@@ -155,8 +157,8 @@ impl<R: Real> Stepper<R> {
         })
     }
 
-    /// Does as much arithmetic in the step's registers as the processor can, `rounds` times; how many floating-point
-    /// operations that was.
+    /// Does as much arithmetic in the step's registers as the processor can, `rounds` times; how
+    /// many floating-point operations that was.
     pub fn work(&self, rounds: usize) -> u64 {
         // SAFETY: as for a step.
         unsafe { (self.peak)(rounds) }
@@ -175,7 +177,8 @@ impl<R: Real> Stepper<R> {
     }
 }
 
-/// Where a node lies from the hole's axis as its wall has it, and the clearance there, m: without a step in time.
+/// Where a node lies from the hole's axis as its wall has it, and the clearance there, m: without a
+/// step in time.
 #[cfg(test)]
 pub fn met(chain: &Chain, index: usize) -> (crate::simd::vector::Vector<f64>, f64) {
     use crate::simd::vector::Vector;
@@ -213,7 +216,8 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
     let mut losses = Losses::none();
     let (mut strains, mut prediction) = (Strains::none(), Prediction::none());
     let mut pulls = [Pull::none(); 3];
-    // The last row of elements pulls at the first row of nodes, too: it and the first come before all nodes.
+    // The last row of elements pulls at the first row of nodes, too: it and the first come before
+    // all nodes.
     let (e, below) = (&mut element_blocks[rows - 1], ends(states, rows - 1));
     pull::<N>(&mut pulls[2], &mut strains, e, below, input, &mut losses);
     let last = pulls[2];

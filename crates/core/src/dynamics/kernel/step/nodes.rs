@@ -13,12 +13,13 @@ use crate::{
     wall::friction,
 };
 
-/// A row of nodes on their way: what the rod, gravity, mud and damping make of the step before the wall
-/// has its say, and what the wall says. Made and used in short loops over the row, so that the processor
-/// works on several lanes while it waits for a root or a division.
+/// A row of nodes on their way: what the rod, gravity, mud and damping make of the step before the
+/// wall has its say, and what the wall says. Made and used in short loops over the row, so that the
+/// processor works on several lanes while it waits for a root or a division.
 #[derive(Clone, Copy)]
 pub(super) struct Prediction<R: Real> {
-    /// What one newton gives across the hole and along it, m/s, and one newton metre about the director, rad/s.
+    /// What one newton gives across the hole and along it, m/s, and one newton metre about the
+    /// director, rad/s.
     pub(super) mobility: Row<R>,
     mobility_axial: Row<R>,
     mobility_spin: Row<R>,
@@ -93,8 +94,8 @@ pub(super) fn predict<N: Number, const FULL: bool>(
     let along = th.dot(force);
     let torque = at::<N>(&below.torque, lane) - at(&above.torque, lane);
     let gained = mobility_axial * along;
-    // Drag acts on the velocity that the node came with. The kick of rod and gravity is left whole: a wall or a
-    // hoist that takes it back within the step must feel all of it.
+    // Drag acts on the velocity that the node came with. The kick of rod and gravity is left whole:
+    // a wall or a hoist that takes it back within the step must feel all of it.
     let slowed = at::<N>(&n.slowed, lane);
     let kept = N::splat(1.0) - slowed;
     // What drag and the mass across the hole make of the part along it is replaced.
@@ -208,7 +209,8 @@ pub(super) fn friction<N: Number, const VECTOR: bool, const FULL: bool>(
     put(&mut prediction.friction_around, lane, friction_around);
 }
 
-/// Moves a row of nodes to where the step ends. Where none of them touches the wall, nothing of it is requested.
+/// Moves a row of nodes to where the step ends. Where none of them touches the wall, nothing of it
+/// is requested.
 #[inline(always)]
 pub(super) fn correct<N: Number, const FULL: bool, const TOUCHES: bool>(
     prediction: &Prediction<N::Real>,
@@ -299,11 +301,12 @@ pub(super) fn rotate_directors<N: Number>(
     let halfway = w0 + kick;
     // By the tangent of the precession, which lengthens by half its square: `damp` takes that out.
     let precession = dt * at(&n.gyroscopic, lane) * at(&state.spin, lane);
-    // Half of the kick precesses, half does not: turned by all of it, the kick would feed whirl, by a
-    // quarter of the precession times the angle by which the step advances the whirl.
+    // Half of the kick precesses, half does not: turned by all of it, the kick would feed whirl, by
+    // a quarter of the precession times the angle by which the step advances the whirl.
     let turning = (halfway + kick).minus(halfway.cross(d0), precession);
     let q = quarter_dt2 * turning.dot(turning);
-    // 1/(1 + q), but for q⁴: q is the square of half the turn in a step. (1 − q)/(1 + q) is twice that less one.
+    // 1/(1 + q), but for q⁴: q is the square of half the turn in a step. (1 − q)/(1 + q) is twice
+    // that less one.
     let shrink = (one - q) * q.mul_add(q, one);
     let turned = d0
         .scaled(shrink + shrink - one)

@@ -8,8 +8,8 @@ const SAMPLES: usize = 512;
 /// Series of each kind: what holds on average is read from as many.
 const SERIES: usize = 400;
 
-/// Normal numbers whose autocorrelation falls by `e` in `time` samples: `x' = a x + √(1 − a²) ξ`, `a = e^(−1/time)`. White
-/// noise where it is zero.
+/// Normal numbers whose autocorrelation falls by `e` in `time` samples: `x' = a x + √(1 − a²) ξ`,
+/// `a = e^(−1/time)`. White noise where it is zero.
 fn correlated(random: &mut Random, time: f64, samples: usize) -> Vec<f64> {
     let a = if time > 0.0 { (-1.0 / time).exp() } else { 0.0 };
     let mut normal = || {
@@ -26,7 +26,8 @@ fn correlated(random: &mut Random, time: f64, samples: usize) -> Vec<f64> {
         .collect()
 }
 
-/// The standard error of the mean of such numbers, exactly: `σ²/n · ((1 + a)/(1 − a) − 2a(1 − aⁿ)/(n (1 − a)²))`.
+/// The standard error of the mean of such numbers, exactly:
+/// `σ²/n · ((1 + a)/(1 − a) − 2a(1 − aⁿ)/(n (1 − a)²))`.
 fn exact_error(time: f64, samples: usize) -> f64 {
     let a = if time > 0.0 { (-1.0 / time).exp() } else { 0.0 };
     let n = samples as f64;
@@ -34,9 +35,10 @@ fn exact_error(time: f64, samples: usize) -> f64 {
     (bracket / n).sqrt()
 }
 
-/// Its mean over many series is that of the closed form. The largest of seven estimates, the last of which knows its own to
-/// `1/√14`, is above it by an eighth where nothing is correlated; blocks of an eighth of the stretch fall short where the correlation time
-/// nears them, by a ninth at a fiftieth of it. 15 % holds both, and `s/√n` of the samples would be short by `√(2 time)`.
+/// Its mean over many series is that of the closed form. The largest of seven estimates, the last
+/// of which knows its own to `1/√14`, is above it by an eighth where nothing is correlated; blocks
+/// of an eighth of the stretch fall short where the correlation time nears them, by a ninth at a
+/// fiftieth of it. 15 % holds both, and `s/√n` of the samples would be short by `√(2 time)`.
 #[test]
 fn the_standard_error_is_that_of_the_closed_form() {
     let mut random = Random::new(7);
@@ -50,9 +52,9 @@ fn the_standard_error_is_that_of_the_closed_form() {
     }
 }
 
-/// Of four hundred stretches that stand still hardly one is said to drift: four standard errors leave one in 16 000 of a normal
-/// variable, and one in a hundred where the error itself is known from eight blocks and the
-/// samples remember a fiftieth of the stretch.
+/// Of four hundred stretches that stand still hardly one is said to drift: four standard errors
+/// leave one in 16 000 of a normal variable, and one in a hundred where the error itself is known
+/// from eight blocks and the samples remember a fiftieth of the stretch.
 #[test]
 fn what_stands_still_does_not_drift() {
     let mut random = Random::new(3);
@@ -65,8 +67,8 @@ fn what_stands_still_does_not_drift() {
     }
 }
 
-/// A ramp under noise: the line's change is the ramp's within four of its standard errors `√(12/n) σ`, and it shows as soon as it
-/// is well beyond them.
+/// A ramp under noise: the line's change is the ramp's within four of its standard errors
+/// `√(12/n) σ`, and it shows as soon as it is well beyond them.
 #[test]
 fn a_ramp_is_found_with_its_height() {
     let mut random = Random::new(5);
@@ -83,8 +85,9 @@ fn a_ramp_is_found_with_its_height() {
     }
 }
 
-/// A start that fades within the stretch, from a twentieth of it to thrice as long as it, under noise of a thousandth: its line is
-/// that of the integral, `12 τ² e₁ − 6 τ e₀` with `e₀ = 1 − e^(−1/τ)` and `e₁ = 1 − (1 + 1/τ) e^(−1/τ)`, as `12 ∫ (t − ½) e^(−t/τ) dt`.
+/// A start that fades within the stretch, from a twentieth of it to thrice as long as it, under
+/// noise of a thousandth: its line is that of the integral, `12 τ² e₁ − 6 τ e₀` with
+/// `e₀ = 1 − e^(−1/τ)` and `e₁ = 1 − (1 + 1/τ) e^(−1/τ)`, as `12 ∫ (t − ½) e^(−t/τ) dt`.
 #[test]
 fn a_start_that_fades_is_found() {
     let mut random = Random::new(9);
@@ -107,8 +110,9 @@ fn a_start_that_fades_is_found() {
     }
 }
 
-/// Stick-slip is a steady state: a swing with noise on it does not drift by two standard errors, whatever its phase, from two periods in the
-/// stretch on; and the mean of a swing is known to its amplitude over the number of its half periods at worst.
+/// Stick-slip is a steady state: a swing with noise on it does not drift by two standard errors,
+/// whatever its phase, from two periods in the stretch on; and the mean of a swing is known to its
+/// amplitude over the number of its half periods at worst.
 #[test]
 fn a_swing_stands_still() {
     let mut random = Random::new(11);

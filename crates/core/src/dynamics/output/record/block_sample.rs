@@ -1,5 +1,5 @@
-//! What a block of nodes, and the elements below them, show at a moment: the one place that reads the chain
-//! for the record.
+//! What a block of nodes, and the elements below them, show at a moment: the one place that reads
+//! the chain for the record.
 
 use super::{
     lane::Lane,
@@ -18,7 +18,8 @@ use crate::{
 
 const NONE: Lane = [0.0; DOUBLES];
 
-/// A block of nodes as they are; contact quantities are averages over the steps since the last sample.
+/// A block of nodes as they are; contact quantities are averages over the steps since the last
+/// sample.
 #[derive(Debug, Clone, Copy)]
 pub struct BlockSample {
     /// Effective tension of the element below, N.
@@ -88,8 +89,8 @@ impl BlockSample {
         speed_square: NONE,
     };
 
-    /// Looks at a block. `high` holds the high sides, block by block, `per_step` the inverse of the number of
-    /// steps since the last sample.
+    /// Looks at a block. `high` holds the high sides, block by block, `per_step` the inverse of the
+    /// number of steps since the last sample.
     #[inline(always)]
     pub fn at<R: Real>(
         chain: &Chain<R>,
@@ -181,7 +182,8 @@ impl BlockSample {
         for lane in 0..DOUBLES {
             self.bear(&element, lane, of(d1, lane));
         }
-        // The element below a bend stands on another face of the body: what is bent without stress bears none.
+        // The element below a bend stands on another face of the body: what is bent without stress
+        // bears none.
         for bend in &body.bends {
             let (block_of_bend, lane) = chain.layout().place(bend.index);
             if block_of_bend == block {
@@ -190,16 +192,17 @@ impl BlockSample {
         }
     }
 
-    /// What the string carries at a node whose element below sees the director `d1` there. The bending moment is
-    /// the elastic one that this element has at its upper end; the bit, below which there is none, carries none.
+    /// What the string carries at a node whose element below sees the director `d1` there. The
+    /// bending moment is the elastic one that this element has at its upper end; the bit, below
+    /// which there is none, carries none.
     #[inline(always)]
     fn bear<R: Real>(&mut self, element: &ElementSample<'_, R>, lane: usize, d1: Vector<f64>) {
         let number = |of: &[R; DOUBLES]| of[lane].to_f64();
         let (u1, u2) = (of(element.u1, lane), of(element.u2, lane));
         let d2 = of(element.d2, lane);
         let chord = of(element.chord, lane) + (u2 - u1);
-        // Newton's step from the rest length to the inverse of the chord's: a stretch of 1e-3 leaves
-        // 1.5e-6, and no root is drawn.
+        // Newton's step from the rest length to the inverse of the chord's: a stretch of 1e-3
+        // leaves 1.5e-6, and no root is drawn.
         let rest = element.metal.per_length[lane];
         let t = chord.scaled(rest * (1.5 - 0.5 * chord.dot(chord) * rest * rest));
         let (tension, torque) = (number(element.tension), number(element.torque));

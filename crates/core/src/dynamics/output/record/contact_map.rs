@@ -1,4 +1,5 @@
-//! Contact over depth and time, as coarse as a picture of it needs: memory does not grow with the run.
+//! Contact over depth and time, as coarse as a picture of it needs: memory does not grow with the
+//! run.
 
 use serde::{Deserialize, Serialize};
 
@@ -101,8 +102,8 @@ impl MapKeeper {
         self.samples >= run_samples.div_ceil(MAX_ROWS).max(1)
     }
 
-    /// Closes a row of the map with the samples since the last one, if there are any. `sums` are those of a node's signed
-    /// contact force and of its magnitude, N.
+    /// Closes a row of the map with the samples since the last one, if there are any. `sums` are
+    /// those of a node's signed contact force and of its magnitude, N.
     pub(super) fn close_row(
         &mut self,
         anchors: &[Anchor],
@@ -133,8 +134,9 @@ impl MapKeeper {
         &self.map
     }
 
-    /// What the nodes' contact forces are of each stretch, per metre. A joint carries the string about it: by stretches of
-    /// so few joints that one has two of them and the next has three, the map would have stripes.
+    /// What the nodes' contact forces are of each stretch, per metre. A joint carries the string
+    /// about it: by stretches of so few joints that one has two of them and the next has three, the
+    /// map would have stripes.
     fn per_metre(&self, forces: &[[f64; 2]]) -> Vec<[f64; 2]> {
         let top_m = self.from_bit_m.first().copied().unwrap_or(0.0);
         let mut shares = vec![[0.0; 2]; self.intervals.len()];
@@ -165,8 +167,8 @@ impl MapKeeper {
 mod tests {
     use super::*;
 
-    /// Joints three nodes apart in stretches of two nodes: each stretch has one of them or none, and their map no
-    /// stripes all the same. All of the force is in it, on its side.
+    /// Joints three nodes apart in stretches of two nodes: each stretch has one of them or none,
+    /// and their map no stripes all the same. All of the force is in it, on its side.
     #[test]
     fn joints_make_no_stripes() {
         const NODES: usize = 301;

@@ -1,5 +1,5 @@
-//! Depths at which the string changes from tension to compression and from the high side to the low one,
-//! while it moves.
+//! Depths at which the string changes from tension to compression and from the high side to the low
+//! one, while it moves.
 
 use serde::{Deserialize, Serialize};
 
@@ -51,8 +51,8 @@ impl Sides {
         due
     }
 
-    /// Where the side force changed from the high to the low side since the last sample, m. `sum` is that of a node's signed
-    /// contact force, N.
+    /// Where the side force changed from the high to the low side since the last sample, m. `sum`
+    /// is that of a node's signed contact force, N.
     pub(super) fn cutoff_depth_m(
         &mut self,
         mesh: &Mesh,
@@ -74,8 +74,8 @@ impl Sides {
     }
 }
 
-/// Measured depth of the shallowest zero of effective tension, m: between the middles of elements. The
-/// largest magnitude of the tension is `largest_N`.
+/// Measured depth of the shallowest zero of effective tension, m: between the middles of elements.
+/// The largest magnitude of the tension is `largest_N`.
 pub fn neutral_point_m(
     chain: &Chain<impl Real>,
     anchors: &[Anchor],

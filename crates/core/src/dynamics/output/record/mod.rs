@@ -52,11 +52,11 @@ pub struct Spread {
 /// How a node goes round the hole's axis, over the window.
 #[derive(Debug, Clone, Copy)]
 pub struct Circling {
-    /// Mean angular velocity of the offset, weighted with its square, rad/s; clockwise looking down the
-    /// hole is positive.
+    /// Mean angular velocity of the offset, weighted with its square, rad/s; clockwise looking down
+    /// the hole is positive.
     pub rate_rad_per_s: f64,
-    /// How much of the lateral motion that is: one for a circle about the hole's axis, zero for a string
-    /// that swings to and fro.
+    /// How much of the lateral motion that is: one for a circle about the hole's axis, zero for a
+    /// string that swings to and fro.
     pub coherence: f64,
 }
 
@@ -81,7 +81,8 @@ pub struct Record {
 }
 
 impl Record {
-    /// Whether a stored record is one of so many nodes: what it sums and keeps is as long as its layout requires.
+    /// Whether a stored record is one of so many nodes: what it sums and keeps is as long as its
+    /// layout requires.
     pub(in crate::dynamics) fn check(&self, nodes: usize) -> Result<(), Damaged> {
         let rows = self.series.check(nodes)?;
         let fits = self.sums.len() == self.layout.blocks()
@@ -95,7 +96,8 @@ impl Record {
         self.contact.check(nodes)
     }
 
-    /// An empty record of a string, beside a chain of that layout, whose window is expected to take so many `samples`.
+    /// An empty record of a string, beside a chain of that layout, whose window is expected to take
+    /// so many `samples`.
     pub fn new(model: &Model, mesh: &Mesh, layout: Layout, samples: u64) -> Self {
         Self {
             layout,
@@ -124,8 +126,8 @@ impl Record {
     }
 
     /// Takes a sample of every node: contact quantities as averages over the `steps` since the last
-    /// one, which the chain has summed. `high` holds each node's high side, block by block; `body` has the
-    /// bends.
+    /// one, which the chain has summed. `high` holds each node's high side, block by block; `body`
+    /// has the bends.
     pub fn sample(
         &mut self,
         chain: &Chain<impl Real>,
@@ -164,8 +166,8 @@ impl Record {
         }
     }
 
-    /// Presses the bodies, from the next sample on, by what the pressure inside has over that outside at each
-    /// node, Pa.
+    /// Presses the bodies, from the next sample on, by what the pressure inside has over that
+    /// outside at each node, Pa.
     pub fn press(&mut self, difference_Pa: impl Fn(usize) -> f64) {
         self.strength.press(difference_Pa);
     }
@@ -180,7 +182,8 @@ impl Record {
         self.layout
     }
 
-    /// Counts a sample of a run that takes `run_samples`, and closes a row of the map where one is full.
+    /// Counts a sample of a run that takes `run_samples`, and closes a row of the map where one is
+    /// full.
     pub fn map_contact(&mut self, anchors: &[Anchor], time_s: f64, run_samples: u64) {
         if self.contact.count(run_samples) {
             self.close_contact_row(anchors, time_s);
@@ -201,8 +204,8 @@ impl Record {
         self.contact.map()
     }
 
-    /// Once a second, after as many samples of `sample_interval_s`: where the side force changed from the
-    /// high to the low side over that second, m.
+    /// Once a second, after as many samples of `sample_interval_s`: where the side force changed
+    /// from the high to the low side over that second, m.
     pub fn cutoff_depth_m(
         &mut self,
         mesh: &Mesh,
@@ -259,7 +262,8 @@ impl Record {
     pub fn twist(&self, index: usize) -> f64 {
         self.mean_of(index, |s| &s.twist)
     }
-    /// What its tension lengthens an element by, less what the mud at rest shortens it by, on average, m.
+    /// What its tension lengthens an element by, less what the mud at rest shortens it by, on
+    /// average, m.
     pub fn longer_m(&self, index: usize) -> f64 {
         let pulled_m = self.tension(index).mean * self.strength.compliance_m_per_N(index);
         pulled_m - self.squeezed_m[index] / self.samples.max(1) as f64
@@ -280,8 +284,8 @@ impl Record {
     pub fn signed(&self, index: usize) -> f64 {
         self.mean_of(index, |s| &s.signed)
     }
-    /// Angle of a node's mean contact force from the low side, rad, positive to the right of it looking
-    /// down the hole; none if it never touched.
+    /// Angle of a node's mean contact force from the low side, rad, positive to the right of it
+    /// looking down the hole; none if it never touched.
     pub fn climb_rad(&self, index: usize) -> Option<f64> {
         let (up, right) = (
             self.mean_of(index, |s| &s.up),

@@ -35,9 +35,10 @@ const ROWS: [usize; 2] = [64, 4096];
 
 /// Kept samples.
 ///
-/// Of every `stride` samples one is kept, at a place in them that a fixed sequence of random numbers
-/// chooses, so that nothing periodic hides between. The stride is such that what a window is expected to
-/// take fits. When memory is full nevertheless, one of each pair of kept samples stays and the stride doubles.
+/// Of every `stride` samples one is kept, at a place in them that a fixed sequence of random
+/// numbers chooses, so that nothing periodic hides between. The stride is such that what a window
+/// is expected to take fits. When memory is full nevertheless, one of each pair of kept samples
+/// stays and the stride doubles.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Reservoir {
     /// Numbers in a row: the lanes of all blocks.

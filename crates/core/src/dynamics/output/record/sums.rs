@@ -14,8 +14,8 @@ use crate::{
 /// Sums over the window for a block of nodes, and for the elements below them.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct SumBlock {
-    /// Tension and torque of the first sample: squares are summed about them, so that a small spread
-    /// about a large mean keeps its digits.
+    /// Tension and torque of the first sample: squares are summed about them, so that a small
+    /// spread about a large mean keeps its digits.
     pub about: [Lane; 2],
     pub tension: [Lane; 2],
     pub torque: [Lane; 2],
@@ -196,8 +196,8 @@ pub struct Pass<'a, R: Real> {
 }
 
 impl<R: Real> Pass<'_, R> {
-    /// Adds the sample, with the widest instructions that the processor has: the arithmetic is the same,
-    /// operation by operation, and so are its bits.
+    /// Adds the sample, with the widest instructions that the processor has: the arithmetic is the
+    /// same, operation by operation, and so are its bits.
     pub fn add(self) {
         #[cfg(target_arch = "x86_64")]
         {

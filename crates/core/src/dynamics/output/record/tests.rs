@@ -87,9 +87,9 @@ fn string() -> (Model, Mesh, Chain, Vec<Rows<f64>>) {
     (model, mesh, chain, high)
 }
 
-/// E03: a pipe of radius `r` that rolls without slip in a hole of radius `R` goes round at `−Ω r/(R − r)`;
-/// a bent one that turns with itself at `Ω`; one that swings to and fro not at all. Exact: the rate is read
-/// from velocities, so that no whirl is too fast for the samples.
+/// E03: a pipe of radius `r` that rolls without slip in a hole of radius `R` goes round at
+/// `−Ω r/(R − r)`; a bent one that turns with itself at `Ω`; one that swings to and fro not at all.
+/// Exact: the rate is read from velocities, so that no whirl is too fast for the samples.
 #[test]
 fn whirl_goes_round_at_its_rate() {
     let (model, mesh, mut chain, high) = string();
@@ -142,10 +142,10 @@ fn whirl_goes_round_at_its_rate() {
     }
 }
 
-/// A string bent to a circle of 200 m, under tension and torque: the bending moment is `EI/ρ` and, since
-/// what holds it there holds it at the nodes, `T L²/12ρ` more (`q L²/12` of the load `q = T/ρ` across it); the
-/// stress is that of the textbook. The element's moment goes with the sine of its bend `L/ρ`: it is less by
-/// `(L/ρ)²/6` = 4e-5.
+/// A string bent to a circle of 200 m, under tension and torque: the bending moment is `EI/ρ` and,
+/// since what holds it there holds it at the nodes, `T L²/12ρ` more (`q L²/12` of the load
+/// `q = T/ρ` across it); the stress is that of the textbook. The element's moment goes with the
+/// sine of its bend `L/ρ`: it is less by `(L/ρ)²/6` = 4e-5.
 #[test]
 fn moment_and_stress_of_a_circle() {
     const RADIUS_M: f64 = 200.0;
@@ -205,9 +205,10 @@ fn moment_and_stress_of_a_circle() {
     assert_eq!(strength.yield_Pa(joint), Some(724e6));
 }
 
-/// A tube under tension, bending, torque and different pressures inside and outside has von Mises' stress of all six
-/// components, with Lamé's radial and hoop stresses and the real axial force, at the surface that bears more: the
-/// outer one while the pressures are alike, the inner one when it is about to burst.
+/// A tube under tension, bending, torque and different pressures inside and outside has von Mises'
+/// stress of all six components, with Lamé's radial and hoop stresses and the real axial force, at
+/// the surface that bears more: the outer one while the pressures are alike, the inner one when it
+/// is about to burst.
 #[test]
 fn pressures_stress_the_tube_as_lame_has_it() {
     let (model, mesh, chain, _) = string();
@@ -314,10 +315,10 @@ fn percentiles_of_few_samples_are_exact() {
     );
 }
 
-/// Whatever the length of a run, 2048 to 4096 samples of each node of a short string are kept. A percentile
-/// `p` from `n` of them has the standard error `√(p(1 − p)/n)` in rank: 0.5 % for the 5th, 1.1 % for the median.
-/// Three of these are allowed. The period of the sine is a multiple of every stride: kept at even spacing, it
-/// would be met at one or two phases only.
+/// Whatever the length of a run, 2048 to 4096 samples of each node of a short string are kept. A
+/// percentile `p` from `n` of them has the standard error `√(p(1 − p)/n)` in rank: 0.5 % for the
+/// 5th, 1.1 % for the median. Three of these are allowed. The period of the sine is a multiple of
+/// every stride: kept at even spacing, it would be met at one or two phases only.
 #[test]
 fn percentiles_of_many_samples_do_not_beat_with_a_period() {
     const SAMPLES: u32 = 100_000;

@@ -79,10 +79,10 @@ fn model(at_rest: f64) -> Model {
     }
 }
 
-/// Whatever the processor, the string moves the same: instruction sets of different width to the last
-/// bit; the baseline, which rounds products, within 1e-6. A string that settles amplifies differences of 1e-16
-/// in its first second, most where friction lets nodes stick, and forgets them then; what is computed
-/// wrongly stays.
+/// Whatever the processor, the string moves the same: instruction sets of different width to the
+/// last bit; the baseline, which rounds products, within 1e-6. A string that settles amplifies
+/// differences of 1e-16 in its first second, most where friction lets nodes stick, and forgets them
+/// then; what is computed wrongly stays.
 #[test]
 fn every_instruction_set_moves_the_string_alike() {
     for (hertz, friction_law, at_rest) in [
@@ -136,8 +136,9 @@ fn every_instruction_set_moves_the_string_alike() {
     }
 }
 
-/// A row that does not reach the wall leaves contact and friction out. Which nodes share a row is a matter of the pieces'
-/// length, and it makes no difference to any of them: with pieces of other lengths all bits are the same, those of the sums too.
+/// A row that does not reach the wall leaves contact and friction out. Which nodes share a row is a
+/// matter of the pieces' length, and it makes no difference to any of them: with pieces of other
+/// lengths all bits are the same, those of the sums too.
 #[test]
 fn no_node_knows_who_shares_its_row() {
     let mut run = Run::<f64>::new(
@@ -217,8 +218,9 @@ fn wear_is_laid_on_the_hole() {
     }
 }
 
-/// What counts arithmetic does the same arithmetic: as the baseline, which fuses nothing on this processor, to the
-/// last bit. There is no branch in it, so that every step and every lane takes as much.
+/// What counts arithmetic does the same arithmetic: as the baseline, which fuses nothing on this
+/// processor, to the last bit. There is no branch in it, so that every step and every lane takes as
+/// much.
 #[test]
 #[cfg(target_arch = "x86_64")]
 fn counting_leaves_the_step_as_it_is() {

@@ -13,7 +13,8 @@ const SETTLING: Settling = Settling::UntilSteady {
     max_s: 120.0,
 };
 
-/// How the settling of a string ends whose hook load is that against time, on a noise of 100 N; the bit goes down at a speed, m/s.
+/// How the settling of a string ends whose hook load is that against time, on a noise of 100 N; the
+/// bit goes down at a speed, m/s.
 fn ends(hook_load_N: impl Fn(f64) -> f64, speed_m_per_s: f64, duration_s: f64) -> Option<Settled> {
     let mut random = Random::new(2);
     let mut series = TimeSeries::default();
@@ -31,9 +32,10 @@ fn ends(hook_load_N: impl Fn(f64) -> f64, speed_m_per_s: f64, duration_s: f64) -
     None
 }
 
-/// A start that fades as `A e^(−t/τ)`: the line through the last `L` changes by `A e^(−t/τ) f(τ/L)`,
-/// `f(x) = 12 x² (e^(1/x) − 1) − 6 x (e^(1/x) + 1)` from its integral, and the window begins with the first look at which that is below a tenth of a percent
-/// of the hook load in a window as long as the stretch: a second later at most, and another for the noise.
+/// A start that fades as `A e^(−t/τ)`: the line through the last `L` changes by
+/// `A e^(−t/τ) f(τ/L)`, `f(x) = 12 x² (e^(1/x) − 1) − 6 x (e^(1/x) + 1)` from its integral, and the
+/// window begins with the first look at which that is below a tenth of a percent of the hook load
+/// in a window as long as the stretch: a second later at most, and another for the noise.
 #[test]
 fn a_start_that_fades_is_waited_for() {
     for (amplitude_N, tau_s) in [(30e3, 4.0), (-30e3, 8.0), (100e3, 8.0), (3e3, 20.0)] {
@@ -53,20 +55,23 @@ fn a_start_that_fades_is_waited_for() {
     }
 }
 
-/// A longer window drifts by more: twelve times as long, it is waited for until a twelfth is left, `τ ln 12` later.
+/// A longer window drifts by more: twelve times as long, it is waited for until a twelfth is left,
+/// `τ ln 12` later.
 #[test]
 fn a_longer_window_waits_longer() {
     let fading = |t: f64| HOOK_LOAD_N + 100e3 * (-t / 8.0).exp();
     let [short, long] = [5.0, 60.0].map(|duration_s| ends(fading, 0.0, duration_s).unwrap());
     let later_s = long.settle_s - short.settle_s;
-    // The noise hides the very last of it: 25 N of the line of a stretch of 500 samples of ±100 N, `4 √(12/500) 100 N/√3` is 36 N.
+    // The noise hides the very last of it: 25 N of the line of a stretch of 500 samples of ±100 N,
+    // `4 √(12/500) 100 N/√3` is 36 N.
     assert!(
         long.steady && later_s > 13.0 && later_s < 8.0 * 12_f64.ln() + 2.0,
         "{later_s}"
     );
 }
 
-/// Stick-slip and whirl are steady states: a swing of a fifth of the hook load ends settling with the first look.
+/// Stick-slip and whirl are steady states: a swing of a fifth of the hook load ends settling with
+/// the first look.
 #[test]
 fn a_limit_cycle_is_steady() {
     for period_s in [0.4, 1.0, 2.3] {
@@ -83,8 +88,8 @@ fn a_limit_cycle_is_steady() {
     }
 }
 
-/// A vibration that builds up around the same mean, by `e` in 5 s until 25 s, is waited for: until it has been as large as it gets for most of a
-/// stretch of 5 s, and a look more.
+/// A vibration that builds up around the same mean, by `e` in 5 s until 25 s, is waited for: until
+/// it has been as large as it gets for most of a stretch of 5 s, and a look more.
 #[test]
 fn a_vibration_that_builds_up_is_waited_for() {
     for period_s in [0.4, 0.7, 1.0] {
@@ -110,8 +115,9 @@ fn the_bound_ends_what_never_is_steady() {
     );
 }
 
-/// A string of 3000 m that trips at 0.3 m/s may change by twice 1.5 m of 3000 m in a stretch, 0.1 % of its hook load or 60 N/s, beside the tenth of
-/// a percent, another 60 N/s, of a window as long: 90 N/s is steady, and is not where the string stays. 150 N/s is not.
+/// A string of 3000 m that trips at 0.3 m/s may change by twice 1.5 m of 3000 m in a stretch, 0.1 %
+/// of its hook load or 60 N/s, beside the tenth of a percent, another 60 N/s, of a window as long:
+/// 90 N/s is steady, and is not where the string stays. 150 N/s is not.
 #[test]
 fn a_string_that_travels_may_change() {
     for (rate_N_per_s, speed_m_per_s, steady) in [
@@ -133,7 +139,8 @@ fn a_string_that_travels_may_change() {
     }
 }
 
-/// What a rig's gauges do not show is no drift: torques of a few N·m in a string that does not turn.
+/// What a rig's gauges do not show is no drift: torques of a few N·m in a string that does not
+/// turn.
 #[test]
 fn small_scalars_have_a_least_scale() {
     let [force, torque, own, same] = scales([

@@ -1,9 +1,9 @@
-//! The bit-rock system of Richard, Germay and Detournay by an integrator of its own: the independent
-//! answer to how it sticks and slips.
+//! The bit-rock system of Richard, Germay and Detournay by an integrator of its own: the
+//! independent answer to how it sticks and slips.
 //!
-//! Dimensionless as in *Journal of Sound and Vibration* 305 (2007): time in `√(I/C)`, depth in `2C/(ε a²)`.
-//! Runge-Kutta of fourth order between events; the surface that the bit leaves is kept against the
-//! angle for good, and looked up a blade's sector back.
+//! Dimensionless as in *Journal of Sound and Vibration* 305 (2007): time in `√(I/C)`, depth in
+//! `2C/(ε a²)`. Runge-Kutta of fourth order between events; the surface that the bit leaves is kept
+//! against the angle for good, and looked up a blade's sector back.
 
 /// A mass and a wheel on a torsion spring with a drag bit, and what drives them.
 #[derive(Clone, Copy)]

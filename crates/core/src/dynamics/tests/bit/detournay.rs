@@ -47,8 +47,8 @@ fn check(quantity: &str, expected: f64, computed: f64) {
     });
 }
 
-/// Led down at the rate of E07 and turned at its speed, the bit takes the weight and torque of E07 and cuts
-/// its depth, and given the weight the law says the depth and the rate.
+/// Led down at the rate of E07 and turned at its speed, the bit takes the weight and torque of E07
+/// and cuts its depth, and given the weight the law says the depth and the rate.
 #[test]
 fn the_identities_hold_in_full_contact() {
     let (_, file) = identities();
@@ -93,8 +93,9 @@ fn the_identities_hold_in_full_contact() {
     }
 }
 
-/// Pushed with a weight of each regime, the bit drills at the closed form's rate with its torque. E07: `ζ a ε` is
-/// 3.888 MN/m, the flats bear 71.28 kN, full contact comes with 79.056 kN and the cleaning limit with 149.04 kN.
+/// Pushed with a weight of each regime, the bit drills at the closed form's rate with its torque.
+/// E07: `ζ a ε` is 3.888 MN/m, the flats bear 71.28 kN, full contact comes with 79.056 kN and the
+/// cleaning limit with 149.04 kN.
 #[test]
 fn each_regime_drills_by_its_closed_form() {
     let (arm, zeta, friction_torque) = (0.5 * 0.108, 0.6, 0.6);
@@ -129,8 +130,9 @@ fn each_regime_drills_by_its_closed_form() {
     }
 }
 
-/// The depth that a weight cuts is the depth that takes the weight, from the first touch to the cleaning limit, also
-/// where the flats need no depth at all to bear; nothing beyond the limit cuts more.
+/// The depth that a weight cuts is the depth that takes the weight, from the first touch to the
+/// cleaning limit, also where the flats need no depth at all to bear; nothing beyond the limit cuts
+/// more.
 #[test]
 fn weight_and_depth_are_each_others_inverse() {
     for full_contact_depth_m in [0.0, 0.3e-3, 2e-3] {
@@ -157,8 +159,9 @@ fn weight_and_depth_are_each_others_inverse() {
     assert!((endless.depth_of_cut_m(71.28e3 + 3.888e6) - 1.0).abs() < 1e-12);
 }
 
-/// A core bit in the scaled forces of Detournay and Defourny, `w = W/a(1 − ρ)` and `t = 2T/a²(1 − ρ²)`: whatever it
-/// bears, it drills on the friction line `t = (1 − μγζ) ε d + μγ w`.
+/// A core bit in the scaled forces of Detournay and Defourny, `w = W/a(1 − ρ)` and
+/// `t = 2T/a²(1 − ρ²)`: whatever it bears, it drills on the friction line
+/// `t = (1 − μγζ) ε d + μγ w`.
 #[test]
 fn a_core_bit_drills_on_the_same_friction_line() {
     let whole = law();
@@ -187,8 +190,8 @@ fn a_core_bit_drills_on_the_same_friction_line() {
     }
 }
 
-/// Led down at a rate, the weight goes to what that takes as `e^(−k s t)`, `s = Ω/2π ζ a ε` in full contact; the error of
-/// the implicit front is of first order in the step.
+/// Led down at a rate, the weight goes to what that takes as `e^(−k s t)`, `s = Ω/2π ζ a ε` in full
+/// contact; the error of the implicit front is of first order in the step.
 #[test]
 fn the_weight_follows_a_change_of_rate_in_first_order() {
     let (speed, rate, start) = (7.0, 0.012, 100e3);
@@ -211,8 +214,8 @@ fn the_weight_follows_a_change_of_rate_in_first_order() {
     assert!(errors[1] < 0.01 * (end - start).abs(), "{errors:?}");
 }
 
-/// A bit that less turns than its torque stands, and cuts nothing however long it is pushed; turned with more it continues
-/// from where it was.
+/// A bit that less turns than its torque stands, and cuts nothing however long it is pushed; turned
+/// with more it continues from where it was.
 #[test]
 fn a_stalled_bit_waits_and_goes_on() {
     let dt = 5e-4;

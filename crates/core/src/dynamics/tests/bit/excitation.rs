@@ -46,8 +46,8 @@ fn line(values: &[f64], waves_per_sample: f64) -> f64 {
     2.0 * re.hypot(im) / values.len() as f64
 }
 
-/// Three lobes show in the weight on bit at three times the rotary speed and nowhere else. Rock is a spring
-/// `k` and a dashpot `W₀/v₀` in a row: the amplitude is `k A ω/√(ω² + (k v₀/W₀)²)`.
+/// Three lobes show in the weight on bit at three times the rotary speed and nowhere else. Rock is
+/// a spring `k` and a dashpot `W₀/v₀` in a row: the amplitude is `k A ω/√(ω² + (k v₀/W₀)²)`.
 #[test]
 fn lobes_show_at_their_multiple_of_the_speed() {
     let amplitude = 0.1e-3;
@@ -76,8 +76,8 @@ fn lobes_show_at_their_multiple_of_the_speed() {
     assert!((mean / 60e3 - 1.0).abs() < 1e-3, "{mean}");
 }
 
-/// On rock that hardly yields a rough bottom's weight has the roughness' rms times the stiffness, and the
-/// torque fluctuates by the fraction that was requested.
+/// On rock that hardly yields a rough bottom's weight has the roughness' rms times the stiffness,
+/// and the torque fluctuates by the fraction that was requested.
 #[test]
 fn roughness_shows_in_weight_and_torque() {
     let operation = Operation {
@@ -106,7 +106,8 @@ fn roughness_shows_in_weight_and_torque() {
     }
     let n = f64::from(n);
     let rms = |sum: f64, squares: f64| (squares / n - (sum / n).powi(2)).sqrt();
-    // 4450 revolutions, 156 000 knots: 0.3 % by chance; the yielding takes (k v₀/W₀ / 8 Ω)² and less.
+    // 4450 revolutions, 156 000 knots: 0.3 % by chance; the yielding takes (k v₀/W₀ / 8 Ω)² and
+    // less.
     assert!((rms(w, ww) / 10e3 - 1.0).abs() < 0.02, "{}", rms(w, ww));
     assert!((rms(q, qq) / 0.2 - 1.0).abs() < 0.02, "{}", rms(q, qq));
     assert!((q / n - 1.0).abs() < 5e-3);
@@ -128,7 +129,8 @@ fn without_amplitude_nothing_changes() {
     }
 }
 
-/// A heavy bit on a rough bottom: half the step, the same motion, the difference falling with the step.
+/// A heavy bit on a rough bottom: half the step, the same motion, the difference falling with the
+/// step.
 #[test]
 fn the_step_does_not_change_the_bottom() {
     let weights = |steps_per_ms: usize| {

@@ -1,5 +1,5 @@
-//! A mass and a wheel on a torsion spring with the regenerative law: when steady drilling is stable, and how
-//! it sticks and slips.
+//! A mass and a wheel on a torsion spring with the regenerative law: when steady drilling is
+//! stable, and how it sticks and slips.
 
 use super::{
     delay::System,
@@ -12,8 +12,8 @@ use wholestring_verification::{Row, Tolerance, report};
 
 const TAU: f64 = std::f64::consts::TAU;
 
-/// A mass and a wheel on a torsion spring, the top of which turns at a constant speed: Richard, Germay and
-/// Detournay's string.
+/// A mass and a wheel on a torsion spring, the top of which turns at a constant speed: Richard,
+/// Germay and Detournay's string.
 struct Lumped {
     rig: Rig,
     weight_N: f64,
@@ -98,11 +98,11 @@ fn growth_per_s(law: RegenerativeLaw, weight: f64, speed: f64, damping: f64, dt:
     (late / early).ln() / 10.0
 }
 
-/// Steady drilling is stable above the speed that the roots of the characteristic equation say, and unstable
-/// below, with three, four and six blades under three weights.
+/// Steady drilling is stable above the speed that the roots of the characteristic equation say, and
+/// unstable below, with three, four and six blades under three weights.
 ///
-/// Expected to come later by `2 dt/τ`, `τ` the delay between blades, for the rock is met at the step's end: 0.2 %
-/// at 0.1 ms, where 0.17 to 0.24 % were found; twice the step, twice the error.
+/// Expected to come later by `2 dt/τ`, `τ` the delay between blades, for the rock is met at the
+/// step's end: 0.2 % at 0.1 ms, where 0.17 to 0.24 % were found; twice the step, twice the error.
 #[test]
 fn steady_drilling_is_stable_where_the_characteristic_roots_say() {
     for (blades, weight) in [(3, 30e3), (4, 60e3), (6, 100e3)] {
@@ -236,10 +236,11 @@ fn period(sticks: &[f64], after: f64) -> f64 {
     (late[late.len() - 1] - late[0]) / (late.len() - 1) as f64
 }
 
-/// Where every cycle is like the last one, period and largest spin are those of the independent integration.
+/// Where every cycle is like the last one, period and largest spin are those of the independent
+/// integration.
 ///
-/// Found at steps of 0.1 ms: periods of 2.1783, 2.3444 and 2.1971 s within 0.01, 0.06 and 0.03 %, twice that
-/// at 0.2 ms; spins within 2 %. The spring of the string alone would swing in 2.2096 s.
+/// Found at steps of 0.1 ms: periods of 2.1783, 2.3444 and 2.1971 s within 0.01, 0.06 and 0.03 %,
+/// twice that at 0.2 ms; spins within 2 %. The spring of the string alone would swing in 2.2096 s.
 #[test]
 fn a_regular_stick_slip_has_the_period_of_an_independent_integration() {
     for (cutting_N, friction, rpm) in [(30e3, 0.6, 90.0), (30e3, 0.6, 60.0), (15e3, 0.3, 90.0)] {
@@ -273,9 +274,9 @@ fn a_regular_stick_slip_has_the_period_of_an_independent_integration() {
     }
 }
 
-/// A heavier and slower bit sticks longer, each time differently: its mean period over 500 cycles, 2.80 s, is
-/// that of the independent integration within the 2 % that is asked; 0.6 % apart at most with three steps,
-/// for the means scatter by 0.5 %.
+/// A heavier and slower bit sticks longer, each time differently: its mean period over 500 cycles,
+/// 2.80 s, is that of the independent integration within the 2 % that is asked; 0.6 % apart at most
+/// with three steps, for the means scatter by 0.5 %.
 #[test]
 fn an_irregular_stick_slip_has_its_mean_period() {
     let case = StickSlip {

@@ -161,7 +161,8 @@ fn a_stopped_bit_bounces_on_the_rock() {
     }
 }
 
-/// Lifted, the bit leaves the rock and nothing holds it; lowered, it meets the front where it left it.
+/// Lifted, the bit leaves the rock and nothing holds it; lowered, it meets the front where it left
+/// it.
 #[test]
 fn the_bit_leaves_the_rock_freely() {
     let mut rig = Rig::new(OPERATION);
@@ -214,7 +215,8 @@ fn the_rock_holds_a_stopped_bit() {
     assert_eq!(back.step(dt).torque_N_m, 0.0);
 }
 
-/// A motor drills at its own pace, whatever the string does, and its reaction turns the string back.
+/// A motor drills at its own pace, whatever the string does, and its reaction turns the string
+/// back.
 #[test]
 fn a_motor_drills_and_turns_the_string_back() {
     let mut rig = Rig::new(Operation {

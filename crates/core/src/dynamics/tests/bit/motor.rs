@@ -61,7 +61,8 @@ fn settled(rig: &mut Rig, steps: usize) -> BitStep {
     (0..steps).map(|_| rig.step(5e-4)).last().expect("a step")
 }
 
-/// The curve's corners, worked out from its definition, and half of the flow: less leaks at the stall of less.
+/// The curve's corners, worked out from its definition, and half of the flow: less leaks at the
+/// stall of less.
 #[test]
 fn the_curve_goes_through_its_corners() {
     let rated = 0.8 * 12e-3 * 8e6 / TAU;
@@ -85,7 +86,8 @@ fn the_curve_goes_through_its_corners() {
     assert!((MOTOR.pressure_Pa(MOTOR.torque_N_m(5e6)) / 5e6 - 1.0).abs() < 1e-12);
 }
 
-/// Under the weight that takes a torque the bit turns at the curve's speed and drills what the law cuts at it.
+/// Under the weight that takes a torque the bit turns at the curve's speed and drills what the law
+/// cuts at it.
 #[test]
 fn the_bit_turns_on_the_curve() {
     for weight in [40e3, 90e3, 150e3, 190e3] {
@@ -118,8 +120,8 @@ fn the_bit_turns_on_the_curve() {
     }
 }
 
-/// Too much weight stalls the motor: the bit stands under its stall torque and cuts nothing. Lifted to a bearable
-/// weight it continues at once.
+/// Too much weight stalls the motor: the bit stands under its stall torque and cuts nothing. Lifted
+/// to a bearable weight it continues at once.
 #[test]
 fn the_motor_stalls_and_recovers() {
     let mut rig = sliding(150e3);
@@ -148,7 +150,8 @@ fn the_motor_stalls_and_recovers() {
     }
 }
 
-/// Without flow the motor gives no torque; a string that turns drags a held bit no harder than what leaks.
+/// Without flow the motor gives no torque; a string that turns drags a held bit no harder than what
+/// leaks.
 #[test]
 fn without_flow_there_is_no_torque() {
     let mut rig = sliding(150e3);
@@ -177,8 +180,8 @@ fn a_turning_string_slips_around_a_stalled_motor() {
     assert_eq!(step.rate_of_penetration_m_per_s, 0.0);
 }
 
-/// The rate law holds at the speed that the motor has under the operation's torque, and a motor under less torque
-/// turns and drills faster by its curve.
+/// The rate law holds at the speed that the motor has under the operation's torque, and a motor
+/// under less torque turns and drills faster by its curve.
 #[test]
 fn the_rate_law_takes_the_motors_speed() {
     let rate = BitLaw::Rate(RateLaw {

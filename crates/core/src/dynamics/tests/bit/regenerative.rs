@@ -60,8 +60,9 @@ pub(super) fn identities() -> (RegenerativeLaw, Value) {
     (RegenerativeLaw { cutters, blades }, file)
 }
 
-/// Led down at the rate of E07 and turned at its speed, the bit takes the weight and torque of E07 and cuts
-/// its depth; given the weight, the law says the rate. Rounding only: the file prints all digits.
+/// Led down at the rate of E07 and turned at its speed, the bit takes the weight and torque of E07
+/// and cuts its depth; given the weight, the law says the rate. Rounding only: the file prints all
+/// digits.
 #[test]
 fn steady_drilling_takes_the_weight_and_torque_of_the_identities() {
     let (law, file) = identities();
@@ -109,8 +110,9 @@ fn steady_drilling_takes_the_weight_and_torque_of_the_identities() {
     }
 }
 
-/// A bit that is led up and down on its way cuts `U(Φ) − U(Φ − 2π/n)`, whatever the step, and half the bottom's
-/// spacing would be a quarter of the error: lines between points `h` apart are off by `h² U″/8`.
+/// A bit that is led up and down on its way cuts `U(Φ) − U(Φ − 2π/n)`, whatever the step, and half
+/// the bottom's spacing would be a quarter of the error: lines between points `h` apart are off by
+/// `h² U″/8`.
 #[test]
 fn the_cut_is_what_the_blade_before_has_left() {
     let (waves, amplitude, pitch) = (23.0, 1e-4, 5e-4);
@@ -140,8 +142,8 @@ fn the_cut_is_what_the_blade_before_has_left() {
     }
 }
 
-/// Lifted, the bit leaves the rock, and what it did not cut is there when it comes back: the next blade cuts
-/// twice as deep.
+/// Lifted, the bit leaves the rock, and what it did not cut is there when it comes back: the next
+/// blade cuts twice as deep.
 #[test]
 fn a_lifted_bit_leaves_rock_standing() {
     let mut rig = Rig::with(pressed(80e3), settings(LAW));
@@ -174,7 +176,8 @@ fn a_lifted_bit_leaves_rock_standing() {
     assert!((again.depth_of_cut_m / steady.depth_of_cut_m - 1.0).abs() < 1e-6);
 }
 
-/// The wear flats bear while the bit goes down, not while it goes up, and what is needed while it stands.
+/// The wear flats bear while the bit goes down, not while it goes up, and what is needed while it
+/// stands.
 #[test]
 fn wear_flats_bear_on_the_way_down() {
     let bearing = LAW.cutters.wear_flat_weight_N();
@@ -234,15 +237,15 @@ fn a_bit_turned_back_cuts_where_it_left() {
     assert!((on.torque_N_m / cutting - 1.0).abs() < 1e-3);
 }
 
-/// What the rock does is the change of the bit's kinetic energy, to rounding, through stick, jumps and
-/// turning back.
+/// What the rock does is the change of the bit's kinetic energy, to rounding, through stick, jumps
+/// and turning back.
 #[test]
 fn work_is_the_change_of_kinetic_energy() {
     assert_work_is_the_change_of_energy(&mut Rig::with(pressed(80e3), settings(LAW)));
 }
 
-/// A motor turns the bit while the string stands: it drills at the motor's speed, and the string carries the
-/// reaction.
+/// A motor turns the bit while the string stands: it drills at the motor's speed, and the string
+/// carries the reaction.
 #[test]
 fn a_motor_cuts_while_the_string_stands() {
     let operation = Operation {

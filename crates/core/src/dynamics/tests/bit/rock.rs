@@ -135,9 +135,10 @@ impl Slant {
     }
 }
 
-/// A bit that is thrown into a block which nothing holds, tilted, turning and tilting on: what it loses in momentum the
-/// block gains, what the rock does to it is the change of its kinetic energy, and its bending moment is what tilts it. The string's
-/// part of the work of a bit that a motor turns is the change of the string's energy.
+/// A bit that is thrown into a block which nothing holds, tilted, turning and tilting on: what it
+/// loses in momentum the block gains, what the rock does to it is the change of its kinetic energy,
+/// and its bending moment is what tilts it. The string's part of the work of a bit that a motor
+/// turns is the change of the string's energy.
 #[test]
 fn momentum_and_energy_pass_exactly() {
     let displacement = Motor::Displacement(MudMotor {

@@ -1,5 +1,5 @@
-//! Roots of the characteristic equation of steady drilling with the regenerative law: the independent
-//! answer to when it is stable.
+//! Roots of the characteristic equation of steady drilling with the regenerative law: the
+//! independent answer to when it is stable.
 //!
 //! In the dimensionless form of Richard, Germay and Detournay (2007), time in `√(I/C)` and depth in
 //! `2C/(ε a²)`, small deviations `u`, `φ` from steady drilling follow
@@ -9,7 +9,8 @@
 //! φ″ + κφ′ + φ = n  (−(u − ũ) + r (φ − φ̃))      r = v₀/ω₀
 //! ```
 //!
-//! with the delay `2π/(n ω₀)` under the tilde. The wear flats' part is constant while the bit goes down.
+//! with the delay `2π/(n ω₀)` under the tilde. The wear flats' part is constant while the bit goes
+//! down.
 
 use nalgebra::Complex;
 
@@ -30,8 +31,8 @@ pub(super) struct Drilling {
 }
 
 impl Drilling {
-    /// `(s² + nψE)(s² + κs + 1 − nrE) + n²ψrE²`, `E = 1 − e^(−sτ)`, by `s`: a shift of the angle and of
-    /// the depth along the helix is no motion.
+    /// `(s² + nψE)(s² + κs + 1 − nrE) + n²ψrE²`, `E = 1 − e^(−sτ)`, by `s`: a shift of the angle
+    /// and of the depth along the helix is no motion.
     fn characteristic(&self, s: Number) -> Number {
         let delay = std::f64::consts::TAU / (self.blades * self.speed);
         let e = Number::new(1.0, 0.0) - (-s * delay).exp();
@@ -42,7 +43,8 @@ impl Drilling {
             / s
     }
 
-    /// Growth rate and frequency of the mode that grows most: Newton's method from all over the plane.
+    /// Growth rate and frequency of the mode that grows most: Newton's method from all over the
+    /// plane.
     pub(super) fn leading(&self) -> Number {
         let mut leading = Number::new(f64::NEG_INFINITY, 0.0);
         for re in -12..=6 {
@@ -76,8 +78,8 @@ impl Drilling {
         None
     }
 
-    /// The speed above which steady drilling is stable, by bisection between one where it is not and one
-    /// where it is.
+    /// The speed above which steady drilling is stable, by bisection between one where it is not
+    /// and one where it is.
     pub(super) fn threshold(self, mut low: f64, mut high: f64) -> f64 {
         let growth = |speed: f64| Self { speed, ..self }.leading().re;
         assert!(growth(low) > 0.0 && growth(high) < 0.0);
@@ -93,8 +95,8 @@ impl Drilling {
     }
 }
 
-/// Without torsion and damping, `s² + nψ(1 − e^(−sτ)) = 0` first grows at `s = iπ/τ`, where the delay is
-/// half a period: `ω₀ = 2 √(2ψ/n)`.
+/// Without torsion and damping, `s² + nψ(1 − e^(−sτ)) = 0` first grows at `s = iπ/τ`, where the
+/// delay is half a period: `ω₀ = 2 √(2ψ/n)`.
 #[test]
 fn the_root_finder_knows_the_axial_threshold() {
     let drilling = Drilling {

@@ -2,8 +2,8 @@
 
 use super::*;
 
-/// Pushed sideways, the bit moves with `s (v/W)/Ω |Ω| F`: by its steerability of what the same weight would have drilled,
-/// and with the speed.
+/// Pushed sideways, the bit moves with `s (v/W)/Ω |Ω| F`: by its steerability of what the same
+/// weight would have drilled, and with the speed.
 #[test]
 fn the_bit_cuts_sideways_with_force_and_speed() {
     for (steerability, speed, side) in [(0.05, 7.0, 4e3), (0.05, 3.5, 4e3), (0.01, 7.0, -9e3)] {
@@ -28,7 +28,8 @@ fn the_bit_cuts_sideways_with_force_and_speed() {
     }
 }
 
-/// A bit that does not turn, or is off bottom, cuts nothing: it is pushed into the rock's spring, and comes back.
+/// A bit that does not turn, or is off bottom, cuts nothing: it is pushed into the rock's spring,
+/// and comes back.
 #[test]
 fn a_bit_that_stands_or_hangs_does_not_cut() {
     let settings = BitSettings {

@@ -46,7 +46,8 @@ fn rig(law: BitLaw, weight_N: f64) -> Rig {
     Rig::with(pressed(weight_N), settings)
 }
 
-/// Between the points the table is the bilinear function that made it; at the edges it stays or goes to zero.
+/// Between the points the table is the bilinear function that made it; at the edges it stays or
+/// goes to zero.
 #[test]
 fn between_its_points_the_table_is_bilinear() {
     let table = BitTable::new(&points()).expect("a table");
@@ -78,8 +79,8 @@ fn between_its_points_the_table_is_bilinear() {
     edge(80e3, -1.0, (80e3, 4.0), 0.0, 1.0);
 }
 
-/// Pushed with a weight and turned at a speed, the bit drills as the table says, also where it is outside, and shows
-/// how often and how far that was.
+/// Pushed with a weight and turned at a speed, the bit drills as the table says, also where it is
+/// outside, and shows how often and how far that was.
 #[test]
 fn the_bit_drills_as_the_table_says() {
     for (weight, speed, at) in [
@@ -121,7 +122,8 @@ fn a_table_of_one_point_is_the_rate_law_below_it() {
         torque_fluctuation: 0.1,
         band: Band::PerRevolution(8.0),
     });
-    // The rate law's operation is 60 kN at 7 rad/s; the point lies on its line, above all that happens.
+    // The rate law's operation is 60 kN at 7 rad/s; the point lies on its line, above all that
+    // happens.
     let one = [point(300e3, 28.0, 0.003 * 20.0, 15e3)];
     let rate = BitLaw::Rate(RateLaw {
         rock_stiffness_N_per_m: 1e8,
@@ -150,8 +152,8 @@ fn a_table_of_one_point_is_the_rate_law_below_it() {
     }
 }
 
-/// The torque has the table's standard deviation about the table's mean, and so has the weight of a bit that is led
-/// down so slowly that its rock hardly yields.
+/// The torque has the table's standard deviation about the table's mean, and so has the weight of a
+/// bit that is led down so slowly that its rock hardly yields.
 #[test]
 fn the_spread_is_the_tables() {
     let spread = |weight: f64, torque: f64, torque_std: f64, weight_std: f64| TablePoint {
@@ -187,8 +189,8 @@ fn the_spread_is_the_tables() {
     let rms = |sum: f64, squares: f64| (squares / n - (sum / n).powi(2)).sqrt();
     let weight = rms(w, ww);
     assert!((weight / 8e3 - 1.0).abs() < 0.02, "{weight}");
-    // The torque's is 10 N·m for each kN above 30 kN: by the mean weight, which the bottom under the bit at the start
-    // shifts, and by its spread.
+    // The torque's is 10 N·m for each kN above 30 kN: by the mean weight, which the bottom under
+    // the bit at the start shifts, and by its spread.
     let torque = rms(q, qq);
     let expected = (0.01 * w / n - 300.0).hypot(0.01 * 8e3);
     assert!(

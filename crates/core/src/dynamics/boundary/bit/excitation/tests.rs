@@ -21,8 +21,9 @@ fn rms(values: &[f64]) -> f64 {
     (values.iter().map(|v| v * v).sum::<f64>() / values.len() as f64).sqrt()
 }
 
-/// Over 10 000 revolutions, 350 000 knots, the front's rms is the one that was requested. The mean square of
-/// so many knots scatters by `√(2·1.4/350 000)`, 0.3 % of itself: the rms is within 0.5 % three times over.
+/// Over 10 000 revolutions, 350 000 knots, the front's rms is the one that was requested. The mean
+/// square of so many knots scatters by `√(2·1.4/350 000)`, 0.3 % of itself: the rms is within 0.5 %
+/// three times over.
 #[test]
 fn roughness_has_the_rms_that_was_asked_for() {
     for seed in [1, 2, 77] {
@@ -39,8 +40,8 @@ fn roughness_has_the_rms_that_was_asked_for() {
     }
 }
 
-/// Its power density at the band's end is half of that at its beginning, and a hundredth part is left at
-/// two and a half times the band: `sinc⁸`.
+/// Its power density at the band's end is half of that at its beginning, and a hundredth part is
+/// left at two and a half times the band: `sinc⁸`.
 #[test]
 fn power_falls_to_half_at_the_band() {
     let shaker = Shaker::new(ROUGH, 5);
@@ -100,8 +101,8 @@ fn the_noise_is_smooth() {
     }
 }
 
-/// The same seed is the same bottom, wherever one comes from; another seed another one; the torque's
-/// noise is neither.
+/// The same seed is the same bottom, wherever one comes from; another seed another one; the
+/// torque's noise is neither.
 #[test]
 fn a_seed_is_a_bottom() {
     let here = Shaker::new(ROUGH, 9);

@@ -23,14 +23,14 @@ use crate::{
     simd::{number::Real, vector::Vector},
 };
 
-/// Time over which what pushes and turns the bit is averaged, s: that average acts on the bit evenly, and a motor follows that
-/// of the torque. Some dozens of steps.
+/// Time over which what pushes and turns the bit is averaged, s: that average acts on the bit
+/// evenly, and a motor follows that of the torque. Some dozens of steps.
 const EVEN_S: f64 = 0.02;
 
 /// The rock under a bit, and where it stands in the world.
 ///
-/// The block stands along the bit as it was laid, x to the hole's high side, and stays so: a bit that leans in its hole has cut
-/// it leaning, and leaves that axis where the rock lets it.
+/// The block stands along the bit as it was laid, x to the hole's high side, and stays so: a bit
+/// that leans in its hole has cut it leaning, and leaves that axis where the rock lets it.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct RockCut {
     drilling: Drilling,
@@ -76,12 +76,15 @@ impl RockCut {
 
     /// Takes the bit's node, which the step has pushed without the rock, through the step.
     ///
-    /// The string's impulse is given in two parts: its average of late evenly, the rest at the step's beginning, from where the
-    /// bit moves as the rock lets it. So the string's own motion stays that of central differences, and the rock feels
-    /// no blow at each step of the string. What the rock does to the bit is what the bit does to the rock, in momentum to
-    /// rounding, and its work is that on the way that the bit took. What the bit has turned further than its last spin says goes to the twist.
+    /// The string's impulse is given in two parts: its average of late evenly, the rest at the
+    /// step's beginning, from where the bit moves as the rock lets it. So the string's own motion
+    /// stays that of central differences, and the rock feels no blow at each step of the string.
+    /// What the rock does to the bit is what the bit does to the rock, in momentum to rounding, and
+    /// its work is that on the way that the bit took. What the bit has turned further than its last
+    /// spin says goes to the twist.
     ///
-    /// A motor keeps its speed in the step; that follows the average of the torque, first order in time.
+    /// A motor keeps its speed in the step; that follows the average of the torque, first order in
+    /// time.
     pub(in crate::dynamics) fn drill(
         &mut self,
         chain: &mut Chain<impl Real>,

@@ -9,15 +9,18 @@ use crate::{
     rock::{BitShape, DrillingSpec},
 };
 
-/// Part of the nodes of the bottom that a bit touches at the most: twice what bits of 60 and 216 mm on elements of 3 to 12 mm did.
+/// Part of the nodes of the bottom that a bit touches at the most: twice what bits of 60 and 216 mm
+/// on elements of 3 to 12 mm did.
 const TOUCHED: f64 = 0.125;
 
 /// Inclination of the force on an insert that scrapes, over that around: a face raked back by 45°.
 const INSERT_RAKE_RAD: f64 = std::f64::consts::FRAC_PI_4;
 
-/// Solid rock: the face of the bit breaks elements, and feels what they answer in all six components.
+/// Solid rock: the face of the bit breaks elements, and feels what they answer in all six
+/// components.
 ///
-/// Sideways the bit's own spring holds it besides: a wall of elements leaves its gauge room to bang about.
+/// Sideways the bit's own spring holds it besides: a wall of elements leaves its gauge room to bang
+/// about.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RockLaw {
     /// The bit and its rock.
@@ -25,12 +28,12 @@ pub struct RockLaw {
 }
 
 impl RockLaw {
-    /// What Detournay and Defourny's law would have for it: an **estimate**, by which the hoist begins and the soft string is twisted,
-    /// and nothing more.
+    /// What Detournay and Defourny's law would have for it: an **estimate**, by which the hoist
+    /// begins and the soft string is twisted, and nothing more.
     ///
-    /// Sharp cutters whose intrinsic specific energy is the rock's unconfined strength, as it is about (Richard, Dagrain, Poyol
-    /// and Detournay, *Engineering Geology* 147, 2012); `ζ = tan(θ + ψ)` of the back rake `θ` and the friction angle `ψ`
-    /// between rock and cutter.
+    /// Sharp cutters whose intrinsic specific energy is the rock's unconfined strength, as it is
+    /// about (Richard, Dagrain, Poyol and Detournay, *Engineering Geology* 147, 2012);
+    /// `ζ = tan(θ + ψ)` of the back rake `θ` and the friction angle `ψ` between rock and cutter.
     pub fn estimate(&self) -> Cutters {
         let (diameter_m, core_m, rake_rad) = match &self.drilling.bit {
             BitShape::Pdc(bit) => (bit.diameter_m, bit.core_diameter_m, bit.back_rake_rad),
@@ -49,7 +52,8 @@ impl RockLaw {
         }
     }
 
-    /// How it may be expected to drill under a weight on bit, turning at a speed: [`Self::estimate`].
+    /// How it may be expected to drill under a weight on bit, turning at a speed:
+    /// [`Self::estimate`].
     pub fn steady(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> SteadyCut {
         let cutters = self.estimate();
         let depth_of_cut_m = weight_on_bit_N / cutters.cutting_N_per_m();
@@ -60,8 +64,9 @@ impl RockLaw {
         }
     }
 
-    /// Mass (kg) and moment of inertia about the hole (kg·m²) of the nodes of rock that the bit touches at the most, scaled as the
-    /// density is. The contact is stable under a bit that has more.
+    /// Mass (kg) and moment of inertia about the hole (kg·m²) of the nodes of rock that the bit
+    /// touches at the most, scaled as the density is. The contact is stable under a bit that has
+    /// more.
     pub fn touched(&self) -> [f64; 2] {
         let block = &self.drilling.block;
         let cutters = self.estimate();

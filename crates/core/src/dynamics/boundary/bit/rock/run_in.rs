@@ -18,12 +18,12 @@ use crate::{
     rock::{Advance, BitMotion, Drilling, Driver, Executor, Inertia},
 };
 
-/// Revolutions on its bottom before the start: one in which each blade meets what it has left itself and the elements begin to go, and
-/// one that is typical.
+/// Revolutions on its bottom before the start: one in which each blade meets what it has left
+/// itself and the elements begin to go, and one that is typical.
 const REVOLUTIONS: usize = 2;
 
-/// How long the weight on a bit that does not turn grows before the start, s, how long it presses at the most, and what damps it,
-/// 1/s.
+/// How long the weight on a bit that does not turn grows before the start, s, how long it presses
+/// at the most, and what damps it, 1/s.
 const GROWING_S: f64 = 0.015;
 const PRESSING_S: f64 = 0.3;
 const PRESSING_DAMPING_PER_S: f64 = 2000.0;
@@ -31,7 +31,8 @@ const PRESSING_DAMPING_PER_S: f64 = 2000.0;
 /// It rests once the rock bears the weight to this part.
 const RESTS: f64 = 0.01;
 
-/// A bit that turns more slowly, rad/s, is pressed alone: its two revolutions would take longer than most runs.
+/// A bit that turns more slowly, rad/s, is pressed alone: its two revolutions would take longer
+/// than most runs.
 const SLOWEST_RAD_PER_S: f64 = 1.0;
 
 /// Step before the start, s.
@@ -60,7 +61,8 @@ pub struct RunIn {
 }
 
 impl RunIn {
-    /// Runs the bit in; none where no solid rock is drilled. A motor turns it as fast as under the torque that `first` expects.
+    /// Runs the bit in; none where no solid rock is drilled. A motor turns it as fast as under the
+    /// torque that `first` expects.
     ///
     /// # Errors
     /// A bit or a block of rock that cannot be, and an executor that asks to stop.
@@ -111,8 +113,8 @@ impl RockLaw {
     }
 }
 
-/// Drills under the weight at a constant speed; what came of the last revolution. What weighs as much as the weight, or the
-/// bit's node if that is more, goes down with the bit.
+/// Drills under the weight at a constant speed; what came of the last revolution. What weighs as
+/// much as the weight, or the bit's node if that is more, goes down with the bit.
 fn turn(
     drilling: &mut Drilling,
     standing: Standing,

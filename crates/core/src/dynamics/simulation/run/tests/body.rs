@@ -8,7 +8,8 @@ use crate::{
     string::{BodyBend, Cavity, Eccentricity},
 };
 
-/// The string of [`model`] with a motor at its lower end that is bent 1.5° to the right, and an eccentric collar.
+/// The string of [`model`] with a motor at its lower end that is bent 1.5° to the right, and an
+/// eccentric collar.
 fn bent_model() -> Model {
     let mut model = model(0.25);
     let pipe = &model.string.components()[0];
@@ -66,12 +67,12 @@ fn start(kind: OperationKind, rpm: f64) -> Run<f64> {
     .unwrap()
 }
 
-/// A string that hangs still with a bend and an eccentric collar loses nothing, neither to the damping of its steel nor to
-/// friction nor to the mud, and its residual is that of rounding.
+/// A string that hangs still with a bend and an eccentric collar loses nothing, neither to the
+/// damping of its steel nor to friction nor to the mud, and its residual is that of rounding.
 ///
-/// The kicks that the bend and the collar give the spin in each step are taken back by the twist and the wall in the
-/// same step: booked as turning they were 0.01 to 0.5 W. What is left after 15 time constants of a strong damping is below
-/// 1e-9 W.
+/// The kicks that the bend and the collar give the spin in each step are taken back by the twist
+/// and the wall in the same step: booked as turning they were 0.01 to 0.5 W. What is left after 15
+/// time constants of a strong damping is below 1e-9 W.
 #[test]
 fn a_bent_string_at_rest_loses_nothing() {
     let rheology = Rheology::Newtonian {
@@ -136,7 +137,8 @@ fn bends_and_eccentric_masses_find_their_nodes() {
     assert!((sum / expected - 1.0).abs() < 1e-12, "{sum} {expected}");
 }
 
-/// Initialises the string straight in space, along the hole at the bend, and all below the bend along `below`.
+/// Initialises the string straight in space, along the hole at the bend, and all below the bend
+/// along `below`.
 fn place_along(simulation: &mut Run<f64>, below: impl Fn(Vector<f64>, Vector<f64>) -> Vector<f64>) {
     let bend = simulation.state.body.bends[0].index;
     let axis = simulation.chain.tangent(bend);
@@ -156,9 +158,9 @@ fn place_along(simulation: &mut Run<f64>, below: impl Fn(Vector<f64>, Vector<f64
     simulation.chain.close();
 }
 
-/// A body that lies as it is bent bears its tension alone, at the bend as elsewhere; held straight, it bears at the
-/// bend what an element has whose one end is turned by the bend's angle `θ`: `EI/L (4 + φ)/(1 + φ) sin θ cos θ`, with
-/// Timoshenko's `φ`. Exact but for rounding.
+/// A body that lies as it is bent bears its tension alone, at the bend as elsewhere; held straight,
+/// it bears at the bend what an element has whose one end is turned by the bend's angle `θ`:
+/// `EI/L (4 + φ)/(1 + φ) sin θ cos θ`, with Timoshenko's `φ`. Exact but for rounding.
 #[test]
 fn a_bend_bears_no_stress_of_its_own() {
     const TENSION_N: f64 = 1e5;
@@ -198,8 +200,8 @@ fn a_bend_bears_no_stress_of_its_own() {
     }
 }
 
-/// A string that does not turn keeps its tool face within 0.3° for 10 s of tripping: 0.1° is what the string untwists while it
-/// settles.
+/// A string that does not turn keeps its tool face within 0.3° for 10 s of tripping: 0.1° is what
+/// the string untwists while it settles.
 #[test]
 fn a_tool_face_holds_while_the_string_does_not_turn() {
     let mut simulation = start(OperationKind::TripIn, 0.0);
@@ -211,8 +213,9 @@ fn a_tool_face_holds_while_the_string_does_not_turn() {
     assert!((after - before).abs() < 0.3, "{after}");
 }
 
-/// Turned at 60 rev/min for 15 s a bend turns 15 times with its node, whose turns its spin sums up, the string starts without a
-/// blow (no node beyond 3 m/s), and the energies balance within 1e-3 (2e-4 with the bend and 2e-6 without were found).
+/// Turned at 60 rev/min for 15 s a bend turns 15 times with its node, whose turns its spin sums up,
+/// the string starts without a blow (no node beyond 3 m/s), and the energies balance within 1e-3
+/// (2e-4 with the bend and 2e-6 without were found).
 #[test]
 fn a_bent_string_turns() {
     let mut simulation = start(OperationKind::RotateOffBottom, 60.0);

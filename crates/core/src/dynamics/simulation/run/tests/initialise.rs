@@ -38,8 +38,9 @@ fn drill(kind: OperationKind) -> Operation {
     }
 }
 
-/// The wall does not reach the bit, and no spring holds it while the string is initialised: it begins on the hole's axis all the same, and the
-/// string hangs over it in balance. Let go meanwhile it fell by six centimetres, and was torn back with 600 kN.
+/// The wall does not reach the bit, and no spring holds it while the string is initialised: it
+/// begins on the hole's axis all the same, and the string hangs over it in balance. Let go
+/// meanwhile it fell by six centimetres, and was torn back with 600 kN.
 #[test]
 fn the_bit_begins_on_the_axis() {
     let settings = DynamicsSettings::default();
@@ -60,7 +61,8 @@ fn the_bit_begins_on_the_axis() {
     assert!(gets_m < pressed_m, "{gets_m} m, expected {pressed_m} m");
 }
 
-/// The string is wound up by what the rock took of the bit that was run in, not by what was expected.
+/// The string is wound up by what the rock took of the bit that was run in, not by what was
+/// expected.
 #[test]
 fn the_rock_winds_the_string_up() {
     let (settings, drill) = (on_rock(), drill(OperationKind::Drill));
@@ -85,7 +87,8 @@ fn the_rock_winds_the_string_up() {
     );
 }
 
-/// A bit that does not turn, of a string that slides or starts centred, rests on its rock, bears its weight and takes no torque.
+/// A bit that does not turn, of a string that slides or starts centred, rests on its rock, bears
+/// its weight and takes no torque.
 #[test]
 fn a_bit_that_does_not_turn_rests_on_its_rock() {
     for (start, kind) in [
@@ -102,7 +105,8 @@ fn a_bit_that_does_not_turn_rests_on_its_rock() {
             Run::<f64>::new(&model(0.25), &still, &settings, RockExecutor::default()).unwrap();
         assert!(element!(run.chain, run.chain.nodes() - 2, twist) == 0.0);
         run.advance(0.02).unwrap();
-        // The string has only been settled across the hole: along it, it gives by a tenth. A bit that hung would bear nothing.
+        // The string has only been settled across the hole: along it, it gives by a tenth. A bit
+        // that hung would bear nothing.
         for weight_N in &run.outcome().series.weight_on_bit_N {
             assert!((weight_N / WEIGHT_N - 1.0).abs() < 0.2, "{weight_N} N");
         }
