@@ -245,7 +245,7 @@ fn a_run_that_ended_before_its_first_checkpoint_is_not_finished() {
     ]));
     assert_eq!(status, 2);
     assert!(
-        said.contains("`string.0.bend_at_m` is null there"),
+        said.contains("`string.0.bend_at_m` is not given there and 20.0 here"),
         "{said}"
     );
     assert!(!said.contains("is finished"), "{said}");
