@@ -1,21 +1,15 @@
-//! Return mapping, from a strain increment to the stress: elasticity, the cone, its truncated tip,
-//! softening.
+//! Return mapping: from a strain increment to the stress.
 //!
 //! The stress is Kirchhoff's, Cauchy's times the change of volume. Six components stand in the
 //! order xx, yy, zz, xy, yz, zx; shear strains are those of the tensor, half of the engineer's.
-//!
-//! A point of the rock has one variable of its own, the **intact** part `s` of its cohesion and its
-//! tensile strength: 1 at first, 0 when it has failed. The admissible stresses are
+//! With the intact part `s` of cohesion and tensile strength, 1 at first and 0 after failure,
 //!
 //! ```text
-//! √J₂ + α I₁ <= k s        the cone
+//! √J₂ + α I₁ <= k s        the cone (Drucker and Prager 1952)
 //! I₁ <= t s                its tip cut off by the tensile strength (the apex itself where t = k/α)
 //! ```
 //!
-//! and both returns, the return to the edge between them included, are closed forms. At the tip the
-//! whole stress shrinks: the rock opens the way it was strained, so that a crack between intact
-//! rock does not lock. `s` falls linearly with the plastic strain, so that a band one element wide
-//! takes the fracture energy whatever the element's size.
+//! Theory: `docs/src/theory/rock.md`.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,22 +1,16 @@
 //! One element of the rod: its energy, and the forces that follow from it.
 //!
-//! A two-node beam between positions `x1`, `x2` with unit directors `d1`, `d2`, the normals of the
-//! cross-sections at its ends. With the chord's direction `t` and length `l`, the cosines
-//! `c1 = t·d1`, `c2 = t·d2`, `c12 = d1·d2`, and the rest length `L`,
+//! A two-node beam with unit directors `d1`, `d2`, the normals of the cross-sections at its ends.
+//! With the chord's direction `t` and length `l`, `c1 = t·d1`, `c2 = t·d2`, `c12 = d1·d2`, and the
+//! rest length `L`,
 //!
 //! ```text
 //! ε = (l − L)/L + a[(1 − c1²) + (1 − c2²)]/2 − b(c12 − c1 c2)            stretch with bowing
 //! U = ½ EA L ε² + (EI/2L){A₀[(1 − c1²) + (1 − c2²)] + 2B₀(c12 − c1 c2)} + ½ (GJ/L) τ²
-//! φ = 12 EI/(κGA L²),  A₀ = (4 + φ)/(1 + φ),  B₀ = (2 − φ)/(1 + φ)
-//! a = (2/15 + φ/6 + φ²/12)/(1 + φ)²,  b = (1/30 + φ/6 + φ²/12)/(1 + φ)²
 //! ```
 //!
-//! For small angles this is the Timoshenko beam with its geometric stiffness: `1 − c²` is the
-//! square of a director's angle to the chord and `c12 − c1 c2` the product of the two. Without
-//! shear, `a` and `b` are the 2/15 and 1/30 of the beam-column. The twist `τ` is integrated from
-//! rates, `τ' = s2 − s1 + (w2·d1 − w1·d2)/(1 + c12)`, `s` the spin about the director and `w` the
-//! angular velocity across it, so that thousands of revolutions are harmless; the moments below are
-//! the ones that do the work `M τ'`.
+//! Forces and moments are its gradient. Theory, with `a`, `b`, `A₀` and `B₀`:
+//! `docs/src/theory/rod.md`.
 
 use super::section::Section;
 pub use super::section::shear_factor;
@@ -49,6 +43,7 @@ impl Stiffness<f64> {
     pub fn new(section: &Section, length_m: f64) -> Self {
         let l = length_m;
         let ei = section.bending_stiffness_N_m2;
+        // φ weighs shear against bending; A₀, B₀, a and b follow from it.
         let phi = 12.0 * ei / (section.shear_stiffness_N * l * l);
         let over = 1.0 / (1.0 + phi);
         let bow = phi / 6.0 + phi * phi / 12.0;
@@ -325,7 +320,7 @@ pub struct Twisted<N> {
     pub apart: N,
 }
 
-/// Twist, and the damping of bending.
+/// Twist, and the damping of bending: `τ' = s2 − s1 + (w2·d1 − w1·d2)/(1 + c12)`, rad/s.
 #[inline(always)]
 pub fn twist<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Twisted<N> {
     let half = N::splat(0.5);

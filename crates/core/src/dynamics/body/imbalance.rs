@@ -16,17 +16,16 @@ const PASSES: usize = 8;
 /// A node whose centre of mass lies off its axis.
 ///
 /// With the imbalance `U = Σ m e` (kg·m) in the direction `q`, fixed in the body and across the
-/// director, and the angular velocity `ω = w + s d`, the node's kinetic energy gains `U v·(ω × q)`.
-/// Hence
+/// director, and the angular velocity `ω = w + s d`,
 ///
 /// ```text
 /// M v' + U (ω × q)' = F            the centre of mass is thrown outwards
 /// I ω' + U q × v'   = m + U q × g  a sideways acceleration turns the pipe, and gravity does
 /// ```
 ///
-/// The first is kept as a balance of momentum over the step: what follows from the turning of `q`
-/// at the present `ω` comes before the step, so that the wall feels it like weight; what the step
-/// changes in `ω` and `v` comes after it.
+/// What follows from the turning of `q` at the present `ω` comes before the step, so that the wall
+/// feels it like weight; what the step changes in `ω` and `v` comes after it. Theory:
+/// `docs/src/theory/bends.md`.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Imbalance {
     /// The node.

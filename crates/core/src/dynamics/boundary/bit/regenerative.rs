@@ -14,9 +14,8 @@ use crate::{damage::Damaged, operation::Operation};
 /// 2007), on the cutting law of Detournay and Defourny (1992).
 ///
 /// `n` blades cut `d_n` each: the depth of the bit less that of the surface which the preceding
-/// blade has left. With `d = n d_n`, cutting takes `W_c = ζ a ε d` and `T_c = a² ε d/2`; the wear
-/// flats bear up to `W_f = σ a l` while the bit goes down, nothing while it goes up, and rub with
-/// `T_f = μ γ a W_f/2`.
+/// blade has left. With `d = n d_n`, `W = ζ a ε d + W_f` and `T = ½ a² ε d + ½ μ γ a W_f`. Theory:
+/// `docs/src/theory/bit.md`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct RegenerativeLaw {
     /// Cutters and rock.

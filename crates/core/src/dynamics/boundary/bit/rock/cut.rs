@@ -76,15 +76,11 @@ impl RockCut {
 
     /// Takes the bit's node, which the step has pushed without the rock, through the step.
     ///
-    /// The string's impulse is given in two parts: its average of late evenly, the rest at the
-    /// step's beginning, from where the bit moves as the rock lets it. So the string's own motion
-    /// stays that of central differences, and the rock feels no blow at each step of the string.
-    /// What the rock does to the bit is what the bit does to the rock, in momentum to rounding, and
-    /// its work is that on the way that the bit took. What the bit has turned further than its last
-    /// spin says goes to the twist.
-    ///
-    /// A motor keeps its speed in the step; that follows the average of the torque, first order in
-    /// time.
+    /// The string's impulse is applied in two parts: its recent average evenly over the step, the
+    /// rest at the step's beginning. So the string's own motion stays that of central differences,
+    /// and the rock feels no blow at each step of the string. What the bit has turned beyond its
+    /// last spin goes to the twist. A motor keeps its speed in the step. Theory:
+    /// `docs/src/theory/rock.md`.
     pub(in crate::dynamics) fn drill(
         &mut self,
         chain: &mut Chain<impl Real>,
