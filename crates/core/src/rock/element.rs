@@ -139,6 +139,7 @@ impl<N: Number> Motion<N> {
     pub fn of(displacement: Matrix<N>, change: Matrix<N>) -> Self {
         let one = N::splat(1.0);
         let half = N::splat(0.5);
+        // F = 1 + ∇u; its inverse by cofactors, its determinant by the first row.
         let mut f = displacement;
         for i in 0..3 {
             f[i][i] = f[i][i] + one;

@@ -148,6 +148,7 @@ impl Law {
     ) -> StressUpdate<N> {
         let (zero, one) = (N::zero(), N::splat(1.0));
         let trial = self.predict(stress, strain);
+        // I₁, the deviator and √J₂ of the elastic trial.
         let first = trial[0] + trial[1] + trial[2];
         let mean = first * N::splat(1.0 / 3.0);
         let s = [
@@ -216,6 +217,7 @@ impl Law {
         let new_first = beyond.if_positive(tip_first, cone_first);
         let new_intact = beyond.if_positive(tip_intact, cone_intact);
 
+        // The deviator keeps its direction: its size is scaled back, its mean replaced.
         let ratio = new_root / root;
         let mean = new_first * N::splat(1.0 / 3.0);
         // The mean of the stresses before and after, times the plastic strain.

@@ -175,6 +175,7 @@ pub struct Chord<N> {
 pub fn chord<N: Number>(k: &Stiffness<N>, p: &Pose<N>) -> Chord<N> {
     let r = p.anchor_chord + p.displacement;
     if N::Real::FINE {
+        // Enough digits to take one length from the other.
         let l2 = r.dot(r);
         let l = l2.sqrt();
         let inverse_length = l * (N::splat(1.0) / l2);
@@ -247,8 +248,11 @@ pub fn strain<N: Number>(
     let x1 = half * off1.dot(off1);
     let x2 = half * off2.dot(off2);
     let (c1, c2) = (one - x1, one - x2);
+    // (1 − c1²) + (1 − c2²), by 1 − c² = x (1 + c) with x = 1 − c.
     let near = x1.mul_add(one + c1, x2 * (one + c2));
+    // c12 − c1 c2 = x1 c2 + x2 − (1 − c12).
     let far = x1.mul_add(c2, x2 - apart);
+    // ε L: the chord's stretch, bowing by the two directors, and what they share.
     let longer = k
         .bow_far
         .neg_mul_add(far, k.half_bow_near.mul_add(near, chord.longer));
@@ -258,11 +262,14 @@ pub fn strain<N: Number>(
     let tension = elastic_tension + damping_tension;
 
     // The damping knows the chord alone: it neither stiffens the directors nor works on them.
+    // A = A₀ EI/L + a L T and B = B₀ EI/L − b L T: tension stiffens, compression softens.
     let twice = elastic_tension + elastic_tension;
     let a = k.half_bow_near.mul_add(twice, k.bending_near());
     let b = k.bow_far.neg_mul_add(elastic_tension, k.bending_far);
     let s1 = a.mul_add(c1, b * c2);
     let s2 = a.mul_add(c2, b * c1);
+    // `bend` pulls with s (d − t)/l, which has −s x/l along the chord: taken out here, the force
+    // along the chord is the tension.
     let along = chord
         .inverse_length
         .neg_mul_add(s1.mul_add(x1, s2 * x2), tension);
@@ -337,9 +344,11 @@ pub fn twist<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Twiste
     let twist = rate.mul_add(dt, p.twist);
     let damping_torque = k.twist * (beta * rate);
     let torque = k.twist.mul_add(twist, damping_torque);
+    // Damping of bending acts on the rate between the directors, none in a bent pipe that spins.
     let turning = p.w2 - p.w1;
     let bending_damping = beta * k.bending;
     Twisted {
+        // M (d1 + d2)/(1 + c12): the torque about the directors and its part across them.
         couple: (p.d1 + p.d2)
             .scaled(torque * share)
             .plus(turning, bending_damping),
@@ -356,6 +365,7 @@ pub fn energy(k: &Stiffness<f64>, p: &Pose<f64>) -> f64 {
     let l = r.dot(r).sqrt();
     let t = r.scaled(1.0 / l);
     let (c1, c2, c12) = (t.dot(p.d1), t.dot(p.d2), p.d1.dot(p.d2));
+    // The terms of ε and U.
     let near = 2.0 - c1 * c1 - c2 * c2;
     let far = c12 - c1 * c2;
     let excess =

@@ -80,12 +80,14 @@ impl Imbalance {
         let omega = whole_turning(chain, i);
         let q = self.toward;
         self.before = [chain.director(i), chain.velocity(i), omega];
+        // −U Δ(ω × q)/dt between the middles of the last step and of this one.
         let ahead = unit(q.plus(omega.cross(q), 0.5 * dt));
         let behind = self
             .half
             .unwrap_or_else(|| unit(q.minus(omega.cross(q), 0.5 * dt)));
         self.led = omega.cross(ahead);
         let outwards = (self.led - omega.cross(behind)).scaled(-self.moment_kg_m / dt);
+        // U q × g, gravity straight down.
         let moment = q.cross(Vector(0.0, 0.0, self.weight_moment_N_m));
         loads.add(chain, i, outwards, moment);
     }
@@ -102,6 +104,7 @@ impl Imbalance {
         let lateral = node!(chain, i, inv_mass_lateral);
         let axial = node!(chain, i, inv_mass_axial);
         let (polar, rotary) = (node!(chain, i, inv_polar), node!(chain, i, inv_rotary));
+        // Velocity of an impulse: less mass moves along the hole than across it.
         let moved = |impulse: Vector<f64>| {
             let along = impulse.dot(tangent);
             impulse
@@ -111,6 +114,7 @@ impl Imbalance {
         };
         let (mut dv, mut dw, mut ds) = (Vector::zero(), Vector::zero(), 0.0);
         for _ in 0..PASSES {
+            // M dv = −U (ω × q − what was led), I dω = −U q × Δv: each with the other's last value.
             let omega = (w_step + dw).plus(d, spin_step + ds);
             dv = moved((omega.cross(half) - self.led).scaled(-self.moment_kg_m));
             let moment = q.cross(v_step + dv - v_before).scaled(-self.moment_kg_m);
@@ -118,6 +122,7 @@ impl Imbalance {
             ds = about * polar;
             dw = moment.minus(d, about).scaled(rotary);
         }
+        // The step has turned the director by its own w: the rest follows.
         let d_moved = unit(d.plus(dw.cross(d), dt));
         let w = w_step + dw;
         chain.set_velocity(i, v_step + dv);

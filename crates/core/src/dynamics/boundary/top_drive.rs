@@ -212,6 +212,7 @@ impl TopDrive {
         let reference = set_rad_per_s - heard * (fixed - drive.slow_N_m);
         let slope = heard.mul_add(stiff, 1.0);
         let per_dt = inertia / dt;
+        // J (Ω − Ω₀)/dt = K (Ω_r − Ω) + integral − string, where Ω_r depends on Ω, solved for Ω.
         let mut after = (per_dt * before + gain * reference + drive.integral_N_m - string)
             / gain.mul_add(slope, per_dt);
         let missing = reference - slope * after;

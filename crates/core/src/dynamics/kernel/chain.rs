@@ -196,8 +196,10 @@ impl<R: Real> Chain<R> {
                 let along = dot(&node.tangent, &state.v);
                 let square = dot(&state.v, &state.v) - along * along;
                 let speed = Number::max(square, R::default()).sqrt();
+                // c + ½ ρ C_d D |v|, both parts times the length.
                 let drag = node.drag_linear.0[lane] + node.drag_quadratic.0[lane] * speed;
                 let slowed = dt * node.inv_mass_lateral.0[lane] * drag;
+                // At most half: explicit drag must not turn the velocity round.
                 node.slowed.0[lane] = Number::min(slowed, half);
             }
         }

@@ -82,6 +82,7 @@ impl MudMotor {
         let turning = |torque: f64| {
             spin_rad_per_s - mobility * torque + self.speed_rad_per_s(flow_m3_per_s, torque)
         };
+        // The speed of the bit falls along each straight part: it stands where it crosses zero.
         for below in [true, false] {
             let [(from, _), (to, _)] = self.segment(below);
             let (fast, slow) = (turning(from), turning(to));
@@ -217,6 +218,7 @@ impl Drive {
         self.run_free();
         let free = spin_rad_per_s + self.speed_rad_per_s;
         let (most, stops) = match self.motor {
+            // Turned back by the string: the rock resists the other way.
             _ if free < 0.0 => (-back_N_m, free / mobility),
             Motor::Speed(_) => (forward_N_m, free / mobility),
             Motor::Displacement(motor) => (

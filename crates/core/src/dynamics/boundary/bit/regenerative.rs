@@ -84,6 +84,7 @@ impl RegenerativeCut {
         if over > 0.0 {
             let k = law.stiffness_N_per_m();
             let yielding = 1.0 + k * at.dt * mobility;
+            // W = k d and W = k d + W_f, with the depth of cut d that W itself leaves.
             let going_up = k * over / yielding;
             let going_down = (k * over + law.cutters.wear_flat_weight_N()) / yielding;
             // Between the two the wear flats bear what stops the bit; nothing pulls it into the

@@ -192,6 +192,7 @@ fn pose<N: Number>(
     Pose {
         anchor_chord: at3(&e.chord, lane),
         anchor_excess: at(&e.excess, lane),
+        // Differences of the ends: an element knows no absolute position.
         displacement: at3::<N>(&below.u, lane) - at3(&above.u, lane),
         velocity: at3::<N>(&below.v, lane) - at3(&above.v, lane),
         d1: at3(&above.d, lane),
