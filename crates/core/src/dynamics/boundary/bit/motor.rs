@@ -16,11 +16,9 @@ pub enum Motor {
 
 /// A positive displacement motor.
 ///
-/// Each revolution takes the volume `V` through it, and the pressure `p` that it takes off the mud
-/// turns it with `T = η V p/2π`. What leaks past its seals does not turn it: `Ω = 2π (Q − q(p))/V`,
-/// `q` growing evenly to the slip `s` of the rated flow at the largest pressure that the motor is
-/// made for, and from there evenly to all of it at the stall. A motor does not turn the bit with
-/// more than its stall torque: its seals give way.
+/// `T = η V p/2π` at the pressure drop `p`, `Ω = 2π (Q − q(T))/V` at the flow `Q`, with a leak `q`
+/// that is linear in the torque below the largest pressure and above it, up to the stall. Theory:
+/// `docs/src/theory/bit.md`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct MudMotor {
     /// Volume per revolution `V`, m³.
