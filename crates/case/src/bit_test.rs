@@ -139,7 +139,7 @@ pub(crate) struct Around<'a> {
 /// The test: of a case that requires one, or whose operation says enough for one.
 pub(crate) fn build(
     table: &Spanned<BitTestTable>,
-    asked: bool,
+    requested: bool,
     around: &Around<'_>,
     reader: &mut Reader,
 ) -> Option<Option<BitTest>> {
@@ -156,7 +156,7 @@ pub(crate) fn build(
         (speeds.is_empty(), "rpm", "rpm = [60, 120]"),
     ];
     if let Some((_, name, example)) = missing.into_iter().find(|(missing, ..)| *missing) {
-        if !asked {
+        if !requested {
             return Some(None);
         }
         reader.report(
@@ -195,7 +195,7 @@ pub(crate) fn build(
     let Some(mistake) = too_light(&test, mass.map_or(whole, |at| at.place)) else {
         return Some(Some(test));
     };
-    if !asked {
+    if !requested {
         return Some(None);
     }
     reader.report(mistake);

@@ -112,7 +112,7 @@ fn watch(arguments: &[&str]) -> Result<ExitCode, String> {
         chosen = readers::NAMES.to_vec();
     }
     let outcomes = read_all(&chosen, &amount, seed)?;
-    Ok(tell(&outcomes, seed))
+    Ok(report(&outcomes, seed))
 }
 
 /// Has every reader read, as many at a time as there are processors.
@@ -175,7 +175,7 @@ fn read_all(
 }
 
 /// Prints a line for each reader, and each fault with the way to it.
-fn tell(outcomes: &[(&'static str, Outcome)], seed: u64) -> ExitCode {
+fn report(outcomes: &[(&'static str, Outcome)], seed: u64) -> ExitCode {
     println!(
         "{:<14}{:>10}{:>10}{:>10}{:>8}  {:<22}peak memory, MB",
         "reader", "inputs", "accepted", "refused", "faults", "slowest, s"

@@ -100,12 +100,12 @@ fn one_process(
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()?;
-    let told = drain(child.stdout.take());
+    let output = drain(child.stdout.take());
     let erred = drain(child.stderr.take());
     let ended = wait(&mut child, counted)?;
-    let told = told.join().unwrap_or_default();
+    let output = output.join().unwrap_or_default();
     let erred = erred.join().unwrap_or_default();
-    let panics = told
+    let panics = output
         .lines()
         .filter_map(|line| {
             let (number, said) = line.strip_prefix("panic ")?.split_once(' ')?;

@@ -78,11 +78,11 @@ impl JointSpan {
         // `z²`: negative in compression.
         let square = 0.25 * tension_N * length_square / self.bending_stiffness_N_m2;
         // `q l²/EI`, the curvature that the load requires.
-        let asked_per_m = load_N_per_m * length_square / self.bending_stiffness_N_m2;
+        let required_per_m = load_N_per_m * length_square / self.bending_stiffness_N_m2;
         // Beyond it no shape holds the whole span off the wall, whatever the load.
         let bows = square <= -std::f64::consts::PI.powi(2);
         let shape = shape(square);
-        let mean_per_m = 0.25 * asked_per_m * shape;
+        let mean_per_m = 0.25 * required_per_m * shape;
         let held_per_m = 2.0 * self.standoff_m / (length_square * shape);
         if bows || mean_per_m >= held_per_m {
             let wrapped = 2.0 * load_N_per_m * self.standoff_m / self.bending_stiffness_N_m2;
@@ -93,12 +93,12 @@ impl JointSpan {
             };
         }
         let hanging = 1.0 + square * shape;
-        let sag_m = 0.125 * asked_per_m * length_square * shape / hanging;
+        let sag_m = 0.125 * required_per_m * length_square * shape / hanging;
         let touches = hanging <= 0.0 || sag_m > self.standoff_m;
         let half_swing_per_m = if touches {
             held_per_m
         } else {
-            0.25 * asked_per_m / hanging
+            0.25 * required_per_m / hanging
         };
         SpanBending {
             at_joint_per_m: mean_per_m + half_swing_per_m,

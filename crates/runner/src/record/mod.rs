@@ -175,7 +175,7 @@ impl Record {
     /// Shows what was found in the answer that was added last.
     pub(crate) fn judge(&mut self, found: &[Finding], rig: &Rig) {
         if let Some(last) = self.summary.operations.last_mut() {
-            last.findings = findings::told(found, last, rig, self.units);
+            last.findings = findings::in_words(found, last, rig, self.units);
         }
     }
 

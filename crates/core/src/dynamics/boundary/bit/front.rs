@@ -120,7 +120,7 @@ impl FrontCut {
     /// How often the bit was where its table is not, and how far.
     pub(super) fn table_use(&self) -> Option<TableUse> {
         match &self.law {
-            FrontLaw::Table(law, used) => used.tell(&law.table),
+            FrontLaw::Table(law, used) => used.table_use(&law.table),
             _ => None,
         }
     }

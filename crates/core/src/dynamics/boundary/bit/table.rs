@@ -389,7 +389,7 @@ impl Counter {
     }
 
     /// What was counted; none of a bit that was never on the rock.
-    pub(super) fn tell(&self, table: &BitTable) -> Option<TableUse> {
+    pub(super) fn table_use(&self, table: &BitTable) -> Option<TableUse> {
         (self.steps > 0).then(|| TableUse {
             outside_fraction: self.outside as f64 / self.steps as f64,
             weights_N: self.weights_N,

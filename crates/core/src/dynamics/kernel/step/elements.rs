@@ -34,7 +34,7 @@ impl<R: Real> Pull<R> {
     }
 
     /// What the last row does to the first, where the pieces continue: each in the lane above.
-    pub(super) fn go_on(&mut self) {
+    pub(super) fn shift_lanes(&mut self) {
         let Self {
             force,
             bend1: _,
@@ -43,9 +43,9 @@ impl<R: Real> Pull<R> {
             torque,
         } = self;
         for row in force.iter_mut().chain(bend2).chain(couple) {
-            row.go_on();
+            row.shift_lanes();
         }
-        torque.go_on();
+        torque.shift_lanes();
     }
 }
 

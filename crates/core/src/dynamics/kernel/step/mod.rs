@@ -228,7 +228,7 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
         pulls[0] = last;
     }
     // The last row of a lane pulls at the first node of the next lane.
-    pulls[2].go_on();
+    pulls[2].shift_lanes();
 
     for (row, n) in node_blocks.iter_mut().enumerate() {
         let [a, b, c] = &mut pulls;
