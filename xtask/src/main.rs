@@ -26,9 +26,11 @@ use folders::{root, target};
 const USAGE: &str = "\
 usage: cargo xtask test      run everything that CI runs
        cargo xtask cycles    name the circles between files
-       cargo xtask verify    run all tests, those that take minutes too, and write the book's table of them
+       cargo xtask verify    run all tests, those that take minutes too, and write the book's \
+       table of them
        cargo xtask fuzz [SECONDS | --inputs N] [--seed S] [READER...]
-                             read damaged inputs with every reader, for an hour where nothing is said";
+                             read damaged inputs with every reader, for an hour where nothing is \
+                             said";
 
 type Step = (&'static str, fn() -> Result<Finding, Failure>);
 

@@ -249,8 +249,14 @@ fn too_light(test: &BitTest, place: Span) -> Option<Diagnostic> {
     }
     let [mass, least] = [test.mass_kg, min_kg].map(|kg| number_text((kg * 10.0).round() * 0.1));
     let diagnostic = Diagnostic::error("the bit is too light for the elements that it touches")
-        .at(place, format!("{mass} kg move with it: expected more than {least} kg"))
-        .help("raise mass, or lower density_factor or element_size under [rock]: their density is scaled");
+        .at(
+            place,
+            format!("{mass} kg move with it: expected more than {least} kg"),
+        )
+        .help(
+            "raise mass, or lower density_factor or element_size under [rock]: their density is \
+               scaled",
+        );
     Some(diagnostic)
 }
 

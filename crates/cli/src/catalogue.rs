@@ -49,7 +49,8 @@ pub(crate) fn catalogue(args: &CatalogueArgs) -> Result<(), Failure> {
     if tables.is_empty() {
         return Err(Failure::BadInput(format!(
             "error: the catalogue has nothing of `{query}`\n\
-             help: search by size, weight, grade or kind, such as 5-1/2, 21.9, S-135, hwdp, collar, casing; \
+             help: search by size, weight, grade or kind, such as 5-1/2, 21.9, S-135, hwdp, \
+             collar, casing; \
              without a word everything is listed"
         )));
     }

@@ -34,7 +34,8 @@ pub(crate) fn conclude(
             failures + "\n"
         };
         return Err(Failure::Interrupted(format!(
-            "{failures}interrupted: what was computed is in {place}\nto continue, run the {noun} again with --resume"
+            "{failures}interrupted: what was computed is in {place}\nto continue, run the {noun} \
+             again with --resume"
         )));
     }
     if failed.is_empty() {

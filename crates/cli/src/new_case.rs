@@ -40,7 +40,8 @@ pub(crate) fn new(args: &NewArgs) -> Result<(), Failure> {
         });
     }
     print_stdout(&format!(
-        "wrote {shown}: change what is yours, then\n  wholestring check {0}\n  wholestring run {0}\n",
+        "wrote {shown}: change what is yours, then\n  wholestring check {0}\n  wholestring run \
+         {0}\n",
         in_shell(&shown.to_string())
     ))
 }

@@ -23,8 +23,8 @@ const SET: u8 = 10;
 const MAP: u8 = 11;
 const STRUCTURE: u8 = 12;
 
-/// Reads one structure, and shows each whole number in it with the ids of the fields that lead
-/// there.
+/// Reads one structure, and calls `visit` with each whole number in it and the ids of the fields
+/// that lead there.
 ///
 /// # Errors
 /// What is no such structure, or deeper than any of Parquet's.

@@ -14,7 +14,7 @@ use crate::{
     },
 };
 
-/// A stretch shorter than this is not told, m: a joint of pipe, of which no wave is shorter.
+/// A stretch shorter than this is not reported, m: a joint of pipe, of which no wave is shorter.
 const SHORTEST_M: f64 = 10.0;
 
 /// The compression along a string, and what it is compared with.
@@ -127,8 +127,8 @@ impl<'a> Line<'a> {
     }
 }
 
-/// The buckled stretches, those of the helix first. A bow in a vertical hole is not told where the
-/// same stretch is a helix.
+/// The buckled stretches, those of the helix first. A bow in a vertical hole is not reported where
+/// the same stretch is a helix.
 pub fn findings(line: &Line<'_>) -> Vec<Finding> {
     let of = |criterion, kind, over: &[f64]| -> Vec<Finding> {
         let intervals = beyond_one(line.md_m, over).into_iter();

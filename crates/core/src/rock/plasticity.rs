@@ -177,7 +177,7 @@ impl Law {
             .max(zero);
 
         // Where nothing yields, what follows would give the same to the last bit. Elements that are
-        // gone, whose intact part is −1, are not asked.
+        // gone, whose intact part is −1, do not count.
         let beyond = cone_intact.neg_mul_add(N::splat(self.tension), cone_first);
         let yields = (intact + one).if_positive(flow.max(beyond), zero);
         if !yields.any_positive() {
@@ -263,7 +263,7 @@ mod tests {
     /// that yields.
     #[test]
     fn a_return_that_is_left_out_would_have_changed_nothing() {
-        let law = Law::new(&Rock::of_strength(30e6), 1e-3).expect("a intact rock");
+        let law = Law::new(&Rock::of_strength(30e6), 1e-3).expect("an intact rock");
         let mut state = 7_u64;
         let mut random = || {
             state = state

@@ -35,8 +35,8 @@ impl BodySection {
     /// σ² = (|T|/A + σ_b)² + 3τ² + 3 (A_o/A (p_i − p_o))²        inside,  A_i for A_o outside,
     /// ```
     ///
-    /// with `σ_b = M D/2I` and `τ = M_t D/4I` outside, the part `d/D` of both inside (Lamé). Theory:
-    /// `docs/src/theory/statistics.md`.
+    /// with `σ_b = M D/2I` and `τ = M_t D/4I` outside, the part `d/D` of both inside (Lamé).
+    /// Theory: `docs/src/theory/statistics.md`.
     #[inline(always)]
     pub fn von_mises_Pa(
         &self,

@@ -52,7 +52,7 @@ pub struct SweepRow {
     pub page: Option<String>,
 }
 
-/// What is drawn and told of each case.
+/// What is drawn and reported of each case.
 struct Quantity {
     /// Name of its file.
     name: &'static str,

@@ -74,7 +74,8 @@ fn first_difference<'a>(
 pub(crate) fn other_processor(then: &str, now: &str) -> Option<String> {
     (then != now).then(|| {
         format!(
-            "the run was computed with {then} until now and continues with {now}: as good, but not the same to the last bit"
+            "the run was computed with {then} until now and continues with {now}: as good, but \
+             not the same to the last bit"
         )
     })
 }

@@ -37,7 +37,8 @@ pub(super) fn sentence(solved: &OperationSummary, units: UnitSet) -> Option<Stri
     let travel_m = solved.numerics.as_ref().map(|of| of.run.bit_travel_m);
     let why = match travel_m.map(f64::abs).filter(|m| *m >= TRAVELS_M) {
         Some(travel_m) => format!(
-            "the string goes {} through the hole meanwhile, and a shorter window shows less of that",
+            "the string goes {} through the hole meanwhile, and a shorter window shows less of \
+             that",
             Dimension::Length.format((10.0 * travel_m).round() / 10.0, units)
         ),
         None => "settle longer".to_owned(),
@@ -115,7 +116,8 @@ mod tests {
         assert_eq!(
             drift_sentence(&drifts).as_deref(),
             Some(
-                "Hook load without block falls by 2.1 kN and stretch rises by 0.010 m over the window (↗ ↘): there \
+                "Hook load without block falls by 2.1 kN and stretch rises by 0.010 m over the \
+                 window (↗ ↘): there \
                  ± is drift, not motion alone; settle longer"
             )
         );

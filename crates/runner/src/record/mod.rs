@@ -160,7 +160,7 @@ impl Record {
         }
     }
 
-    /// What is reported of it in short; all else goes.
+    /// Its summary; all else goes.
     pub(crate) fn into_summary(self) -> Summary {
         self.summary
     }

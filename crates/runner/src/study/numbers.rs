@@ -14,7 +14,7 @@ pub(super) struct Computed<'a> {
     pub(super) table: &'a NumberTable,
     /// Whose answers its columns are.
     pub(super) series: Vec<Series>,
-    /// By row and series; none where there is no answer, or none was asked.
+    /// By row and series; none where there is no result, or none was requested.
     pub(super) numbers: Vec<Vec<Option<f64>>>,
 }
 

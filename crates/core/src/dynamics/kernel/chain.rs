@@ -255,7 +255,8 @@ impl<R: Real> Chain<R> {
         director, set_director, states, d, "Director of a node.";
         turning, set_turning, states, w, "Angular velocity of a node across its director, rad/s.";
         tangent, set_tangent, node_blocks, tangent, "Tangent of the hole at a node's anchor.";
-        curvature, set_curvature, node_blocks, curvature, "Curvature of the hole at a node's anchor, 1/m.";
+        curvature, set_curvature, node_blocks, curvature, "Curvature of the hole at a node's \
+                                                           anchor, 1/m.";
         weight, set_weight, node_blocks, weight, "Buoyed weight of a node, N.";
         chord, set_chord, element_blocks, chord, "Chord between the anchors of an element, m.";
     }

@@ -43,7 +43,7 @@ const REACH_M: f64 = 1.0;
 
 /// Largest part γ of a node's velocity that drag takes in a step. Taken at the step's beginning, it
 /// makes `(ω dt)² < 4 − 2γ` of the leapfrog's limit `(ω dt)² < 4`, and the step uses 0.99² of that:
-/// 0.040 would be unstable. A mud below its yield point requires more; the force itself stays what
+/// 0.040 would be unstable. A mud below its yield point takes more; the force itself stays what
 /// it is.
 const STRONGEST: f64 = 0.025;
 

@@ -11,7 +11,7 @@ use crate::{
     simd::number::{Number, Real},
 };
 
-/// What a row of elements does to its ends, in the words of [`crate::rod::element::Reaction`].
+/// What a row of elements does to its ends, named as in [`crate::rod::element::Reaction`].
 #[derive(Clone, Copy)]
 pub(super) struct Pull<R: Real> {
     pub(super) force: Rows<R>,
@@ -33,7 +33,8 @@ impl<R: Real> Pull<R> {
         }
     }
 
-    /// What the last row does to the first, where the pieces continue: each in the lane above.
+    /// What the last row does to the first, where one piece ends and the next begins: each goes to
+    /// the lane above.
     pub(super) fn shift_lanes(&mut self) {
         let Self {
             force,

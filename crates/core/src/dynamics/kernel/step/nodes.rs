@@ -215,7 +215,7 @@ pub(super) fn friction<N: Number, const VECTOR: bool, const FULL: bool>(
 }
 
 /// Moves a row of nodes to where the step ends. Where none of them touches the wall, nothing of it
-/// is requested.
+/// is computed.
 #[inline(always)]
 pub(super) fn correct<N: Number, const FULL: bool, const TOUCHES: bool>(
     prediction: &Prediction<N::Real>,

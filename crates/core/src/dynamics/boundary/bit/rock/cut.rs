@@ -29,7 +29,7 @@ const EVEN_S: f64 = 0.02;
 
 /// The rock under a bit, and where it stands in the world.
 ///
-/// The block stands along the bit as it was laid, x to the hole's high side, and stays so: a bit
+/// The block stands along the bit as it was placed, x to the hole's high side, and stays so: a bit
 /// that leans in its hole has cut it leaning, and leaves that axis where the rock lets it.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct RockCut {
