@@ -33,7 +33,7 @@ pub(crate) fn cargo() -> Command {
     command
 }
 
-/// Runs the command with its output on the screen; `advice` shows what to do when it fails.
+/// Runs the command with its output on the screen; `advice` says what to do when it fails.
 pub(crate) fn run(command: &mut Command, advice: &str) -> Result<(), Failure> {
     match command.status() {
         Ok(status) if status.success() => Ok(()),

@@ -80,7 +80,9 @@ mod tests {
                 0,
             ),
             (
-                "\u{1b}[32;1m     Summary\u{1b}[0m [   2.3s] \u{1b}[1m7\u{1b}[0m tests run: \u{1b}[1m4\u{1b}[0m passed (\u{1b}[1m1\u{1b}[0m slow), \u{1b}[1m2\u{1b}[0m failed, \u{1b}[1m1\u{1b}[0m timed out, 0 skipped",
+                "\u{1b}[32;1m     Summary\u{1b}[0m [   2.3s] \u{1b}[1m7\u{1b}[0m tests \
+                 run: \u{1b}[1m4\u{1b}[0m passed (\u{1b}[1m1\u{1b}[0m slow), \u{1b}[1m2\u{1b}[0m \
+                 failed, \u{1b}[1m1\u{1b}[0m timed out, 0 skipped",
                 4,
                 3,
             ),

@@ -26,9 +26,11 @@ use folders::{root, target};
 const USAGE: &str = "\
 usage: cargo xtask test      run everything that CI runs
        cargo xtask cycles    name the circles between files
-       cargo xtask verify    run all tests, those that take minutes too, and write the book's table of them
+       cargo xtask verify    run all tests, those that take minutes too, and write the book's \
+       table of them
        cargo xtask fuzz [SECONDS | --inputs N] [--seed S] [READER...]
-                             read damaged inputs with every reader, for an hour where nothing is said";
+                             read damaged inputs with every reader, for an hour where nothing is \
+                             said";
 
 type Step = (&'static str, fn() -> Result<Finding, Failure>);
 
@@ -60,7 +62,7 @@ fn main() -> ExitCode {
         ["verify"] => take(VERIFY),
         ["cycles"] => exit_code(no_cycles()),
         ["fuzz"] => exit_code(fuzz(&["3600"])),
-        ["fuzz", ref asked @ ..] => exit_code(fuzz(asked)),
+        ["fuzz", ref fuzz_options @ ..] => exit_code(fuzz(fuzz_options)),
         ["--help" | "-h"] => {
             println!("{USAGE}");
             ExitCode::SUCCESS
@@ -150,7 +152,7 @@ fn no_cycles() -> Result<Finding, Failure> {
 
 /// Damaged inputs for every reader, as the fuzzer is asked. Unoptimised checks of arithmetic stay
 /// in.
-fn fuzz(asked: &[&str]) -> Result<Finding, Failure> {
+fn fuzz(fuzz_options: &[&str]) -> Result<Finding, Failure> {
     // Built as part of the workspace, so that what it is made of is that of the other programs.
     run(
         cargo().args([
@@ -164,7 +166,7 @@ fn fuzz(asked: &[&str]) -> Result<Finding, Failure> {
     )?;
     let program = format!("debug/wholestring-fuzz{}", env::consts::EXE_SUFFIX);
     run(
-        Command::new(target().join(program)).args(asked),
+        Command::new(target().join(program)).args(fuzz_options),
         "a reader did not stand an input: mend it, and keep the input as a test",
     )?;
     Ok(Finding::Done)

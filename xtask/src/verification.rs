@@ -147,10 +147,13 @@ impl Cases {
 const INTRODUCTION: &str = "\
 # Verification, number by number
 
-What the tests of [Verification](verification.md) compare with what, within what and why. `cargo xtask verify`
-runs all of them, those that take minutes too, and writes this page; the numbers are those of the machine
+What the tests of [Verification](verification.md) compare with what, within what and why. `cargo \
+xtask verify`
+runs all of them, those that take minutes too, and writes this page; the numbers are those of the \
+machine
 that did. Where a row stands for several numbers, it is the one nearest to its tolerance. Errors and
-tolerances are parts of the expected value where no unit says otherwise. What stands as it comes is not required:
+tolerances are parts of the expected value where no unit says otherwise. What stands as it comes \
+is not required:
 a prediction, or a number of the source that is missed, with the reason beside it.
 ";
 
@@ -170,7 +173,8 @@ fn table(lines: &[Line<'_>], cases: &Cases) -> Result<String, Failure> {
         let _ = write!(
             text,
             "\n## {name}: {}\n\nSource: {}.\n\n\
-             | quantity | expected | computed | error | within | why |\n|---|---|---|---|---|---|\n",
+             | quantity | expected | computed | error | within | why \
+             |\n|---|---|---|---|---|---|\n",
             case.what, case.source
         );
         for line in rows.values() {

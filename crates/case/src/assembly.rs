@@ -99,7 +99,8 @@ pub(crate) fn assemble(
             bit_depth_m,
             ..
         } => bit(Diagnostic::error(format!(
-            "the string is longer than the hole is deep: {} m stand below the top component, the bit is at {} m",
+            "the string is longer than the hole is deep: {} m stand below the top component, the \
+             bit is at {} m",
             metres(*assembly_m),
             metres(*bit_depth_m)
         ))
@@ -112,7 +113,18 @@ pub(crate) fn assemble(
             metres(*string_m),
             metres(*bit_depth_m)
         ))
-        .at(top, format!("{} m {}", metres((bit_depth_m - string_m).abs()), if string_m > bit_depth_m { "too long" } else { "too short" }))
+        .at(
+            top,
+            format!(
+                "{} m {}",
+                metres((bit_depth_m - string_m).abs()),
+                if string_m > bit_depth_m {
+                    "too long"
+                } else {
+                    "too short"
+                }
+            ),
+        )
         .help("length = \"to surface\" in the last component fills the rest")),
         AssemblyError::Dimension {
             index,

@@ -139,7 +139,7 @@ pub(crate) struct Around<'a> {
 /// The test: of a case that requires one, or whose operation says enough for one.
 pub(crate) fn build(
     table: &Spanned<BitTestTable>,
-    asked: bool,
+    requested: bool,
     around: &Around<'_>,
     reader: &mut Reader,
 ) -> Option<Option<BitTest>> {
@@ -156,7 +156,7 @@ pub(crate) fn build(
         (speeds.is_empty(), "rpm", "rpm = [60, 120]"),
     ];
     if let Some((_, name, example)) = missing.into_iter().find(|(missing, ..)| *missing) {
-        if !asked {
+        if !requested {
             return Some(None);
         }
         reader.report(
@@ -195,7 +195,7 @@ pub(crate) fn build(
     let Some(mistake) = too_light(&test, mass.map_or(whole, |at| at.place)) else {
         return Some(Some(test));
     };
-    if !asked {
+    if !requested {
         return Some(None);
     }
     reader.report(mistake);
@@ -249,8 +249,14 @@ fn too_light(test: &BitTest, place: Span) -> Option<Diagnostic> {
     }
     let [mass, least] = [test.mass_kg, min_kg].map(|kg| number_text((kg * 10.0).round() * 0.1));
     let diagnostic = Diagnostic::error("the bit is too light for the elements that it touches")
-        .at(place, format!("{mass} kg move with it: expected more than {least} kg"))
-        .help("raise mass, or lower density_factor or element_size under [rock]: their density is scaled");
+        .at(
+            place,
+            format!("{mass} kg move with it: expected more than {least} kg"),
+        )
+        .help(
+            "raise mass, or lower density_factor or element_size under [rock]: their density is \
+               scaled",
+        );
     Some(diagnostic)
 }
 

@@ -105,7 +105,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     let bit_radius_m = lowest.map(|bit| 0.5 * bit.od_m);
     let tested = bit_test::place(&case.bit_test);
     let drilling = case.bit.get().and_then(|bit| {
-        let asks = match tested {
+        let required_by = match tested {
             Some(place) => Some((place, "a bit test")),
             None => {
                 let law = bit.law.at().filter(|law| law.value == Law::Rock);
@@ -116,7 +116,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
             .and_then(|all| all.first())
             .map(|at| at.value.od_place(at.place));
         let lowest = lowest.map(|bit| bit.od_m).zip(od);
-        rock::drilling(&case.rock, bit, asks, lowest, reader)
+        rock::drilling(&case.rock, bit, required_by, lowest, reader)
     });
     let around = Around {
         radius_m: bit_radius_m,
@@ -165,13 +165,13 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     }
     let dynamics = match (case.dynamics.get(), case.mesh.get(), case.hoist.get()) {
         (Some(dynamics), Some(mesh), Some(hoist)) => {
-            let told = GivenSettings {
+            let given_settings = GivenSettings {
                 hoist,
                 bit,
                 top_drive,
                 schedule,
             };
-            dynamics.build(mesh, told, reader)
+            dynamics.build(mesh, given_settings, reader)
         }
         _ => None,
     };

@@ -20,7 +20,7 @@ const OF_THE_RECORD: &[(&str, &str, Dimension)] = &[
     ),
 ];
 
-/// What a unit measures where nothing else shows.
+/// What a unit measures where nothing else says it.
 const BY_UNIT: &[Dimension] = &[
     Dimension::Length,
     Dimension::Force,

@@ -216,7 +216,7 @@ impl DynamicsTable {
     pub(crate) fn build(
         &self,
         mesh: &MeshTable,
-        told: GivenSettings<'_>,
+        given_settings: GivenSettings<'_>,
         reader: &mut Reader,
     ) -> Option<DynamicsSettings> {
         let GivenSettings {
@@ -224,7 +224,7 @@ impl DynamicsTable {
             bit,
             top_drive,
             schedule,
-        } = told;
+        } = given_settings;
         self.warn_of_centred_keys(reader);
         let contact_law = self.contact(reader);
         let plan = schedule.clone().unwrap_or_default();

@@ -76,7 +76,8 @@ pub(crate) fn check_clearance(
         }
         if equal {
             diagnostic = diagnostic.help(
-                "only the bit may be as wide as the hole; a full-gauge tool is a little smaller: give its worn gauge",
+                "only the bit may be as wide as the hole; a full-gauge tool is a little smaller: \
+                 give its worn gauge",
             );
         }
         reader.report(diagnostic);

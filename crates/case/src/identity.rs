@@ -44,7 +44,7 @@ impl Case {
             warnings: _,
             // What does not change the answer.
             checkpoint_interval_s: _,
-            // What people are told of the others.
+            // What is reported of the others.
             settings: _,
         } = self;
         let identity = Identity {

@@ -40,7 +40,10 @@ impl ComponentTable {
                 reader.report(
                     Diagnostic::warning("mass and stiffness of the tool joints are not counted")
                         .at(od.place, "joints of unknown length")
-                        .help("give mass_per_length, tool joints included; stiffness stays the body's"),
+                        .help(
+                            "give mass_per_length, tool joints included; stiffness stays the \
+                               body's",
+                        ),
                 );
             }
         }

@@ -241,7 +241,7 @@ impl OperationTable {
         let (rpm, wob, rop) = (rpm?, wob?, rop?);
         let bit = bit?;
         if let (Some(kind), false) = (find(|kind| kind == OperationKind::Slide), table.has_motor())
-            && bit.asks_for_motor_speed()
+            && bit.needs_motor_speed()
         {
             reader.report(
                 Diagnostic::error("`slide` needs the speed at which the motor turns this bit")

@@ -53,7 +53,7 @@ pub struct Quote {
 }
 
 impl Override {
-    /// An override that something else than its own `--set` requires.
+    /// An override that stems from something else than its own `--set`.
     pub fn quoted(key: &str, value: &str, quote: Quote) -> Self {
         Self {
             key: key.to_owned(),

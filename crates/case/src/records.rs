@@ -250,7 +250,10 @@ impl RecordsTable {
                 reader.report(
                     Diagnostic::warning("`node_spectra_at` has no effect here")
                         .at(depths.place, "depths of signals of nodes")
-                        .help("no signal is named: add node_spectra = \"bending_moment\" to [records]"),
+                        .help(
+                            "no signal is named: add node_spectra = \"bending_moment\" to \
+                               [records]",
+                        ),
                 );
                 return Some(Vec::new());
             }

@@ -194,7 +194,10 @@ impl HoistTable {
                         weight.place,
                         format!("{} kg hang", number_text(weight_kg.round())),
                     )
-                    .help("both are of travelling block and top drive: the mass acts in the dynamic model, the weight on the limits of the rig"),
+                    .help(
+                        "both are of travelling block and top drive: the mass acts in the \
+                           dynamic model, the weight on the limits of the rig",
+                    ),
             );
         }
     }
@@ -307,7 +310,10 @@ impl HoistTable {
         reader.report(
             Diagnostic::error("there is no weight on bit to tune a constant lift for")
                 .at(chosen.place, why)
-                .help("\"tuned-lift\" is for \"drill\" and \"slide\" with a `wob`, the hoist left alone"),
+                .help(
+                    "\"tuned-lift\" is for \"drill\" and \"slide\" with a `wob`, the hoist left \
+                       alone",
+                ),
         );
         None
     }

@@ -143,7 +143,8 @@ fn check_slope(field: &Field<f64>, roughness: &Roughness, reader: &mut Reader) -
                 format!("expected {} or less", mm((highest_m * 1e5).floor() / 1e5)),
             )
             .help(format!(
-                "waves of {} m and more may be 1/20 as high; for higher ones raise shortest_wavelength",
+                "waves of {} m and more may be 1/20 as high; for higher ones raise \
+                 shortest_wavelength",
                 number_text(roughness.shortest_m)
             )),
     );
@@ -183,7 +184,8 @@ pub(crate) fn check_clearance(
                 ),
             )
             .help(format!(
-                "it has {} of radial clearance below {} m; where the wall leaves none, the tool is held on the hole's axis",
+                "it has {} of radial clearance below {} m; where the wall leaves none, the tool \
+                 is held on the hole's axis",
                 mm((clearance_m * 1e5).round() / 1e5),
                 number_text(section.from_md_m)
             )),

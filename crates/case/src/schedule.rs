@@ -151,7 +151,7 @@ fn step(
         );
         return None;
     }
-    // A misspelt key is enough to be reported of.
+    // A misspelt key is reported already.
     let empty = [rpm, velocity, wob, flow].iter().all(Option::is_none) && note.is_none();
     if empty && !reader.has_errors() {
         reader.report(
@@ -170,7 +170,10 @@ fn step(
             Diagnostic::error(format!("`{}` does not turn the string", kind.value.name()))
                 .at(rpm.place, "expected no rpm, or 0")
                 .at(kind.place, "the operation")
-                .help("what turns is \"rotate_off_bottom\", \"drill\", \"ream\" or \"back_ream\"; its schedule may begin with rpm = 0"),
+                .help(
+                    "what turns is \"rotate_off_bottom\", \"drill\", \"ream\" or \"back_ream\"; \
+                       its schedule may begin with rpm = 0",
+                ),
         );
         return None;
     }
@@ -181,7 +184,10 @@ fn step(
             Diagnostic::error(format!("`{}` has no weight on its bit", kind.value.name()))
                 .at(wob.place, "the autodriller would have nothing to hold")
                 .at(kind.place, "the operation")
-                .help("what stands on bottom is \"drill\" or \"slide\", with a `wob` of its own; its schedule may begin with a block_velocity"),
+                .help(
+                    "what stands on bottom is \"drill\" or \"slide\", with a `wob` of its own; \
+                       its schedule may begin with a block_velocity",
+                ),
         );
         return None;
     }

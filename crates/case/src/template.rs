@@ -24,7 +24,7 @@ pub fn load(path: &Path, changes: &[Override]) -> Result<Case, Report> {
 }
 
 /// A case file and the files that it names, read once: what becomes of them on the disk while a
-/// sweep continues does not change its later cases.
+/// sweep runs does not change its later cases.
 #[derive(Debug)]
 pub struct Template {
     name: String,

@@ -19,7 +19,8 @@ pub(crate) struct Cli {
 }
 
 const EXIT_STATUS: &str = "\
-Exit status: 0 done; 2 bad input; 3 the run failed; 4 an error was found, with --strict; 130 interrupted.";
+Exit status: 0 done; 2 bad input; 3 the run failed; 4 an error was found, with --strict; 130 \
+interrupted.";
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
@@ -206,7 +207,7 @@ enum KeepArg {
 }
 
 impl KeptArgs {
-    /// What they require, if they require anything.
+    /// What they ask to keep, if anything.
     pub(crate) fn keep(&self) -> Option<Keep> {
         self.keep.map(|keep| match keep {
             KeepArg::Summary => Keep::Summary,
@@ -308,7 +309,7 @@ pub(crate) struct BatchArgs {
 }
 
 impl BatchArgs {
-    /// What they require.
+    /// What they ask for.
     pub(crate) fn options(&self) -> BatchOptions {
         BatchOptions {
             output: Output {

@@ -7,7 +7,7 @@ use wholestring::{
 use wholestring_case::STEEL_DENSITY_KG_PER_M3;
 use wholestring_units::{Dimension, Unit, UnitSet};
 
-use crate::{args::CatalogueArgs, failure::Failure, screen_table::Table, terminal::say};
+use crate::{args::CatalogueArgs, failure::Failure, screen_table::Table, terminal::print_stdout};
 
 /// The kinds of tubulars of a string: their heading, and the words by which they are found.
 const KINDS: [(TubularKind, &str, &str); 3] = [
@@ -24,7 +24,7 @@ const KINDS: [(TubularKind, &str, &str); 3] = [
 const CASING_WORDS: &str = "casing csg liner";
 
 pub(crate) fn catalogue(args: &CatalogueArgs) -> Result<(), Failure> {
-    let asked = args.words.join(" ");
+    let query = args.words.join(" ");
     let units = args.units.unwrap_or(UnitSet::Si);
     let mut tables = Vec::new();
     let mut sources: Vec<&'static str> = Vec::new();
@@ -33,7 +33,7 @@ pub(crate) fn catalogue(args: &CatalogueArgs) -> Result<(), Failure> {
         let found: Vec<&CatalogueEntry> = entries
             .iter()
             .filter(|entry| entry.kind == kind)
-            .filter(|entry| describes(&description(entry, words), &asked))
+            .filter(|entry| describes(&description(entry, words), &query))
             .collect();
         if !found.is_empty() {
             sources.extend(found.iter().map(|entry| entry.source));
@@ -41,15 +41,16 @@ pub(crate) fn catalogue(args: &CatalogueArgs) -> Result<(), Failure> {
         }
     }
     let mut casings = casing::entries();
-    casings.retain(|one| describes(&format!("{} {CASING_WORDS}", one.designation), &asked));
+    casings.retain(|one| describes(&format!("{} {CASING_WORDS}", one.designation), &query));
     if !casings.is_empty() {
         sources.push(casing::SOURCE);
         tables.push(casing_table(&casings, units));
     }
     if tables.is_empty() {
         return Err(Failure::BadInput(format!(
-            "error: the catalogue has nothing of `{asked}`\n\
-             help: search by size, weight, grade or kind, such as 5-1/2, 21.9, S-135, hwdp, collar, casing; \
+            "error: the catalogue has nothing of `{query}`\n\
+             help: search by size, weight, grade or kind, such as 5-1/2, 21.9, S-135, hwdp, \
+             collar, casing; \
              without a word everything is listed"
         )));
     }
@@ -58,7 +59,7 @@ pub(crate) fn catalogue(args: &CatalogueArgs) -> Result<(), Failure> {
         .iter()
         .map(|source| format!("  {source}\n"))
         .collect();
-    say(&format!(
+    print_stdout(&format!(
         "{}\n\
          In a case: catalogue = \"NAME\" under [[string]]; casing = \"NAME\" under [[well.hole]]\n\
          Sources:\n{}",

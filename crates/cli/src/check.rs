@@ -10,11 +10,11 @@ use wholestring::{
 use wholestring_case::{BitTest, Case};
 use wholestring_units::Dimension;
 
-use crate::{args::CheckArgs, failure::Failure, input::load, terminal::say};
+use crate::{args::CheckArgs, failure::Failure, input::load, terminal::print_stdout};
 
 pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     let case = load(&args.case, false)?;
-    say(&format!(
+    print_stdout(&format!(
         "{} is sound: {}\n{}{}{}",
         args.case.case.display(),
         outline(&case),

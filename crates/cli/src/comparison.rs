@@ -99,7 +99,8 @@ pub(crate) fn notes(summary: &Summary, units: UnitSet) -> String {
             .map(|of| of.run.time_step_s)
             .fold(f64::INFINITY, f64::min);
         notes += &format!(
-            "Dynamics: {} elements, step {:.3} ms, added axial mass {:.2} %; {simulated_s:.1} s simulated \
+            "Dynamics: {} elements, step {:.3} ms, added axial mass {:.2} %; {simulated_s:.1} s \
+             simulated \
              in {took_s:.1} s, {}\n",
             largest(|of| of.run.elements as f64),
             shortest_step_s * 1e3,

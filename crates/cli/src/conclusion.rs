@@ -2,7 +2,7 @@
 
 use wholestring_runner::{BatchOutcome, sweep};
 
-use crate::{failure::Failure, terminal::say};
+use crate::{failure::Failure, terminal::print_stdout};
 
 /// Says how many were finished, of `items` that are together a `noun`, as in the command.
 ///
@@ -18,7 +18,7 @@ pub(crate) fn conclude(
     let (all, finished) = (outcome.all, outcome.finished);
     if !quiet {
         let took_s = outcome.took.as_secs_f64();
-        say(&format!(
+        print_stdout(&format!(
             "{finished} of {all} {items} finished in {took_s:.1} s\nResults in {place}\n",
         ))?;
     }
@@ -34,7 +34,8 @@ pub(crate) fn conclude(
             failures + "\n"
         };
         return Err(Failure::Interrupted(format!(
-            "{failures}interrupted: what was computed is in {place}\nto continue, run the {noun} again with --resume"
+            "{failures}interrupted: what was computed is in {place}\nto continue, run the {noun} \
+             again with --resume"
         )));
     }
     if failed.is_empty() {
@@ -66,7 +67,7 @@ pub(crate) fn judge(outcome: &BatchOutcome, strict: bool, quiet: bool) -> Result
         return Ok(());
     }
     let file = sweep::FILE;
-    say(&format!(
+    print_stdout(&format!(
         "Errors were found in {found} of {cases} cases: see {file}\n"
     ))
 }

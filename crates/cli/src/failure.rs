@@ -65,15 +65,15 @@ impl From<Report> for Failure {
 
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
-        let told = format!("error: {error}");
+        let message = format!("error: {error}");
         match error {
             Error::Unsound(unsound) => Self::BadInput(unsound.render(color())),
-            Error::BadInput(_) => Self::BadInput(told),
+            Error::BadInput(_) => Self::BadInput(message),
             Error::NotResumable { noun, .. } => Self::BadInput(format!(
-                "{told}\nrun the {noun} without --resume to begin anew"
+                "{message}\nrun the {noun} without --resume to begin anew"
             )),
-            Error::Folder(refused) => Self::BadInput(format!("{told}\n{}", way_out(&refused))),
-            Error::Results(_) | Error::Failed(_) => Self::Failed(told),
+            Error::Folder(refused) => Self::BadInput(format!("{message}\n{}", way_out(&refused))),
+            Error::Results(_) | Error::Failed(_) => Self::Failed(message),
             Error::Interrupted => Self::Interrupted("interrupted: nothing was run".to_owned()),
         }
     }
@@ -86,11 +86,11 @@ fn way_out(refused: &FolderRefused) -> String {
             "name another folder with -o, or add --overwrite to replace what lies there".to_owned()
         }
         FolderRefused::Unfinished { path, kind } => {
-            let go_on = match kind.as_str() {
+            let way_on = match kind.as_str() {
                 "run" => format!("run the case with --resume {}", path.display()),
                 _ => "add --resume".to_owned(),
             };
-            format!("to continue with it, {go_on}; to begin anew, add --overwrite")
+            format!("to continue with it, {way_on}; to begin anew, add --overwrite")
         }
         FolderRefused::Busy { .. } => {
             "wait until it has ended, or name another folder with -o".to_owned()

@@ -2,14 +2,14 @@
 
 use wholestring_case::Case;
 
-use crate::{args::CaseArgs, color::color, failure::Failure, terminal::tell};
+use crate::{args::CaseArgs, color::color, failure::Failure, terminal::print_stderr};
 
 /// Reads the case with its overrides, and shows its warnings.
 pub(crate) fn load(args: &CaseArgs, quiet: bool) -> Result<Case, Failure> {
     let case = wholestring_case::load(&args.case, &args.overrides)
         .map_err(|report| Failure::BadInput(report.render(color())))?;
     if !quiet && !case.warnings.is_empty() {
-        tell(&case.warnings.render(color()));
+        print_stderr(&case.warnings.render(color()));
     }
     Ok(case)
 }

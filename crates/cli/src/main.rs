@@ -31,7 +31,7 @@ use clap::Parser;
 
 use args::{Cli, Command};
 use failure::Failure;
-use terminal::{say, tell};
+use terminal::{print_stderr, print_stdout};
 
 fn main() -> ExitCode {
     let done = match Cli::parse().command {
@@ -53,7 +53,7 @@ fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            tell(&format!("{failure}\n"));
+            print_stderr(&format!("{failure}\n"));
             ExitCode::from(failure.status())
         }
     }
@@ -61,5 +61,5 @@ fn main() -> ExitCode {
 
 fn schema() -> Result<(), Failure> {
     let schema = wholestring_case::schema();
-    say(&format!("{schema:#}\n"))
+    print_stdout(&format!("{schema:#}\n"))
 }

@@ -6,7 +6,7 @@ use std::{
     path::PathBuf,
 };
 
-use crate::{args::NewArgs, failure::Failure, terminal::say};
+use crate::{args::NewArgs, failure::Failure, terminal::print_stdout};
 
 /// The case. Its name is filled in.
 const TEMPLATE: &str = include_str!("new_case.toml");
@@ -39,8 +39,9 @@ pub(crate) fn new(args: &NewArgs) -> Result<(), Failure> {
             _ => Failure::Failed(format!("error: cannot write {shown}: {error}")),
         });
     }
-    say(&format!(
-        "wrote {shown}: change what is yours, then\n  wholestring check {0}\n  wholestring run {0}\n",
+    print_stdout(&format!(
+        "wrote {shown}: change what is yours, then\n  wholestring check {0}\n  wholestring run \
+         {0}\n",
         in_shell(&shown.to_string())
     ))
 }

@@ -4,7 +4,7 @@
 use wholestring_results::ResultsFolder;
 use wholestring_runner::{pictures, pictures_folder, write_picture};
 
-use crate::{args::PlotArgs, failure::Failure, terminal::say};
+use crate::{args::PlotArgs, failure::Failure, terminal::print_stdout};
 
 pub(crate) fn plot(args: &PlotArgs) -> Result<(), Failure> {
     let plots = pictures(&args.folders, args.units)?;
@@ -15,5 +15,5 @@ pub(crate) fn plot(args: &PlotArgs) -> Result<(), Failure> {
         write_picture(&folder, &plot.name, &plot.figure, args.png)?;
     }
     let place = folder.path().display();
-    say(&format!("{} pictures in {place}\n", plots.len()))
+    print_stdout(&format!("{} pictures in {place}\n", plots.len()))
 }

@@ -14,7 +14,7 @@ use wholestring_runner::{BatchSize, CaseEnded, Observer, Progress, Task};
 use crate::{
     color::color,
     speed::{duration, real_time_factor},
-    terminal::tell,
+    terminal::print_stderr,
 };
 
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
@@ -67,12 +67,12 @@ impl RunScreen {
 impl Observer for RunScreen {
     fn note(&self, text: &str) {
         if !self.without_notes {
-            tell(&format!("note: {text}\n"));
+            print_stderr(&format!("note: {text}\n"));
         }
     }
 
     fn warning(&self, text: &str) {
-        tell(&format!("warning: {text}\n"));
+        print_stderr(&format!("warning: {text}\n"));
     }
 
     fn preparing(&self, task: &Task<'_>, what: &str) {
@@ -156,21 +156,21 @@ impl BatchScreen {
 impl Observer for BatchScreen {
     fn diagnostics(&self, report: &Report) {
         if !self.quiet {
-            tell(&report.render(color()));
+            print_stderr(&report.render(color()));
         }
     }
 
     fn note(&self, text: &str) {
         if !self.quiet {
-            tell(&format!("note: {text}\n"));
+            print_stderr(&format!("note: {text}\n"));
         }
     }
 
     fn warning(&self, text: &str) {
         let warning = format!("warning: {text}\n");
         match &*lock(&self.shown) {
-            Some(shown) => shown.bar.suspend(|| tell(&warning)),
-            None => tell(&warning),
+            Some(shown) => shown.bar.suspend(|| print_stderr(&warning)),
+            None => print_stderr(&warning),
         }
     }
 

@@ -2,9 +2,9 @@
 
 use wholestring_runner::write_report;
 
-use crate::{args::ReportArgs, failure::Failure, terminal::say};
+use crate::{args::ReportArgs, failure::Failure, terminal::print_stdout};
 
 pub(crate) fn report(args: &ReportArgs) -> Result<(), Failure> {
     let page = write_report(&args.folder, args.units)?;
-    say(&format!("{}\n", page.display()))
+    print_stdout(&format!("{}\n", page.display()))
 }

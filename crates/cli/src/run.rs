@@ -10,7 +10,7 @@ use wholestring_units::{Dimension, UnitSet};
 
 use crate::{
     args::RunArgs, color::screen_color, comparison, failure::Failure, findings, input::load,
-    interrupt, progress::RunScreen, terminal::say,
+    interrupt, progress::RunScreen, terminal::print_stdout,
 };
 
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
@@ -30,7 +30,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         let summary = outcome.summary.json().map_err(|error| {
             Failure::Failed(format!("error: the summary cannot be written: {error}"))
         })?;
-        say(&format!("{summary}\n"))?;
+        print_stdout(&format!("{summary}\n"))?;
     } else if !args.quiet && !outcome.summary.operations.is_empty() {
         show(&case, &outcome, units)?;
     }
@@ -50,7 +50,7 @@ fn show(case: &Case, outcome: &Outcome, units: UnitSet) -> Result<(), Failure> {
     let notes = comparison::notes(summary, units);
     let findings = findings::lines(summary, width, screen_color());
     let place = outcome.folder.display();
-    say(&format!(
+    print_stdout(&format!(
         "{title}
 
 {table}

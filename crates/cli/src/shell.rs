@@ -8,7 +8,7 @@ use clap::{Command, CommandFactory};
 use crate::{
     args::{Cli, CompletionsArgs},
     failure::Failure,
-    terminal::say,
+    terminal::print_stdout,
 };
 
 /// Prints the script that completes commands and options in a shell.
@@ -17,7 +17,7 @@ pub(crate) fn completions(args: &CompletionsArgs) -> Result<(), Failure> {
     let name = command.get_name().to_owned();
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut command, name, &mut script);
-    say(&String::from_utf8_lossy(&script))
+    print_stdout(&String::from_utf8_lossy(&script))
 }
 
 /// Prints the manual page, its commands below it.
@@ -25,7 +25,7 @@ pub(crate) fn man() -> Result<(), Failure> {
     let page = page().map_err(|error| {
         Failure::Failed(format!("error: the manual page cannot be made: {error}"))
     })?;
-    say(&String::from_utf8_lossy(&page))
+    print_stdout(&String::from_utf8_lossy(&page))
 }
 
 fn page() -> io::Result<Vec<u8>> {

@@ -11,7 +11,7 @@ use crate::{
     failure::Failure,
     interrupt,
     progress::BatchScreen,
-    terminal::tell,
+    terminal::print_stderr,
 };
 
 pub(crate) fn study(args: &StudyArgs) -> Result<(), Failure> {
@@ -19,7 +19,7 @@ pub(crate) fn study(args: &StudyArgs) -> Result<(), Failure> {
     let study = study::load(&args.study)?;
     let quiet = args.batch.quiet;
     if !quiet && !study.warnings.is_empty() {
-        tell(&study.warnings.render(color()));
+        print_stderr(&study.warnings.render(color()));
     }
     let request = Request {
         study: &study,

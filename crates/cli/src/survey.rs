@@ -10,7 +10,7 @@ use crate::{
     args::SurveyArgs,
     color::color,
     failure::Failure,
-    terminal::{say, tell},
+    terminal::{print_stderr, print_stdout},
 };
 
 /// Columns of the result. Surveys are in degrees everywhere, so that this one is too; `survey`
@@ -32,7 +32,7 @@ pub(crate) fn survey(args: &SurveyArgs) -> Result<(), Failure> {
     };
     let survey = read(&args.survey, &said)?;
     for note in &survey.notes {
-        tell(&format!("note: {note}\n"));
+        print_stderr(&format!("note: {note}\n"));
     }
     let interpolation = Interpolation::from(args.path);
     let path = WellPath::new(&survey.stations, interpolation, survey.start())
@@ -42,7 +42,7 @@ pub(crate) fn survey(args: &SurveyArgs) -> Result<(), Failure> {
         Some(output) => fs::write(output, &text).map_err(|error| {
             Failure::Failed(format!("error: cannot write {}: {error}", output.display()))
         }),
-        None => say(&text),
+        None => print_stdout(&text),
     }
 }
 

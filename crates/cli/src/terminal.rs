@@ -5,12 +5,12 @@ use std::io::{self, Write};
 use crate::failure::Failure;
 
 /// Prints to standard error. Where that is closed or full there is nobody left to tell.
-pub(crate) fn tell(text: &str) {
+pub(crate) fn print_stderr(text: &str) {
     let _ = io::stderr().lock().write_all(text.as_bytes());
 }
 
 /// Prints to standard output. A reader that has seen enough (`| head`) is no failure.
-pub(crate) fn say(text: &str) -> Result<(), Failure> {
+pub(crate) fn print_stdout(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Failed(format!(

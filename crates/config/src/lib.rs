@@ -1,9 +1,9 @@
 //! Files of settings in TOML, declared once: [`table!`](table::table) makes of one declaration the
 //! struct, its reader, the names that misspellings are compared with, and the JSON schema.
 //!
-//! All mistakes of a file are found in one pass and told together, each with its place underlined,
-//! what was expected and the nearest right name. The language knows no table of its own: cases and
-//! studies declare theirs.
+//! All mistakes of a file are found in one pass and reported together, each with its place
+//! underlined, what was expected and the nearest right name. The language knows no table of its
+//! own: cases and studies declare theirs.
 //!
 //! ```
 //! use wholestring_config::{

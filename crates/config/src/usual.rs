@@ -147,7 +147,8 @@ impl Entry<'_> {
             .at(place, "expected a unit after the number");
         match argument {
             Some((key, _)) => diagnostic.help(format!(
-                "such as {}={with_unit}: without a blank it needs no quotes, which a shell takes away",
+                "such as {}={with_unit}: without a blank it needs no quotes, which a shell takes \
+                 away",
                 key.trim_end()
             )),
             None => diagnostic.help(format!("such as \"{with_unit}\"")),

@@ -38,11 +38,11 @@ pub struct Panicked(pub String);
 pub fn contain<T>(of: impl FnOnce() -> T) -> Result<T, Panicked> {
     static QUIET: Once = Once::new();
     QUIET.call_once(|| {
-        let told = panic::take_hook();
+        let previous_hook = panic::take_hook();
         panic::set_hook(Box::new(move |info| {
             // A thread that is ending has no such count any more: its panics are reported.
             if DEPTH.try_with(Cell::get).unwrap_or(0) == 0 {
-                told(info);
+                previous_hook(info);
             }
         }));
     });

@@ -1,5 +1,5 @@
-//! Reads damaged inputs with every reader of wholestring, and shows which ones a reader did not
-//! stand.
+//! Reads damaged inputs with every reader of wholestring, and reports which ones a reader failed
+//! on.
 //!
 //! An input is made from a number: a sound file of its kind, changed by its bytes, words, numbers
 //! and lines. A reader may accept or refuse it; it may not panic, end the program, take a gigabyte
@@ -31,9 +31,10 @@ static MEMORY: allocator::Counting = allocator::Counting;
 
 const USAGE: &str = "\
 usage: wholestring-fuzz [SECONDS | --inputs N] [--seed S] [READER...]
-       wholestring-fuzz --one READER INPUT [--seed S]    read one input, and write it to target/fuzz";
+       wholestring-fuzz --one READER INPUT [--seed S]    read one input, and write it to \
+       target/fuzz";
 
-/// Longer than anybody waits; workers are told it in milliseconds.
+/// Longer than anybody waits; workers get it in milliseconds.
 const ENDLESS: Duration = Duration::from_secs(365 * 86_400);
 
 /// How many inputs of all readers together, or for how long in all.
@@ -112,7 +113,7 @@ fn watch(arguments: &[&str]) -> Result<ExitCode, String> {
         chosen = readers::NAMES.to_vec();
     }
     let outcomes = read_all(&chosen, &amount, seed)?;
-    Ok(tell(&outcomes, seed))
+    Ok(report(&outcomes, seed))
 }
 
 /// Has every reader read, as many at a time as there are processors.
@@ -175,7 +176,7 @@ fn read_all(
 }
 
 /// Prints a line for each reader, and each fault with the way to it.
-fn tell(outcomes: &[(&'static str, Outcome)], seed: u64) -> ExitCode {
+fn report(outcomes: &[(&'static str, Outcome)], seed: u64) -> ExitCode {
     println!(
         "{:<14}{:>10}{:>10}{:>10}{:>8}  {:<22}peak memory, MB",
         "reader", "inputs", "accepted", "refused", "faults", "slowest, s"

@@ -1,4 +1,4 @@
-//! The process that watches: it starts one that reads, and shows how that ended.
+//! The process that watches: it starts one that reads, and reports how that ended.
 
 use std::{
     env,
@@ -78,14 +78,14 @@ pub(crate) fn run(reader: &'static str, inputs: Inputs, folder: &Path) -> io::Re
                 from = input + 1;
             }
         }
-        // Whoever fails at everything is not asked a million times.
+        // A reader that fails at everything is not run a million times.
         if outcome.faults.len() > 100 {
             return Ok(outcome);
         }
     }
 }
 
-/// Runs one process to its end; how it failed, if it did, and the panics that it told of.
+/// Runs one process to its end; how it failed, if it did, and the panics that it reported.
 fn one_process(
     reader: &'static str,
     inputs: Inputs,
@@ -100,12 +100,12 @@ fn one_process(
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()?;
-    let told = drain(child.stdout.take());
+    let output = drain(child.stdout.take());
     let erred = drain(child.stderr.take());
     let ended = wait(&mut child, counted)?;
-    let told = told.join().unwrap_or_default();
+    let output = output.join().unwrap_or_default();
     let erred = erred.join().unwrap_or_default();
-    let panics = told
+    let panics = output
         .lines()
         .filter_map(|line| {
             let (number, said) = line.strip_prefix("panic ")?.split_once(' ')?;

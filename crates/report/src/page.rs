@@ -23,7 +23,8 @@ const LICENCES: &str = include_str!("../assets/licences.txt");
 
 /// What the page may do: run what is in it, and nothing else; it never asks the network for
 /// anything.
-const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
+const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; \
+                      img-src data: blob:";
 
 /// What the program of a run's page reads: the report, and which plots are made of it.
 #[derive(Serialize)]

@@ -82,7 +82,7 @@ pub struct Solved {
 pub struct Answer {
     /// What it is.
     pub label: String,
-    /// The number that people require: of a dynamic run a mean, where `worst` is given.
+    /// The number that people ask for: of a dynamic run a mean, where `worst` is given.
     pub value: Cell,
     /// The largest of the window, where the value is a mean.
     pub worst: Option<f64>,

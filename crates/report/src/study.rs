@@ -115,7 +115,8 @@ pub fn study_html(page: &StudyPage) -> String {
     let body = format!(
         "<main class=\"study\">\n<header>\n<h1>{title}</h1>\n{about}</header>\n\
          <nav class=\"contents noprint\" aria-label=\"Contents\">\n{links}</nav>\n{parts}\
-         <footer><p>Made by {program}. The files beside this one hold every digit.</p></footer>\n</main>"
+         <footer><p>Made by {program}. The files beside this one hold every \
+         digit.</p></footer>\n</main>"
     );
     document(&page.title, &page.program, POLICY, &styles(), &body)
 }
@@ -176,7 +177,8 @@ fn part(index: usize, part: &StudyPart) -> String {
         })
         .collect();
     format!(
-        "<section id=\"part-{index}\">\n<h2>{}</h2>\n{body}\n{}<p class=\"note\">{}</p>\n</section>\n",
+        "<section id=\"part-{index}\">\n<h2>{}</h2>\n{body}\n{}<p \
+         class=\"note\">{}</p>\n</section>\n",
         escaped(title),
         paragraphs(caption),
         links.join(" · ")
@@ -265,7 +267,7 @@ mod tests {
         assert!(page.contains("class=\"differs\""));
     }
     /// Pictures are cut to their own frames: no two elements of the page have one name. And they
-    /// wear the page's colours, which are dark where the reader requires it.
+    /// wear the page's colours, which are dark where the reader asks for it.
     #[test]
     fn figures_keep_their_own_names_and_follow_the_page() {
         let part = || StudyPart::Figure {

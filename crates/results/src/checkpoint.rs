@@ -43,7 +43,7 @@ impl ResultsFolder {
             writer.write_all(&[PROGRAM.len() as u8])?;
             writer.write_all(PROGRAM.as_bytes())?;
             let mut summed = Summed::new(&mut *writer);
-            // The disk's own error, where there is one, shows more than that it could not be
+            // The disk's own error, where there is one, says more than that it could not be
             // written.
             if let Err(error) = postcard::to_io(content, &mut summed) {
                 return Err(summed.failed.unwrap_or_else(|| io::Error::other(error)));
@@ -182,7 +182,7 @@ impl<W: Write> Write for Summed<W> {
                 Ok(taken)
             }
             Err(error) => {
-                // Whoever asks gets the kind; the error itself is kept for the one who tells it.
+                // Whoever asks gets the kind; the error itself is kept for the one who reports it.
                 let kind = error.kind();
                 self.failed = Some(error);
                 Err(kind.into())
@@ -264,7 +264,8 @@ mod tests {
         assert_eq!(
             message(&folder),
             format!(
-                "PATH is no checkpoint that can be resumed: wholestring {other} wrote it, this is {PROGRAM}"
+                "PATH is no checkpoint that can be resumed: wholestring {other} wrote it, this is \
+                 {PROGRAM}"
             )
         );
     }

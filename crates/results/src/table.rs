@@ -249,9 +249,9 @@ impl Table {
             match (failed, read) {
                 (Some(error), _) => Err(error),
                 (None, Err(error)) => {
-                    let told = io::Error::other(error.to_string());
+                    let readable = io::Error::other(error.to_string());
                     unread = Some(error);
-                    Err(told)
+                    Err(readable)
                 }
                 (None, Ok(())) => csv.flush(),
             }

@@ -23,15 +23,15 @@ const SET: u8 = 10;
 const MAP: u8 = 11;
 const STRUCTURE: u8 = 12;
 
-/// Reads one structure, and shows each whole number in it with the ids of the fields that lead
-/// there.
+/// Reads one structure, and calls `visit` with each whole number in it and the ids of the fields
+/// that lead there.
 ///
 /// # Errors
 /// What is no such structure, or deeper than any of Parquet's.
-pub(crate) fn numbers(from: impl Read, tell: &mut dyn FnMut(&[i16], i64)) -> io::Result<()> {
+pub(crate) fn numbers(from: impl Read, visit: &mut dyn FnMut(&[i16], i64)) -> io::Result<()> {
     let mut walk = Walk {
         from,
-        tell,
+        visit,
         path: Vec::new(),
     };
     walk.structure(0)
@@ -39,7 +39,7 @@ pub(crate) fn numbers(from: impl Read, tell: &mut dyn FnMut(&[i16], i64)) -> io:
 
 struct Walk<'a, R> {
     from: R,
-    tell: &'a mut dyn FnMut(&[i16], i64),
+    visit: &'a mut dyn FnMut(&[i16], i64),
     path: Vec<i16>,
 }
 
@@ -70,7 +70,7 @@ impl<R: Read> Walk<'_, R> {
             BYTE => self.byte().map(drop),
             INT_16..=INT_64 => {
                 let value = self.integer()?;
-                (self.tell)(&self.path, value);
+                (self.visit)(&self.path, value);
                 Ok(())
             }
             DOUBLE => self.skip(8),
@@ -152,7 +152,7 @@ fn malformed() -> io::Error {
 mod tests {
     use super::*;
 
-    fn told(bytes: &[u8]) -> io::Result<Vec<(Vec<i16>, i64)>> {
+    fn visited(bytes: &[u8]) -> io::Result<Vec<(Vec<i16>, i64)>> {
         let mut all = Vec::new();
         numbers(bytes, &mut |path, value| all.push((path.to_vec(), value)))?;
         Ok(all)
@@ -172,16 +172,16 @@ mod tests {
             (vec![4], 150),
             (vec![20, 1], 64),
         ];
-        assert_eq!(told(&bytes).unwrap(), expected);
+        assert_eq!(visited(&bytes).unwrap(), expected);
         for cut in 0..bytes.len() {
-            assert!(told(&bytes[..cut]).is_err(), "{cut}");
+            assert!(visited(&bytes[..cut]).is_err(), "{cut}");
         }
     }
 
     /// Structures within structures without end would overflow the stack.
     #[test]
     fn what_is_too_deep_is_refused() {
-        assert!(told(&[0x1c; 100_000]).is_err());
-        assert!(told(&[0x19; 100_000]).is_err());
+        assert!(visited(&[0x1c; 100_000]).is_err());
+        assert!(visited(&[0x19; 100_000]).is_err());
     }
 }

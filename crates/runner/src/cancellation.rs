@@ -1,4 +1,4 @@
-//! A request to stop, which work looks at as it continues.
+//! A request to stop, which work looks at as it goes on.
 
 use std::sync::{
     Arc,

@@ -59,8 +59,8 @@ impl Unsound {
     /// The mistakes underlined in their files, coloured for a terminal if that is requested.
     pub fn render(&self, color: bool) -> String {
         let reports = self.reports.iter().map(|report| report.render(color));
-        let told = reports.chain(self.summary.clone());
-        told.collect::<Vec<_>>().join("\n")
+        let lines = reports.chain(self.summary.clone());
+        lines.collect::<Vec<_>>().join("\n")
     }
 }
 

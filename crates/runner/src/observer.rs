@@ -1,8 +1,8 @@
-//! What whoever requested work is reported while it continues.
+//! What an observer of the work learns while it goes on.
 
 use wholestring_case::Report;
 
-/// Is reported what happens while cases are solved: a progress bar, a log, a page that follows.
+/// Learns what happens while cases are solved: a progress bar, a log, a page that follows.
 ///
 /// Every method does nothing unless it is written. Cases of a batch are solved on several threads,
 /// which call at the same time; a method that takes long holds the work up.
@@ -103,7 +103,7 @@ pub struct CaseEnded {
     pub reused_s: f64,
 }
 
-/// Who is told of one case.
+/// The observer of one case.
 #[derive(Clone, Copy)]
 pub(crate) struct Watch<'a> {
     pub(crate) observer: &'a dyn Observer,
@@ -146,7 +146,7 @@ impl Drop for Preparing<'_> {
     }
 }
 
-/// A simulation that continues.
+/// A simulation that goes on.
 pub(crate) struct Simulating<'a>(&'a dyn Observer, Task<'a>);
 
 impl Simulating<'_> {

@@ -33,7 +33,8 @@ impl ResultsKind {
     /// A folder that holds none.
     pub(crate) fn none(folder: &Path) -> Error {
         Error::BadInput(format!(
-            "{} is no folder of a run, a sweep or a bit test: it holds neither summary.json nor sweep.csv",
+            "{} is no folder of a run, a sweep or a bit test: it holds neither summary.json nor \
+             sweep.csv",
             folder.display()
         ))
     }

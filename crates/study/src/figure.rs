@@ -25,7 +25,7 @@ use crate::{
     sweep::Sweep,
 };
 
-/// Times or depths of one figure: more curves nobody shows apart.
+/// Times or depths of one figure: nobody distinguishes more curves.
 const MAX: usize = 12;
 
 pub(crate) fn time() -> quantity::Quantity {
@@ -387,11 +387,10 @@ impl FigureTable {
                         ),
                     };
                     let at = self.depths.given().map_or(at, |at| at.place);
-                    reader.report(
-                        Diagnostic::error(message)
-                            .at(at, label)
-                            .help("such as times = [\"1 s\", \"10 s\"] along the string, or depths = \"600 m\" against time"),
-                    );
+                    reader.report(Diagnostic::error(message).at(at, label).help(
+                        "such as times = [\"1 s\", \"10 s\"] along the string, or \
+                                   depths = \"600 m\" against time",
+                    ));
                     None
                 }
             },
@@ -441,7 +440,10 @@ impl FigureTable {
                 reader.report(
                     Diagnostic::error(message)
                         .at(given.place, format!("expected \"{expected}\""))
-                        .help("a map shows contact over time and depth; `colour` is the column that it shows"),
+                        .help(
+                            "a map shows contact over time and depth; `colour` is the column \
+                               that it shows",
+                        ),
                 );
                 return None;
             }

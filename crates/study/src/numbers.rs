@@ -340,7 +340,10 @@ impl RowTable {
                     reader.report(
                         Diagnostic::error("a number of frames needs `depth` or `time`")
                             .at(at, "neither is given")
-                            .help("depth = \"600 m\" for a statistic over time, time = \"10 s\" for one along the string"),
+                            .help(
+                                "depth = \"600 m\" for a statistic over time, time = \"10 s\" \
+                                   for one along the string",
+                            ),
                     );
                     return None;
                 }

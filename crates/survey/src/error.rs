@@ -121,13 +121,13 @@ pub enum SurveyErrorKind {
         /// The other.
         second: String,
     },
-    /// Three columns of numbers without a header, and nothing shows the unit of the depths.
+    /// Three columns of numbers without a header, and nothing states the unit of the depths.
     #[error(
         "no header names the columns and their units; \
          write 'MD (m),Inc (deg),Azi (deg)' above them, or say the unit: {SAY}"
     )]
     NoUnits,
-    /// Lengths whose unit nothing shows.
+    /// Lengths whose unit nothing states.
     #[error(
         "the {column} under '{header}' has no unit; \
          write it in the header, such as '{}', or in a row below it, or say it: {SAY}",
@@ -160,9 +160,10 @@ pub enum SurveyErrorKind {
         /// Symbol of the unit in the row below.
         row: &'static str,
     },
-    /// The file shows another unit than the one that was said for it.
+    /// The file states another unit than the one that was said for it.
     #[error(
-        "the {column} is in '{file}' by the file and in '{said}' by what was said; leave one of them"
+        "the {column} is in '{file}' by the file and in '{said}' by what was said; leave one of \
+         them"
     )]
     OtherUnit {
         /// The column.
@@ -194,7 +195,7 @@ pub enum SurveyErrorKind {
         /// The cell's text.
         found: String,
     },
-    /// Thousands or decimals: nothing in the file shows.
+    /// Thousands or decimals: nothing in the file decides.
     #[error(
         "'{found}' may mean thousands or decimals; \
          write the numbers with a decimal point and without separators"

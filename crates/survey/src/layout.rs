@@ -174,7 +174,8 @@ pub(crate) fn without_header(table: &Table, said: &Said) -> Option<Result<Layout
     let notes = vec![
         table.note("no header"),
         format!(
-            "three columns read as measured depth in {} as was said, inclination in deg, azimuth in deg",
+            "three columns read as measured depth in {} as was said, inclination in deg, azimuth \
+             in deg",
             length_unit.symbol
         ),
     ];

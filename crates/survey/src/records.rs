@@ -138,11 +138,11 @@ fn place(kind: u16, data: &[u8]) -> Option<(u16, u16, u16)> {
         MANY_NUMBERS => {
             let numbers = data.len().saturating_sub(6) / 6;
             let by_length = usize::from(first) + numbers.max(1) - 1;
-            let told = u16_at(data, data.len().checked_sub(2)?)?;
+            let stated = u16_at(data, data.len().checked_sub(2)?)?;
             Some((
                 row,
                 first,
-                told.max(by_length.min(usize::from(u16::MAX)) as u16),
+                stated.max(by_length.min(usize::from(u16::MAX)) as u16),
             ))
         }
         _ => None,

@@ -89,7 +89,8 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedSurvey, Surv
         && first.md_m != 0.0
     {
         notes.push(format!(
-            "the first station is at {} m and the file does not say where it lies: taken to be as deep, \
+            "the first station is at {} m and the file does not say where it lies: taken to be as \
+             deep, \
              vertically under the origin",
             number_text(first.md_m)
         ));

@@ -45,8 +45,8 @@ pub struct Row<'a> {
     /// The case: the name of a file of `verification/` up to its first underscore (`E05`), or
     /// another name that `verification/README.md` lists.
     pub case: &'a str,
-    /// Which number, with what tells it from the case's others, then its unit if it has one, as in
-    /// `climb at friction 0.25, rad`. A comma in it is that before the unit.
+    /// Which number, with what distinguishes it from the case's others, then its unit if it has
+    /// one, as in `climb at friction 0.25, rad`. A comma in it is that before the unit.
     pub quantity: &'a str,
     /// What should come out.
     pub expected: f64,

@@ -171,7 +171,10 @@ impl BitTable {
             reader.report(
                 Diagnostic::error("against solid rock, cones that roll are not modelled")
                     .at(kind.place, "expected \"pdc\", \"core\" or \"inserts\"")
-                    .help("\"inserts\" holds their teeth still: these crush and scrape, and their torque is not that of rolling")
+                    .help(
+                        "\"inserts\" holds their teeth still: these crush and scrape, and their \
+                           torque is not that of rolling",
+                    )
                     .help("the laws \"detournay-defourny\" and \"table\" take a roller cone"),
             );
             return None;

@@ -103,7 +103,7 @@ impl Given<'_> {
             return;
         };
         let torque = operation.bit_torque_N_m;
-        let [asks, most, stalls] = [torque, motor.max_torque_N_m(), motor.stall_torque_N_m]
+        let [needed, most, stalls] = [torque, motor.max_torque_N_m(), motor.stall_torque_N_m]
             .map(|torque| number_text((torque * 1e-1).round() * 1e-2));
         if bit.drilling_speed_rad_per_s(operation) == 0.0 {
             reader.report(
@@ -118,7 +118,7 @@ impl Given<'_> {
             reader.report(
                 Diagnostic::warning("the motor is loaded beyond its largest pressure drop").at(
                     wob.place,
-                    format!("takes {asks} kN.m, the motor is made for {most} kN.m"),
+                    format!("takes {needed} kN.m, the motor is made for {most} kN.m"),
                 ),
             );
         }

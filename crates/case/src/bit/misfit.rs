@@ -92,7 +92,8 @@ pub(crate) fn misfit(error: &FaceError, bit: &BitTable, od: Span) -> Diagnostic 
                     ),
                 )
                 .help(format!(
-                    "of nose_radius and shoulder_radius one must be no smaller, the other no larger than the {reach} mm from \
+                    "of nose_radius and shoulder_radius one must be no smaller, the other no \
+                     larger than the {reach} mm from \
                      the nose to the gauge"
                 ))
         }
@@ -109,14 +110,22 @@ pub(crate) fn misfit(error: &FaceError, bit: &BitTable, od: Span) -> Diagnostic 
             ..
         } => Diagnostic::error("two cutters of a blade overlap")
             .at(
-                first(&["cutters_per_blade", "cutter_diameter", "blades", "centre_spacing"]),
+                first(&[
+                    "cutters_per_blade",
+                    "cutter_diameter",
+                    "blades",
+                    "centre_spacing",
+                ]),
                 format!(
                     "they are {} mm wide and {} mm apart",
                     millimetres(*diameter_m),
                     millimetres(*distance_m)
                 ),
             )
-            .help("lower cutters_per_blade or cutter_diameter, or leave the number of cutters to the program"),
+            .help(
+                "lower cutters_per_blade or cutter_diameter, or leave the number of cutters to \
+                   the program",
+            ),
         FaceError::UncutRing { from_m, to_m } => {
             Diagnostic::error("the bit leaves a ring of the bottom uncut")
                 .at(

@@ -138,7 +138,10 @@ impl PointsTable {
                 reader.report(
                     Diagnostic::error("[bit.table] has no points")
                         .at(place, "`file` or `points` is missing")
-                        .help("file = \"bit.csv\", or points = [[\"60 kN\", 120, \"10 m/h\", \"3 kN.m\"]]"),
+                        .help(
+                            "file = \"bit.csv\", or points = [[\"60 kN\", 120, \"10 m/h\", \"3 \
+                               kN.m\"]]",
+                        ),
                 );
                 return None;
             }

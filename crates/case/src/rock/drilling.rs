@@ -9,15 +9,15 @@ use wholestring_config::{
 use super::{elements::Places, table::RockTable};
 use crate::bit::BitTable;
 
-/// What the bit drills, if anything requires solid rock: `asks` is where.
+/// What the bit drills, if anything requires solid rock: `required_by` is where.
 pub(crate) fn drilling(
     table: &Field<RockTable>,
     bit: &BitTable,
-    asks: Option<(Span, &str)>,
+    required_by: Option<(Span, &str)>,
     lowest: Option<(f64, Span)>,
     reader: &mut Reader,
 ) -> Option<Option<DrillingSpec>> {
-    let rock = match (table.given(), asks) {
+    let rock = match (table.given(), required_by) {
         (None, None) => return Some(None),
         (Some(given), None) => {
             reader.report(

@@ -63,7 +63,10 @@ impl RockTable {
             reader.report(
                 Diagnostic::warning("the elements are large for the bit's cutters")
                     .at(element.place, format!("expected at most {most} mm"))
-                    .help("its body meets the ridges between the cutters, and the bit jams: lower element_size"),
+                    .help(
+                        "its body meets the ridges between the cutters, and the bit jams: lower \
+                           element_size",
+                    ),
             );
         }
         let mut spec = match DrillingSpec::new(rock, shape, size_m) {

@@ -15,27 +15,29 @@ impl RockTable {
         let (sin, cos) = friction_angle_rad.sin_cos();
         // Unconfined compressive strength over cohesion.
         let ratio = 2.0 * cos / (1.0 - sin);
-        let strength_Pa = match (self.strength.optional()?, self.cohesion.optional()?) {
-            (Some(strength), None) => strength.value,
-            (None, Some(cohesion)) => cohesion.value * ratio,
-            (Some(strength), Some(cohesion)) => {
-                reader.report(
+        let strength_Pa =
+            match (self.strength.optional()?, self.cohesion.optional()?) {
+                (Some(strength), None) => strength.value,
+                (None, Some(cohesion)) => cohesion.value * ratio,
+                (Some(strength), Some(cohesion)) => {
+                    reader.report(
                     Diagnostic::error("the strength of the rock is given twice")
                         .at(strength.place, "by what it bears unconfined")
                         .at(cohesion.place, "by its cohesion")
-                        .help("keep one of `strength` and `cohesion`; with the friction angle the one follows from the other"),
+                        .help("keep one of `strength` and `cohesion`; with the friction angle the \
+                               one follows from the other"),
                 );
-                return None;
-            }
-            (None, None) => {
-                reader.report(
-                    Diagnostic::error("[rock] lacks `strength`")
-                        .at(place, "`strength` is missing")
-                        .help("such as strength = \"60 MPa\", unconfined and in compression"),
-                );
-                return None;
-            }
-        };
+                    return None;
+                }
+                (None, None) => {
+                    reader.report(
+                        Diagnostic::error("[rock] lacks `strength`")
+                            .at(place, "`strength` is missing")
+                            .help("such as strength = \"60 MPa\", unconfined and in compression"),
+                    );
+                    return None;
+                }
+            };
         let mut rock = Rock::for_drilling(strength_Pa);
         rock.cohesion_Pa = strength_Pa / ratio;
         rock.friction_angle_rad = friction_angle_rad;
@@ -131,16 +133,24 @@ impl RockTable {
             }
             RockError::TooLarge { largest_m, .. } => {
                 let most = number_text((largest_m * 1e4).floor() * 1e-1);
-                Diagnostic::error("the elements are too large for this rock: they would snap, not soften")
-                    .at(
-                        self.element_size.place()
-                            .or(self.crushing_energy.place())
-                            .or(self.tensile_fracture_energy.place())
-                            .or(self.compressive_fracture_energy.place())
-                            .unwrap_or(whole),
-                        format!("expected elements below {most} mm"),
-                    )
-                    .help("raise crushing_energy or youngs_modulus, or lower element_size and raise the fracture energies: an element holds more elastic energy than its failure takes")
+                Diagnostic::error(
+                    "the elements are too large for this rock: they would snap, not \
+                                   soften",
+                )
+                .at(
+                    self.element_size
+                        .place()
+                        .or(self.crushing_energy.place())
+                        .or(self.tensile_fracture_energy.place())
+                        .or(self.compressive_fracture_energy.place())
+                        .unwrap_or(whole),
+                    format!("expected elements below {most} mm"),
+                )
+                .help(
+                    "raise crushing_energy or youngs_modulus, or lower element_size and \
+                           raise the fracture energies: an element holds more elastic energy than \
+                           its failure takes",
+                )
             }
             RockError::Cells(..) => Diagnostic::error(error.to_string())
                 .at(self.element_size.place().unwrap_or(whole), "raise it"),

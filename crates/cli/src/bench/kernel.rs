@@ -118,8 +118,10 @@ impl Kernel {
         let each = |count: u64| count as f64 / self.elements as f64;
         let flops = self.flops;
         format!(
-            "{}An element-step is {:.0} flop: {:.0} multiplications with addition (two each), {:.0} multiplications, \
-             {:.0} additions,\n{:.1} divisions and {:.1} roots (one each). The peak is what the same registers \
+            "{}An element-step is {:.0} flop: {:.0} multiplications with addition (two each), \
+             {:.0} multiplications, \
+             {:.0} additions,\n{:.1} divisions and {:.1} roots (one each). The peak is what the \
+             same registers \
              multiply and add at best.\n",
             table.text(),
             each(flops.total()),

@@ -87,7 +87,8 @@ const MECHANISMS: &[Mechanism] = &[
         "bit from a table, with its spread",
         &[
             "bit.law=table",
-            "bit.table.points=[[30e3, 60, 3, 2e3, 300], [30e3, 120, 6, 2e3, 300], [90e3, 60, 9, 6e3, 900], [90e3, 120, 18, 6e3, 900]]",
+            "bit.table.points=[[30e3, 60, 3, 2e3, 300], [30e3, 120, 6, 2e3, 300], [90e3, 60, 9, \
+             6e3, 900], [90e3, 120, 18, 6e3, 900]]",
             "bit.excitation.lobes=3",
         ],
     ),

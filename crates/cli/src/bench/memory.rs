@@ -10,7 +10,7 @@ use serde::Serialize;
 use super::{process, session::Bench};
 use crate::failure::{Failure, failed};
 
-/// Whether this system shows the memory of another process.
+/// Whether this system reports the memory of another process.
 pub(crate) const IS_MEASURED: bool = cfg!(target_os = "linux");
 
 /// Time between two checks of the process.
@@ -71,7 +71,8 @@ fn resident_MB(process: u32) -> Option<f64> {
 impl Memory {
     pub(crate) fn text(&self) -> String {
         format!(
-            "`wholestring run` of {:.0} s, results written: {:.1} s on the clock, {:.1} MB of memory at most\n",
+            "`wholestring run` of {:.0} s, results written: {:.1} s on the clock, {:.1} MB of \
+             memory at most\n",
             self.simulated_s, self.wall_time_s, self.peak_MB
         )
     }

@@ -62,7 +62,7 @@ pub(crate) fn bench(args: &BenchArgs) -> Result<(), Failure> {
 
 fn measure(bench: &Bench, args: &BenchArgs) -> Result<(), Failure> {
     use BenchPart::{Kernel, Mechanisms, Memory, Rock, Run, Sweep};
-    let asked = |part: BenchPart| {
+    let requested = |part: BenchPart| {
         if args.parts.is_empty() {
             part != Sweep && (part != Memory || memory::IS_MEASURED)
         } else {
@@ -82,32 +82,32 @@ fn measure(bench: &Bench, args: &BenchArgs) -> Result<(), Failure> {
         memory: None,
         sweep: None,
     };
-    if asked(Kernel) {
+    if requested(Kernel) {
         let kernel = kernel::measure(bench)?;
         bench.print(&kernel.text())?;
         numbers.kernel = Some(kernel);
     }
-    if asked(Run) {
+    if requested(Run) {
         let rows = whole_run::measure(bench)?;
         bench.print(&whole_run::text(&rows))?;
         numbers.run = Some(rows);
     }
-    if asked(Memory) {
+    if requested(Memory) {
         let memory = memory::measure(bench)?;
         bench.print(&memory.text())?;
         numbers.memory = Some(memory);
     }
-    if asked(Mechanisms) {
+    if requested(Mechanisms) {
         let mechanisms = mechanisms::measure(bench)?;
         bench.print(&mechanisms.text())?;
         numbers.mechanisms = Some(mechanisms);
     }
-    if asked(Rock) {
+    if requested(Rock) {
         let speed = rock::measure(bench)?;
         bench.print(&speed.text())?;
         numbers.rock = Some(speed);
     }
-    if asked(Sweep) {
+    if requested(Sweep) {
         let sweeps = sweep::measure(bench)?;
         bench.print(&sweeps.text())?;
         numbers.sweep = Some(sweeps);

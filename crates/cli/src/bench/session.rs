@@ -4,7 +4,7 @@ use indicatif::ProgressBar;
 use wholestring_runner::CancellationToken;
 
 use super::{clock::Spread, well::Well};
-use crate::{failure::Failure, terminal::say};
+use crate::{failure::Failure, terminal::print_stdout};
 
 /// How the measurements are taken.
 pub(super) struct Bench {
@@ -17,7 +17,7 @@ pub(super) struct Bench {
 
 impl Bench {
     pub(super) fn print(&self, text: &str) -> Result<(), Failure> {
-        self.bar.suspend(|| say(&format!("{text}\n")))
+        self.bar.suspend(|| print_stdout(&format!("{text}\n")))
     }
 
     /// Begins to measure `count` things.

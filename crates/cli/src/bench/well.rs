@@ -136,7 +136,8 @@ impl About {
         } = self;
         let (kind, step_ms) = (clock::KIND, 1e3 * time_step_s);
         format!(
-            "{case}: bit at {bit_depth_m:.0} m, {elements} elements, steps of {step_ms:.3} ms; contact, friction and statistics on\n\
+            "{case}: bit at {bit_depth_m:.0} m, {elements} elements, steps of {step_ms:.3} ms; \
+             contact, friction and statistics on\n\
              {kind}, median of {count}\n"
         )
     }

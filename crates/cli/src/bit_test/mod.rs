@@ -6,7 +6,7 @@ use wholestring_runner::bit_test::{self, Request};
 
 use crate::{
     args::BitTestArgs, conclusion::conclude, failure::Failure, input::load, interrupt,
-    progress::BatchScreen, terminal::say,
+    progress::BatchScreen, terminal::print_stdout,
 };
 
 pub(crate) fn bit_test(args: &BitTestArgs) -> Result<(), Failure> {
@@ -21,7 +21,7 @@ pub(crate) fn bit_test(args: &BitTestArgs) -> Result<(), Failure> {
     let screen = BatchScreen::bit_test(quiet);
     let outcome = bit_test::run(&request, &screen, &interrupt::listen())?;
     if !quiet {
-        say(&screen::text(&outcome.summary, units))?;
+        print_stdout(&screen::text(&outcome.summary, units))?;
     }
     conclude(&outcome.batch, "bit test", "points", quiet)
 }

@@ -87,7 +87,8 @@ fn common(summary: &BitTestSummary) -> String {
         Some(slope) => {
             format!("Torque over weight times radius, slope of all points: {slope:.2}\n")
         }
-        None => "Torque over weight times radius: one weight has no slope, give two under wob of [bit_test]\n"
+        None => "Torque over weight times radius: one weight has no slope, give two under wob of \
+                 [bit_test]\n"
             .to_owned(),
     };
     if let Some(ratio) = response.specific_energy_over_strength {
@@ -95,7 +96,8 @@ fn common(summary: &BitTestSummary) -> String {
     }
     if let Some(stiffness) = response.bottom_stiffness_N_per_m {
         text += &format!(
-            "Weight over a blade's depth of cut, all points: rock_stiffness = \"{stiffness:.2e} N/m\" with the table\n"
+            "Weight over a blade's depth of cut, all points: rock_stiffness = \"{stiffness:.2e} \
+             N/m\" with the table\n"
         );
     }
     text
@@ -112,7 +114,8 @@ fn warnings(summary: &BitTestSummary) -> String {
         }
         if outcome.kinetic_fraction > MUCH_KINETIC {
             text += &format!(
-                "warning: {}: the rock's kinetic energy is {:.0} % of the work of its deformation: lower rock.density_factor\n",
+                "warning: {}: the rock's kinetic energy is {:.0} % of the work of its \
+                 deformation: lower rock.density_factor\n",
                 point.point,
                 100.0 * outcome.kinetic_fraction
             );

@@ -42,7 +42,7 @@ pub enum TuningError {
     /// The soft string, which says where to look, has no solution.
     #[error("no lift can be guessed: {0}")]
     Guess(#[from] SoftError),
-    /// An operation that requires no weight on bit.
+    /// An operation without weight on bit.
     #[error("{0} puts no weight on the bit that a lift could be tuned for")]
     NoWeight(&'static str),
     /// A run diverged.
@@ -55,8 +55,10 @@ pub enum TuningError {
     },
     /// No lift gives the weight on bit.
     #[error(
-        "no constant lift gives a mean weight on bit of {:.1} kN over this window: after {} runs the nearest is {:.1} kN \
-         under a lift of {:.1} kN; a longer window, or a smoother bit, makes the mean follow the lift more evenly",
+        "no constant lift gives a mean weight on bit of {:.1} kN over this window: after {} runs \
+         the nearest is {:.1} kN \
+         under a lift of {:.1} kN; a longer window, or a smoother bit, makes the mean follow the \
+         lift more evenly",
         .target_N * 1e-3, .nearest.runs, .nearest.weight_on_bit_N * 1e-3, .nearest.hook_load_N * 1e-3
     )]
     NotFound {
@@ -278,8 +280,8 @@ mod tests {
         }
     }
 
-    /// A bit that cannot bear what is asked, however little is lifted, and a weight that jumps over
-    /// it.
+    /// A bit that cannot bear what is requested, however little is lifted, and a weight that jumps
+    /// over it.
     #[test]
     fn what_no_lift_gives_is_not_found() {
         assert_eq!(tries(60e3, 100e3, |lift| 50e3 - lift), None);

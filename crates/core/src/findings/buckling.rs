@@ -14,7 +14,7 @@ use crate::{
     },
 };
 
-/// A stretch shorter than this is not told, m: a joint of pipe, of which no wave is shorter.
+/// A stretch shorter than this is not reported, m: a joint of pipe, of which no wave is shorter.
 const SHORTEST_M: f64 = 10.0;
 
 /// The compression along a string, and what it is compared with.
@@ -127,13 +127,14 @@ impl<'a> Line<'a> {
     }
 }
 
-/// The buckled stretches, those of the helix first. A bow in a vertical hole is not told where the
-/// same stretch is a helix.
+/// The buckled stretches, those of the helix first. A bow in a vertical hole is not reported where
+/// the same stretch is a helix.
 pub fn findings(line: &Line<'_>) -> Vec<Finding> {
     let of = |criterion, kind, over: &[f64]| -> Vec<Finding> {
         let intervals = beyond_one(line.md_m, over).into_iter();
-        let told = intervals.filter(|of| of.md_m[1] - of.md_m[0] >= SHORTEST_M);
-        told.map(|interval| finding(line, criterion, kind, over, &interval))
+        let reported = intervals.filter(|of| of.md_m[1] - of.md_m[0] >= SHORTEST_M);
+        reported
+            .map(|interval| finding(line, criterion, kind, over, &interval))
             .collect()
     };
     let mut found = of(Criterion::Helical, Kind::HelicalBuckling, &line.helical);
@@ -146,10 +147,10 @@ pub fn findings(line: &Line<'_>) -> Vec<Finding> {
         let mut helices = found.iter();
         helices.any(|helix| helix.from_md_m < bow.to_md_m && bow.from_md_m < helix.to_md_m)
     };
-    let told = bowed.into_iter();
-    let told = told.filter(|bow| bow.level > Level::Note || !is_helix(bow));
-    let told: Vec<Finding> = told.collect();
-    found.extend(told);
+    let reported = bowed.into_iter();
+    let reported = reported.filter(|bow| bow.level > Level::Note || !is_helix(bow));
+    let reported: Vec<Finding> = reported.collect();
+    found.extend(reported);
     found
 }
 

@@ -114,6 +114,6 @@ pub fn of_dynamic(model: &Model, operation: &Operation, window: &Window<'_>) -> 
         _ => 0.0,
     };
     let block = window::mean(window.series(|of| &of.block_velocity_m_per_s));
-    let asked_m = block * window.length_s();
-    (asked_m > 0.0 && went_m < STANDS * asked_m).then_some(found)
+    let block_travel_m = block * window.length_s();
+    (block_travel_m > 0.0 && went_m < STANDS * block_travel_m).then_some(found)
 }

@@ -7,7 +7,7 @@ use crate::{dynamics::DynamicOutcome, operation::Operation};
 /// m.
 const TRAVELS_M: f64 = 1.0;
 
-/// How far from the depth that was asked for the bit may be on average over the window, m.
+/// How far from the requested depth the bit may be on average over the window, m.
 const ELSEWHERE_M: f64 = 1.0;
 
 /// Of a run that was computed to its end.

@@ -16,8 +16,8 @@ impl<'a> Window<'a> {
         let from_s = outcome.numerics.settle_s;
         let time_s = &outcome.series.time_s;
         let rows = time_s.partition_point(|time| *time < from_s)..time_s.len();
-        let told = outcome.statistics.is_empty();
-        (!told && !rows.is_empty()).then_some(Self { outcome, rows })
+        let unsampled = outcome.statistics.is_empty();
+        (!unsampled && !rows.is_empty()).then_some(Self { outcome, rows })
     }
 
     /// The statistic of a quantity of [`DynamicOutcome::quantities`].

@@ -1,24 +1,14 @@
 //! Mud between a pipe and its hole: steady helical flow, and what it does to the pipe.
 //!
-//! With `G` the pressure's gradient by friction, `r` the radius and `z` along the hole, momentum
-//! leaves two constants of integration,
+//! With `G` the pressure's gradient by friction, `r` the radius and `z` along the hole,
 //!
 //! ```text
-//! τ_rz = G r/2 + B/r,      τ_rθ = C/r²,      γ̇ = γ̇(|τ|),
+//! τ_rz = G r/2 + B/r,      τ_rθ = C/r²
 //! ```
 //!
-//! and three conditions fix all three (Coleman, Markovitz and Noll 1966): the pipe's velocity `v`
-//! along the hole, its spin `Ω`, and the flow rate. The pipe pushes mud aside as it moves, so that
-//! the annulus carries upwards what the pump delivers and what the pipe displaces, `Q + π r² v`
-//! (its bore is full and only the pump feeds it: a float valve in the string). With that
-//!
-//! ```text
-//! ∫ r (r/2) w' dr = Q/2π,      ∫ w' dr = −v,      ∫ ω' dr = −Ω        over the gap,
-//! ```
-//!
-//! the gradient of a convex function of `(G, B, C)`, found by Newton's method. The mud pulls the
-//! pipe along with `2π r τ_rz = π r² G + 2π B`; its pressure pushes back with `π r² G` per length;
-//! what is left and loads the *effective* tension is `2π B`. The torque is `2π C`.
+//! (Coleman, Markovitz and Noll 1966). `G`, `B` and `C` follow from the pipe's velocity, its spin
+//! and the flow rate; `2π B` per length loads the effective tension, `2π C` is the torque. Theory:
+//! `docs/src/theory/mud.md`.
 
 use std::{f64::consts::PI, sync::LazyLock};
 

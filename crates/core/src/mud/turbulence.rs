@@ -7,12 +7,9 @@ use std::f64::consts::PI;
 /// Fanning friction over that of laminar flow, `laminar/Re`: 16 in a pipe, 24 in a slot.
 ///
 /// API RP 13D with Metzner and Reed's Reynolds number and the flow index `n`: laminar to
-/// `Re₁ = 3470 − 1370 n`, turbulent from `Re₂ = 4270 − 1370 n` on, and a straight line in `Re`
-/// between the frictions of the two. For a Newtonian mud that is from 2100 to 2900, for `n = 0.2`
-/// from 3196 to 3996. Turbulent, `f = a/Re^b` with `a = (lg n + 3.93)/50` and
-/// `b = (1.75 − lg n)/7`: the explicit form of Dodge and Metzner (1959); for `n = 1` nearly
-/// Blasius'. A mud that thickens has the bounds of a Newtonian one. Where the turbulent law stays
-/// below the laminar one, as it does for the thinnest muds, friction stays laminar.
+/// `Re₁ = 3470 − 1370 n`, turbulent from `Re₂ = 4270 − 1370 n` on, `f = a/Re^b` (Dodge and Metzner
+/// 1959), and a straight line in `Re` between the two. A mud that thickens has the bounds of a
+/// Newtonian one. Theory: `docs/src/theory/mud.md`.
 pub(super) fn through_flow(reynolds: f64, flow_index: f64, laminar: f64) -> f64 {
     let laminar_to = 3470.0 - 1370.0 * flow_index.min(1.0);
     if reynolds <= laminar_to {

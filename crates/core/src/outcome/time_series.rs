@@ -83,7 +83,7 @@ columns! {
     beside {
         /// Line of the schedule that began last, counted from one; zero before the first.
         schedule_line: Vec<usize>;
-        /// What single nodes showed, as the settings require it.
+        /// What was recorded of single nodes, as the settings require it.
         probes: Vec<Probed>;
     }
 }

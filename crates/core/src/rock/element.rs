@@ -2,14 +2,9 @@
 //!
 //! A field over the eight corners is turned into its sums over them with the signs of the products
 //! of the natural coordinates (Hadamard's transform): the mean, three **gradients**, four
-//! **hourglasses**. In an element at rest the hourglasses of the coordinates themselves vanish, so
-//! that those of the displacement feel neither rigid motion nor uniform strain, which is all that
-//! Flanagan and Belytschko ask of them (1981).
-//!
-//! Everything refers to the element at rest, where gradients are constants of the grid. With the
-//! deformation gradient `F` and its rate over a step, the strain and rotation of the step are those
-//! at its middle (Hughes and Winget 1980), and the Kirchhoff stress `τ` pulls at the corners by
-//! `V₀ τ F⁻ᵀ`.
+//! **hourglasses** (Flanagan and Belytschko 1981). The strain of a step is that at its middle
+//! (Hughes and Winget 1980); the Kirchhoff stress `τ` pulls at the corners by `V₀ τ F⁻ᵀ`. Theory:
+//! `docs/src/theory/rock.md`.
 
 // Indices say which component meets which.
 #![allow(clippy::needless_range_loop)]
@@ -144,6 +139,7 @@ impl<N: Number> Motion<N> {
     pub fn of(displacement: Matrix<N>, change: Matrix<N>) -> Self {
         let one = N::splat(1.0);
         let half = N::splat(0.5);
+        // F = 1 + ∇u; its inverse by cofactors, its determinant by the first row.
         let mut f = displacement;
         for i in 0..3 {
             f[i][i] = f[i][i] + one;

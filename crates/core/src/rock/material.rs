@@ -64,7 +64,8 @@ pub enum RockError {
     },
     /// A block without an element, or too large for its indices.
     #[error(
-        "a block of {0} x {1} x {2} elements: expected at least one in each direction and 4e9 nodes at most"
+        "a block of {0} x {1} x {2} elements: expected at least one in each direction and 4e9 \
+         nodes at most"
     )]
     Cells(usize, usize, usize),
 }
@@ -111,11 +112,10 @@ impl Rock {
 
     /// A rock to be drilled, known by its unconfined compressive strength, Pa, alone.
     ///
-    /// Under a cutter it is crushed all through: failure takes 0.085 of the strength per volume,
-    /// whatever the size of its elements, down to 2 mm, below which crushed bands take an energy
-    /// per area. With that number, which is calibrated, a bit's work per drilled volume is about
-    /// the strength, as for sharp cutters (Detournay and Defourny, 1992; Richard, Dagrain, Poyol
-    /// and Detournay, 2012). The rest is that of [`of_strength`](Self::of_strength).
+    /// Failure takes 0.085 of the strength per volume in elements above 2 mm, an energy per area
+    /// below. The number is calibrated: with it a bit's work per drilled volume is about the
+    /// strength, as for sharp cutters (Richard, Dagrain, Poyol and Detournay 2012). The rest is
+    /// that of [`of_strength`](Self::of_strength). Theory: `docs/src/theory/rock.md`.
     pub fn for_drilling(ucs_Pa: f64) -> Self {
         let crushing_energy_J_per_m3 = CRUSHING * ucs_Pa;
         Self {

@@ -1,21 +1,15 @@
-//! Return mapping, from a strain increment to the stress: elasticity, the cone, its truncated tip,
-//! softening.
+//! Return mapping: from a strain increment to the stress.
 //!
 //! The stress is Kirchhoff's, Cauchy's times the change of volume. Six components stand in the
 //! order xx, yy, zz, xy, yz, zx; shear strains are those of the tensor, half of the engineer's.
-//!
-//! A point of the rock has one variable of its own, the **intact** part `s` of its cohesion and its
-//! tensile strength: 1 at first, 0 when it has failed. The admissible stresses are
+//! With the intact part `s` of cohesion and tensile strength, 1 at first and 0 after failure,
 //!
 //! ```text
-//! √J₂ + α I₁ <= k s        the cone
+//! √J₂ + α I₁ <= k s        the cone (Drucker and Prager 1952)
 //! I₁ <= t s                its tip cut off by the tensile strength (the apex itself where t = k/α)
 //! ```
 //!
-//! and both returns, the return to the edge between them included, are closed forms. At the tip the
-//! whole stress shrinks: the rock opens the way it was strained, so that a crack between intact
-//! rock does not lock. `s` falls linearly with the plastic strain, so that a band one element wide
-//! takes the fracture energy whatever the element's size.
+//! Theory: `docs/src/theory/rock.md`.
 
 use serde::{Deserialize, Serialize};
 
@@ -154,6 +148,7 @@ impl Law {
     ) -> StressUpdate<N> {
         let (zero, one) = (N::zero(), N::splat(1.0));
         let trial = self.predict(stress, strain);
+        // I₁, the deviator and √J₂ of the elastic trial.
         let first = trial[0] + trial[1] + trial[2];
         let mean = first * N::splat(1.0 / 3.0);
         let s = [
@@ -182,7 +177,7 @@ impl Law {
             .max(zero);
 
         // Where nothing yields, what follows would give the same to the last bit. Elements that are
-        // gone, whose intact part is −1, are not asked.
+        // gone, whose intact part is −1, do not count.
         let beyond = cone_intact.neg_mul_add(N::splat(self.tension), cone_first);
         let yields = (intact + one).if_positive(flow.max(beyond), zero);
         if !yields.any_positive() {
@@ -222,6 +217,7 @@ impl Law {
         let new_first = beyond.if_positive(tip_first, cone_first);
         let new_intact = beyond.if_positive(tip_intact, cone_intact);
 
+        // The deviator keeps its direction: its size is scaled back, its mean replaced.
         let ratio = new_root / root;
         let mean = new_first * N::splat(1.0 / 3.0);
         // The mean of the stresses before and after, times the plastic strain.
@@ -267,7 +263,7 @@ mod tests {
     /// that yields.
     #[test]
     fn a_return_that_is_left_out_would_have_changed_nothing() {
-        let law = Law::new(&Rock::of_strength(30e6), 1e-3).expect("a intact rock");
+        let law = Law::new(&Rock::of_strength(30e6), 1e-3).expect("an intact rock");
         let mut state = 7_u64;
         let mut random = || {
             state = state

@@ -20,7 +20,7 @@ impl Block {
     /// Presses a face on the block after a step. All nodes meet it before the first is pushed; sums
     /// run in the order of [`Self::exposed`].
     ///
-    /// Of a thousand nodes in reach a dozen touch: what is asked of each is no more than that
+    /// Of a thousand nodes in reach a dozen touch: what is computed of each is no more than that
     /// takes.
     pub fn press(&mut self, face: &BitFace, pose: &Pose, law: &ContactLaw) -> Pressed {
         let dt_s = self.dt_s();

@@ -1,18 +1,8 @@
 //! A bend fixed in the body: a bent housing, a bent sub, one of the many bends of a curved rod.
 //!
-//! At a node with a bend the element below stands on another face of the body than the element
-//! above. The element above sees the node's director `d`; the element below sees
-//!
-//! ```text
-//! d' = cos θ d + sin θ m
-//! ```
-//!
-//! with the angle `θ` of the bend and its direction `m`, a unit vector across `d` that is fixed in
-//! the body and so is carried by its whole angular velocity `ω = w + s d`. To the element below,
-//! the node turns with `w' = ω − (ω·d') d'` across `d'` and spins with `s' = ω·d'`. Seen like this
-//! it is an ordinary [`element`](super::element), and what it does to the node is the moment
-//! `m₁ + M d'`, of which the part along `d` acts on the spin. Nothing else of the element knows
-//! about bends, so its forces are the gradient of one energy with them as without.
+//! The element above the node sees the node's director `d`, the element below it
+//! `d' = cos θ d + sin θ m`, with the bend's angle `θ` and direction `m` across `d`. All else is an
+//! ordinary [`element`](super::element). Theory: `docs/src/theory/bends.md`.
 
 use super::element::{Pose, Reaction};
 use crate::simd::vector::Vector;
@@ -24,7 +14,8 @@ pub fn director_below(director: Vector<f64>, toward: Vector<f64>, angle_rad: f64
 }
 
 /// The pose of the element below a bend: `pose` is the one that the node's own director gives,
-/// `spin` the node's spin about it, rad/s, `below` the [director below](director_below).
+/// `spin` the node's spin about it, rad/s, `below` the [director below](director_below). With the
+/// whole angular velocity `ω = w + s d` it is `w' = ω − (ω·d') d'`, `s' = ω·d'`.
 pub fn pose_below(pose: &Pose<f64>, spin: f64, below: Vector<f64>) -> Pose<f64> {
     let turn = pose.w1.plus(pose.d1, spin);
     let about = turn.dot(below);

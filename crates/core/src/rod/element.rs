@@ -1,22 +1,16 @@
 //! One element of the rod: its energy, and the forces that follow from it.
 //!
-//! A two-node beam between positions `x1`, `x2` with unit directors `d1`, `d2`, the normals of the
-//! cross-sections at its ends. With the chord's direction `t` and length `l`, the cosines
-//! `c1 = t·d1`, `c2 = t·d2`, `c12 = d1·d2`, and the rest length `L`,
+//! A two-node beam with unit directors `d1`, `d2`, the normals of the cross-sections at its ends.
+//! With the chord's direction `t` and length `l`, `c1 = t·d1`, `c2 = t·d2`, `c12 = d1·d2`, and the
+//! rest length `L`,
 //!
 //! ```text
 //! ε = (l − L)/L + a[(1 − c1²) + (1 − c2²)]/2 − b(c12 − c1 c2)            stretch with bowing
 //! U = ½ EA L ε² + (EI/2L){A₀[(1 − c1²) + (1 − c2²)] + 2B₀(c12 − c1 c2)} + ½ (GJ/L) τ²
-//! φ = 12 EI/(κGA L²),  A₀ = (4 + φ)/(1 + φ),  B₀ = (2 − φ)/(1 + φ)
-//! a = (2/15 + φ/6 + φ²/12)/(1 + φ)²,  b = (1/30 + φ/6 + φ²/12)/(1 + φ)²
 //! ```
 //!
-//! For small angles this is the Timoshenko beam with its geometric stiffness: `1 − c²` is the
-//! square of a director's angle to the chord and `c12 − c1 c2` the product of the two. Without
-//! shear, `a` and `b` are the 2/15 and 1/30 of the beam-column. The twist `τ` is integrated from
-//! rates, `τ' = s2 − s1 + (w2·d1 − w1·d2)/(1 + c12)`, `s` the spin about the director and `w` the
-//! angular velocity across it, so that thousands of revolutions are harmless; the moments below are
-//! the ones that do the work `M τ'`.
+//! Forces and moments are its gradient. Theory, with `a`, `b`, `A₀` and `B₀`:
+//! `docs/src/theory/rod.md`.
 
 use super::section::Section;
 pub use super::section::shear_factor;
@@ -49,6 +43,7 @@ impl Stiffness<f64> {
     pub fn new(section: &Section, length_m: f64) -> Self {
         let l = length_m;
         let ei = section.bending_stiffness_N_m2;
+        // φ weighs shear against bending; A₀, B₀, a and b follow from it.
         let phi = 12.0 * ei / (section.shear_stiffness_N * l * l);
         let over = 1.0 / (1.0 + phi);
         let bow = phi / 6.0 + phi * phi / 12.0;
@@ -180,6 +175,7 @@ pub struct Chord<N> {
 pub fn chord<N: Number>(k: &Stiffness<N>, p: &Pose<N>) -> Chord<N> {
     let r = p.anchor_chord + p.displacement;
     if N::Real::FINE {
+        // Enough digits to take one length from the other.
         let l2 = r.dot(r);
         let l = l2.sqrt();
         let inverse_length = l * (N::splat(1.0) / l2);
@@ -252,8 +248,11 @@ pub fn strain<N: Number>(
     let x1 = half * off1.dot(off1);
     let x2 = half * off2.dot(off2);
     let (c1, c2) = (one - x1, one - x2);
+    // (1 − c1²) + (1 − c2²), by 1 − c² = x (1 + c) with x = 1 − c.
     let near = x1.mul_add(one + c1, x2 * (one + c2));
+    // c12 − c1 c2 = x1 c2 + x2 − (1 − c12).
     let far = x1.mul_add(c2, x2 - apart);
+    // ε L: the chord's stretch, bowing by the two directors, and what they share.
     let longer = k
         .bow_far
         .neg_mul_add(far, k.half_bow_near.mul_add(near, chord.longer));
@@ -263,11 +262,14 @@ pub fn strain<N: Number>(
     let tension = elastic_tension + damping_tension;
 
     // The damping knows the chord alone: it neither stiffens the directors nor works on them.
+    // A = A₀ EI/L + a L T and B = B₀ EI/L − b L T: tension stiffens, compression softens.
     let twice = elastic_tension + elastic_tension;
     let a = k.half_bow_near.mul_add(twice, k.bending_near());
     let b = k.bow_far.neg_mul_add(elastic_tension, k.bending_far);
     let s1 = a.mul_add(c1, b * c2);
     let s2 = a.mul_add(c2, b * c1);
+    // `bend` pulls with s (d − t)/l, which has −s x/l along the chord: taken out here, the force
+    // along the chord is the tension.
     let along = chord
         .inverse_length
         .neg_mul_add(s1.mul_add(x1, s2 * x2), tension);
@@ -325,7 +327,7 @@ pub struct Twisted<N> {
     pub apart: N,
 }
 
-/// Twist, and the damping of bending.
+/// Twist, and the damping of bending: `τ' = s2 − s1 + (w2·d1 − w1·d2)/(1 + c12)`, rad/s.
 #[inline(always)]
 pub fn twist<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Twisted<N> {
     let half = N::splat(0.5);
@@ -342,9 +344,11 @@ pub fn twist<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Twiste
     let twist = rate.mul_add(dt, p.twist);
     let damping_torque = k.twist * (beta * rate);
     let torque = k.twist.mul_add(twist, damping_torque);
+    // Damping of bending acts on the rate between the directors, none in a bent pipe that spins.
     let turning = p.w2 - p.w1;
     let bending_damping = beta * k.bending;
     Twisted {
+        // M (d1 + d2)/(1 + c12): the torque about the directors and its part across them.
         couple: (p.d1 + p.d2)
             .scaled(torque * share)
             .plus(turning, bending_damping),
@@ -361,6 +365,7 @@ pub fn energy(k: &Stiffness<f64>, p: &Pose<f64>) -> f64 {
     let l = r.dot(r).sqrt();
     let t = r.scaled(1.0 / l);
     let (c1, c2, c12) = (t.dot(p.d1), t.dot(p.d2), p.d1.dot(p.d2));
+    // The terms of ε and U.
     let near = 2.0 - c1 * c1 - c2 * c2;
     let far = c12 - c1 * c2;
     let excess =

@@ -55,10 +55,10 @@ const CROWDED: f64 = 0.5;
 const CROWDED_M: f64 = 2.0;
 
 /// Part of an element that a stretch may lack and still be cut once more. Between marks the
-/// elements are rather longer than asked than shorter: short ones bound the step.
+/// elements are rather longer than requested than shorter: short ones bound the step.
 const SLACK: f64 = 0.2;
 
-/// How much longer than asked an element may be.
+/// How much longer than requested an element may be.
 const LONGEST: f64 = 1.25;
 
 /// A blade's edge nearer than this to another one or to an end of the string shares its node, m.

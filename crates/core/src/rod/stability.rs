@@ -43,10 +43,9 @@ pub struct StepPlan {
 /// by scaling, and that to less than half of it: ordinary pipe keeps its mass and its wave speed.
 ///
 /// The highest frequency of a chain with lumped masses lies below the highest of its elements taken
-/// alone (Irons and Treharne 1971), so each element is asked for its own: axial `ω² = 4 EA/(L m)`,
-/// torsional `4 GJ/(L J)`, and the two bending modes. `lateral_kg_per_m` is the lateral mass per
-/// length of each element, `stiffness_damping_s` the time constant that shortens the limit by
-/// `√(1 + ξ²) − ξ`, `ξ = βω/2`.
+/// alone (Irons and Treharne 1971). `lateral_kg_per_m` is the lateral mass per length of each
+/// element, `stiffness_damping_s` the time constant `β` of the damping, which shortens the limit.
+/// Theory: `docs/src/theory/time-stepping.md`.
 pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> StepPlan {
     let bare: Vec<(Stiffness<f64>, ElementInertia)> = mesh
         .elements

@@ -10,15 +10,15 @@ pub fn impedance_N_m_s(section: &Section) -> f64 {
 
 /// Lowest torsional frequency of a string that is held at the top and free at the bit, Hz.
 ///
-/// From the bit up, turn `θ` and torque `T` of a motion `e^{iωt}` go through each element exactly,
+/// Turn `θ` and torque `T` of a motion `e^{iωt}` go through each element exactly, from the bit up
+/// (transfer matrices),
 ///
 /// ```text
 /// θ' = θ cos kL − T sin kL/(ω Z)       k = ω √(ρJ/GJ)
 /// T' = T cos kL + θ ω Z sin kL
 /// ```
 ///
-/// and the lowest `ω` at which nothing turns at the top is found by steps and bisection. A uniform
-/// string's is that of a quarter wave, `c/4L`.
+/// and the lowest `ω` at which nothing turns at the top is found by steps and bisection.
 pub fn lowest_frequency_Hz(mesh: &Mesh) -> f64 {
     let turn_at_top = |omega: f64| {
         let (mut turn, mut torque) = (1.0, 0.0);

@@ -139,7 +139,7 @@ impl<N: Number> Number for Pair<N> {
     }
     #[inline(always)]
     fn any_positive(self) -> bool {
-        // Both are asked: a branch between them would be one more to guess.
+        // Both are computed: a branch between them would be one more to predict.
         self.0.any_positive() | self.1.any_positive()
     }
     #[inline(always)]

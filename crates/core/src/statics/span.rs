@@ -1,29 +1,17 @@
-//! A pipe between two tool joints that lie on the wall.
+//! A pipe between two tool joints that lie on the wall: how much more than the hole it bends.
 //!
-//! Where only tool joints touch, the body between them is a beam that the side force per length `q`
-//! bends further towards the wall. Its joints are held at the hole's curvature by their neighbours,
-//! so that the slope against the hole is zero at the joints and half-way. With half the spacing
-//! `l`, the bending stiffness `EI` and the tension `T`, the beam `EI y'''' − T y'' = q` has, in the
-//! direction of `q`, the curvature `A + B` more than the hole at the joints and `A − B` half-way,
-//! with
+//! With the side force per length `q`, half the spacing `l`, the bending stiffness `EI` and the
+//! tension `T`, the curvature beyond the hole's is `A + B` at the joints and `A − B` half-way:
 //!
 //! ```text
 //! A = q l² J/(4 EI),      J = (z coth z − 1)/z²,   z = (l/2) √(T/EI)
 //! B = q l²/(4 EI z coth z)              while only the joints touch,  sag = q l⁴ J/(8 EI z coth z)
 //! B = 2 c/(l² J)                        where the middle touches too, the sag held at c
-//! A + B = √(2 q c/EI),  A − B = 0       where a segment about the middle lies on the wall,
+//! A + B = √(2 q c/EI),  A − B = 0       where a stretch about the middle lies on the wall
 //! ```
 //!
-//! `c = (D_j − D)/2` what joints stand out by. Without weight `q = T κ`, and the first is
-//! Lubinski's magnification: `2z coth 2z` times the hole's curvature at the joints, `2z/sinh 2z`
-//! half-way (*Maximum Permissible Dog-Legs in Rotary Boreholes*, JPT, February 1961); the other two
-//! are the point and wrap contact of Paslay and Cernocky (*Bending Stress Magnification in Constant
-//! Curvature Doglegs With Impact on Drillstring and Casing*, SPE 22547, 1991).
-//!
-//! In compression `coth` becomes `cot` and `z` imaginary: bending is relieved at the joints and
-//! grows half-way. The shape has the joints' symmetry. Beyond Euler's load of a span,
-//! `π² EI/(2l)²`, spans that are not held by the wall may bow to alternate sides: what is found
-//! here is then less than what such a string bears.
+//! (Lubinski 1961; Paslay and Cernocky 1991.) Theory, limits and sources:
+//! `docs/src/theory/soft-string.md`.
 
 use crate::string::Component;
 
@@ -90,11 +78,11 @@ impl JointSpan {
         // `z²`: negative in compression.
         let square = 0.25 * tension_N * length_square / self.bending_stiffness_N_m2;
         // `q l²/EI`, the curvature that the load requires.
-        let asked_per_m = load_N_per_m * length_square / self.bending_stiffness_N_m2;
+        let required_per_m = load_N_per_m * length_square / self.bending_stiffness_N_m2;
         // Beyond it no shape holds the whole span off the wall, whatever the load.
         let bows = square <= -std::f64::consts::PI.powi(2);
         let shape = shape(square);
-        let mean_per_m = 0.25 * asked_per_m * shape;
+        let mean_per_m = 0.25 * required_per_m * shape;
         let held_per_m = 2.0 * self.standoff_m / (length_square * shape);
         if bows || mean_per_m >= held_per_m {
             let wrapped = 2.0 * load_N_per_m * self.standoff_m / self.bending_stiffness_N_m2;
@@ -105,12 +93,12 @@ impl JointSpan {
             };
         }
         let hanging = 1.0 + square * shape;
-        let sag_m = 0.125 * asked_per_m * length_square * shape / hanging;
+        let sag_m = 0.125 * required_per_m * length_square * shape / hanging;
         let touches = hanging <= 0.0 || sag_m > self.standoff_m;
         let half_swing_per_m = if touches {
             held_per_m
         } else {
-            0.25 * asked_per_m / hanging
+            0.25 * required_per_m / hanging
         };
         SpanBending {
             at_joint_per_m: mean_per_m + half_swing_per_m,

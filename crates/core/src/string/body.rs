@@ -49,9 +49,8 @@ pub const MAX_ECCENTRIC: f64 = 0.1;
 impl Eccentricity {
     /// The offset that the steel alone would need for the same imbalance, m.
     ///
-    /// Steel of the volume `V` is missing at the distance `a`: that moves the centre of mass of
-    /// what is left by `e = V a/V_s`, and leaves an imbalance `ρ_s V a = m_s e`. Mud in its place,
-    /// which moves and is weighed with the pipe, makes it `(ρ_s − ρ_m) V a = m_s e (1 − ρ_m/ρ_s)`.
+    /// With mud in the place of missing steel, `e (1 − ρ_m/ρ_s)`. Theory:
+    /// `docs/src/theory/bends.md`.
     pub fn effective_offset_m(&self, mud_kg_per_m3: f64, steel: &Material) -> f64 {
         match self.cavity {
             Cavity::Sealed => self.offset_m,

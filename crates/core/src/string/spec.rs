@@ -249,7 +249,8 @@ pub enum AssemblyError {
     },
     /// A component that runs to the surface has another one above it.
     #[error(
-        "component {index} (`{name}`) runs to the surface, but {above} more stand above it: it must be the last"
+        "component {index} (`{name}`) runs to the surface, but {above} more stand above it: it \
+         must be the last"
     )]
     ToSurfaceNotLast {
         /// Place of the component.
@@ -261,7 +262,8 @@ pub enum AssemblyError {
     },
     /// The components below the one that fills up to the surface are longer than the hole.
     #[error(
-        "the components below `{name}` are {assembly_m:.3} m long, but the bit is only {bit_depth_m:.3} m deep"
+        "the components below `{name}` are {assembly_m:.3} m long, but the bit is only \
+         {bit_depth_m:.3} m deep"
     )]
     AssemblyTooLong {
         /// Name of the component that runs to the surface.

@@ -31,15 +31,12 @@ impl BodySection {
     /// `M` and a torque `M_t`, N·m. `burst_square_Pa2` is the square of what the pressure inside
     /// has over that outside, Pa².
     ///
-    /// Lamé's stresses of a thick tube with the pressures `p_o` and `p_i` leave, whatever their
-    /// mean,
-    ///
     /// ```text
     /// σ² = (|T|/A + σ_b)² + 3τ² + 3 (A_o/A (p_i − p_o))²        inside,  A_i for A_o outside,
     /// ```
     ///
-    /// with `σ_b = M D/2I` and `τ = M_t D/4I` outside, the part `d/D` of both inside: the axial
-    /// stress `(T + p_i A_i − p_o A_o)/A` is `T/A` more than the mean of radial and hoop stress.
+    /// with `σ_b = M D/2I` and `τ = M_t D/4I` outside, the part `d/D` of both inside (Lamé).
+    /// Theory: `docs/src/theory/statistics.md`.
     #[inline(always)]
     pub fn von_mises_Pa(
         &self,

@@ -2,9 +2,8 @@
 //!
 //! Penetration is geometry: `α = u + r − R`. Both laws take it at the end of the step, which makes
 //! any stiffness stable and the mean forces independent of it. The price is restitution: a blow
-//! shorter than a few steps loses most of its energy. At 0.55 ms, about the step of 3.2 m elements,
-//! a node of 120 kg on rock with the default dissipation rebounds with 0.47 of 0.01 m/s, 0.33 of
-//! 0.1, 0.22 of 0.5 and 0.13 of 2 m/s; the law itself gives 0.997, 0.97, 0.86 and 0.59.
+//! shorter than a few steps loses most of its energy. Theory and measured rebounds:
+//! `docs/src/theory/wall.md`.
 
 use serde::Serialize;
 
@@ -59,11 +58,9 @@ pub fn hertz_stiffness(modulus_Pa: f64, hole_radius_m: f64, pipe_radius_m: f64) 
 /// `alpha`, approaching at `v_n`. One newton takes `give`, `dt²/m`, of `alpha` away. The
 /// approach is the one without contact, not that of the step's end.
 ///
-/// With `y = √α` the law is the cubic `y² + G y³ = α_free`, `G = K (1 + d v_n) dt²/m`; with
-/// `r = G √α_free` and `y = β √α_free` it is `β² + r β³ = 1`, one curve for every contact, and the
-/// force is `β³` of what it would be without giving way. A rational function fits `β³` within 3e-6
-/// for `r < 60`; beyond (walls stiffer than any) the force stays between zero and the one that
-/// takes all penetration away. `d` is never allowed to pull.
+/// The force is `β³` of what it would be without giving way, `β² + r β³ = 1` with
+/// `r = K (1 + d v_n) (dt²/m) √α`; a rational function fits `β³` within 3e-6 for `r < 60`. `d` is
+/// never allowed to pull. Theory: `docs/src/theory/wall.md`.
 #[inline(always)]
 pub fn hertz<N: Number>(alpha: N, v_n: N, stiffness: N, dissipation: N, give: N) -> N {
     let one = N::splat(1.0);

@@ -21,14 +21,9 @@ pub fn coefficient<N: Number>(kinetic: N, rise: N, speed2: N, decay: N) -> N {
 /// of these velocities (the string feels the opposite).
 ///
 /// `limit` is `μ N`; `g_axial` and `g_around` are the speeds that one newton takes away in the
-/// step. The exact law is `f_i (g_i + λ) = u_i` with `λ ≥ 0` the ratio of the remaining speed to
-/// the limit. `|f| = limit` gives `λ = |u|/limit − Σ g u²/Σ u²`, to second order in `g/λ`, and so
-/// the direction of `f`; its length is the limit, or what stops the motion if that is less. A
-/// contact that can stick (`|u_i/g_i| ≤ limit`) always has `λ = 0` by this formula, the exact stop.
-///
-/// For `g` that differ by no more than 4 the direction is within 7e-8 rad of the exact one where
-/// `λ > 100 g`, within 6e-5 where `λ > 10 g` and within 0.02 where `λ > g`. In a step that all but
-/// stops the contact, 0.2 rad (`λ = g/5`).
+/// step. The law is `f_i (g_i + λ) = u_i` with `λ = |u|/limit − Σ g u²/Σ u² ≥ 0`; the length of `f`
+/// is the limit, or what stops the motion if that is less. Theory and error of the direction:
+/// `docs/src/theory/friction.md`.
 #[inline(always)]
 pub fn vector<N: Number>(limit: N, axial: N, around: N, g_axial: N, g_around: N) -> (N, N) {
     let (a2, t2) = (axial * axial, around * around);

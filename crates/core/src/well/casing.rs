@@ -153,11 +153,11 @@ pub fn of_outside_diameter(od_m: f64) -> Vec<Casing> {
 pub fn find(designation: &str) -> Result<Casing, UnknownCasing> {
     let mut entries = entries();
     // Text longer than any spelling of a tubular is not read.
-    let asked = (designation.len() <= 120)
+    let requested = (designation.len() <= 120)
         .then(|| size_and_weight(designation))
         .flatten();
     let distance = |casing: &Casing| -> (f64, f64) {
-        let Some((od_in, weight)) = asked else {
+        let Some((od_in, weight)) = requested else {
             return (0.0, 0.0);
         };
         let own = casing.mass_per_length_kg_per_m / POUND_PER_FOOT_KG_PER_M;
@@ -166,12 +166,12 @@ pub fn find(designation: &str) -> Result<Casing, UnknownCasing> {
     };
     let same = |casing: &Casing| {
         let (size, weight) = distance(casing);
-        asked.is_some() && size < DIAMETER_TOLERANCE_IN && weight < WEIGHT_TOLERANCE_LB_PER_FT
+        requested.is_some() && size < DIAMETER_TOLERANCE_IN && weight < WEIGHT_TOLERANCE_LB_PER_FT
     };
     if let Some(found) = entries.iter().find(|casing| same(casing)) {
         return Ok(found.clone());
     }
-    if asked.is_some() {
+    if requested.is_some() {
         entries.sort_by(|a, b| {
             let (a, b) = (distance(a), distance(b));
             a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))

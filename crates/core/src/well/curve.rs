@@ -1,47 +1,15 @@
 //! The curve between stations: how the unit tangent turns with measured depth.
 //!
-//! Positions are the integral of a unit tangent, so measured depth is the arc length, exactly.
-//! What has to be chosen is how the tangent `T(s)` runs over the unit sphere from one station's
-//! direction to the next one's. Let a segment have length `h`, its ends the directions `T₀` and
-//! `T₁` at the angle `θ`, and let `e` and `n` complete `T₀` to a right-handed frame with `e` in the
-//! plane of `T₀` and `T₁`. On that frame's longitude `φ` and latitude `β`,
+//! On a segment of length `h` between the directions `T₀` and `T₁`, `θ` apart, the tangent has the
+//! longitude `φ` in their plane and the latitude `β` across it, with the rate `g = (φ', β')`:
 //!
 //! ```text
-//! T(s) = cos β (cos φ T₀ + sin φ e) + sin β n,      |T'|² = φ'² cos² β + β'².
+//! T(s) = cos β (cos φ T₀ + sin φ e) + sin β n
 //! ```
 //!
-//! - **Minimum curvature** turns at the constant rate `κ = θ/h` along the great circle: `φ' = κ`,
-//!   `β' = 0`. The curvature vector `T'` jumps at stations.
-//! - **The C2 curve** makes the rate `g = (φ', β')` continuous. It starts the segment at the
-//!   station's curvature `k₀`, changes linearly to a plateau `p` over the first sixth of the
-//!   segment, stays there, and changes linearly to `k₁` over the last sixth: circular arcs joined
-//!   by clothoid-like transitions, as roads and railways are laid out. The plateau follows from
-//!   the demand that the segment ends in `T₁`: with the transition's share `r` of each end,
-//!
-//! ```text
-//! p = (κ − r (k₀ + k₁)/2) / (1 − r),      κ = (θ/h, 0).
-//! ```
-//!
-//! A station's curvature is the harmonic mean of its neighbours' as vectors, where `a` and `b` are
-//! the curvature vectors of the two great circles at the station:
-//!
-//! ```text
-//! k = (|b| a + |a| b) / (|a| + |b|)
-//! ```
-//!
-//! It is zero where either neighbour is straight and where they turn opposite ways, equals them
-//! where they agree (so a circle through many stations comes out as that circle), and needs no
-//! reference direction, so the vertical is a direction like any other. The first and the last
-//! station have `k = 0`, because the hole continues straight beyond them.
-//!
-//! **No overshoot.** With the angle `ψ` between `a` and `b`, `|k| = 2|a||b|/(|a|+|b|) cos(ψ/2)`, at
-//! most the larger of the two, and `k·a = |a||k| cos(ψ/2) ≥ |k|²/2`; the same holds with `b`. So
-//! `K = (k₀+k₁)/2` has `κ·K ≥ |K|²/2`, hence `|κ − rK|² ≤ |κ|² − r(1−r)|K|² ≤ |κ|²` and
-//! `|p| ≤ |κ|/(1−r)`: 1.2 times the segment's own dogleg severity for `r = 1/6`, reached by a
-//! single curved segment between straight ones. Also `|K| ≤ 2|κ|` gives `|p| ≥ 0.8 |κ|`. In the
-//! transitions `g` is a mean of `k` and `p`, and `|T'| ≤ |g|`. So the dogleg severity is nowhere
-//! above 1.2 times the largest of the segment's and its two neighbours'. A Hermite cubic of the
-//! tangent would peak at 1.5 times between straight neighbours.
+//! Minimum curvature turns at `g = κ = (θ/h, 0)`. The C2 curve changes `g` linearly from the
+//! station's curvature to a plateau, and from the plateau to the next station's. Theory, and the
+//! proof that it does not overshoot: `docs/src/theory/well.md`.
 
 use nalgebra::Vector3;
 
@@ -185,6 +153,7 @@ pub(super) fn pieces(
                 let n = &arc.frame[2];
                 let start = [k0.dot(&arc.frame[1]), k0.dot(n)];
                 let end = [k1.dot(&arc.turning_to()), k1.dot(n)];
+                // p = (κ − r (k₀ + k₁)/2)/(1 − r): the segment ends in the next direction.
                 let plateau = [0, 1].map(|i| {
                     let mean = if i == 0 { rate } else { 0.0 };
                     (mean - TRANSITION * 0.5 * (start[i] + end[i])) / (1.0 - TRANSITION)
@@ -234,7 +203,8 @@ pub(super) fn pieces(
     pieces
 }
 
-/// Curvature vector at the station between two segments; zero at the ends of the survey.
+/// Curvature vector at the station between two segments, 1/m: the harmonic mean of theirs as
+/// vectors, `k = (|b| a + |a| b)/(|a| + |b|)`; zero at the ends of the survey.
 fn station_curvature(above: Option<&Arc>, below: Option<&Arc>) -> Vector3<f64> {
     let (Some(above), Some(below)) = (above, below) else {
         return Vector3::zeros();

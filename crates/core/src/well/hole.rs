@@ -115,7 +115,8 @@ pub enum HoleError {
     },
     /// A section does not begin where the one above ends.
     #[error(
-        "hole section {index} begins at MD {from_md_m} m, but the section above ends at {above_to_md_m} m"
+        "hole section {index} begins at MD {from_md_m} m, but the section above ends at \
+         {above_to_md_m} m"
     )]
     Apart {
         /// Which section.

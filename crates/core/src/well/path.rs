@@ -102,7 +102,8 @@ pub enum PathError {
     TieInNotFinite,
     /// The measured depth does not grow, or by less than a millimetre.
     #[error(
-        "station {index} (MD {md_m} m): measured depth must grow, but the station above lies at {previous_md_m} m"
+        "station {index} (MD {md_m} m): measured depth must grow, but the station above lies at \
+         {previous_md_m} m"
     )]
     DepthNotIncreasing {
         /// Which station.
@@ -128,7 +129,8 @@ pub enum PathError {
     /// The hole points back along itself: no curve between the two stations is more likely than
     /// another.
     #[error(
-        "station {index} (MD {md_m} m): the hole turns by 180 deg from the station above at {previous_md_m} m"
+        "station {index} (MD {md_m} m): the hole turns by 180 deg from the station above at \
+         {previous_md_m} m"
     )]
     Reversal {
         /// Which station.

@@ -54,7 +54,7 @@ struct Wave {
 pub struct ReliefPoint {
     /// Of the radius: m, and per metre.
     pub radius: [f64; 2],
-    /// Of the axis, before it is laid across the path: m, per metre and per metre squared.
+    /// Of the axis, before its part across the path is taken: m, per metre and per metre squared.
     pub offset: [Vector3<f64>; 3],
 }
 

@@ -121,7 +121,8 @@ pub(super) fn overrides() -> Reader {
     let seeds: [&[u8]; 3] = [
         b"well.hole.0.friction=0.1\noperation.bit_depth = 300m\nrpm=120",
         b"friction=0.3\nwob=50kN\nmud.density=\"9.5 ppg\"\ndynamics.seed=7",
-        b"operation.kind=[\"drill\", \"slide\"]\nmodel=soft\nmesh.element_length=9.6 m\nrig.top_drive_torque=45 kN.m",
+        b"operation.kind=[\"drill\", \"slide\"]\nmodel=soft\nmesh.element_length=9.6 \
+         m\nrig.top_drive_torque=45 kN.m",
     ];
     Reader::text("override", seeds, WORDS, |input| {
         let text = String::from_utf8_lossy(input);
@@ -181,8 +182,10 @@ const COLUMNS: [ColumnName; 6] = {
 /// Study files.
 pub(super) fn study() -> Reader {
     let seeds: [&[u8]; 2] = [
-        b"name = \"Friction\"\n[[sweep]]\nname = \"friction\"\ncase = \"slant.toml\"\nvary = { friction = [0.1, 0.2], bit_depth = \"300m..900m/300m\" }\n",
-        b"[[sweep]]\nname = \"a\"\ncase = \"slant.toml\"\nset = { model = \"soft\", \"operation.kind\" = \"drill\" }\nvary = { friction = \"0.1..0.4/0.1\" }\n",
+        b"name = \"Friction\"\n[[sweep]]\nname = \"friction\"\ncase = \"slant.toml\"\nvary = { \
+         friction = [0.1, 0.2], bit_depth = \"300m..900m/300m\" }\n",
+        b"[[sweep]]\nname = \"a\"\ncase = \"slant.toml\"\nset = { model \
+         = \"soft\", \"operation.kind\" = \"drill\" }\nvary = { friction = \"0.1..0.4/0.1\" }\n",
     ];
     let mut reader = Reader::text("study", seeds, WORDS, |input| {
         printed(study::parse("study.toml", input, &COLUMNS))

@@ -36,7 +36,7 @@ impl Scratch {
 }
 
 /// Whether something was read; an error names its file.
-fn told<T>(read: Result<T, ResultsError>, name: &str) -> bool {
+fn explained<T>(read: Result<T, ResultsError>, name: &str) -> bool {
     match read {
         Ok(_) => true,
         Err(error) => {
@@ -98,7 +98,7 @@ pub(super) fn summary() -> Reader {
             again = Summary::read(&path).is_err();
         }
         assert!(!again, "it is not read back");
-        told(BitTestSummary::read(&path), "summary.json") | told(read, "summary.json")
+        explained(BitTestSummary::read(&path), "summary.json") | explained(read, "summary.json")
     })
 }
 
@@ -149,7 +149,7 @@ pub(super) fn parquet() -> Reader {
         let pieces = Table::read_parquet_pieces(&path, &names, |piece| {
             assert!(piece.columns().len() <= names.len());
         });
-        told(pieces, "table.parquet") | told(Table::read_parquet(&path), "table.parquet")
+        explained(pieces, "table.parquet") | explained(Table::read_parquet(&path), "table.parquet")
     })
 }
 
@@ -206,6 +206,6 @@ pub(super) fn csv() -> Reader {
             let again = Table::read_csv(&path).expect("it is read back");
             assert!(again == *table || table.rows() == 0, "it is not the same");
         }
-        told(read, "sweep.csv")
+        explained(read, "sweep.csv")
     })
 }

@@ -67,7 +67,8 @@ fn reads(name: &'static str) -> impl FnMut(&[u8]) -> bool {
 pub(super) fn csv() -> Reader {
     let seeds: [&[u8]; 5] = [
         b"Survey of S-1\nMD (m),Inc,Azi,TVD (m)\n,deg,deg,\n0,0,0,0\n30,1.5,45,30\n60,3,45,59.9\n",
-        b"MD (ftKB),Inc (deg),Azi (deg),N/S (ft),E/W (ft)\n500,0,0,0,0\n530,1,359.5,0,0\n560,2,0.5,1,1\n",
+        b"MD (ftKB),Inc (deg),Azi (deg),N/S (ft),E/W \
+         (ft)\n500,0,0,0,0\n530,1,359.5,0,0\n560,2,0.5,1,1\n",
         "MD (m);Inc (°);Azi (°)\n0,0;0,0;0\n30,5;1,25;90,125\n1.060,5;1,25;90\n".as_bytes(),
         b"0,0,0\n30,1.5,45\n60,3,45\n",
         include_bytes!("../../../../cases/np13-x1042-survey.csv"),
@@ -78,7 +79,8 @@ pub(super) fn csv() -> Reader {
 /// Cells parted by tabs.
 pub(super) fn tsv() -> Reader {
     let seeds: [&[u8]; 3] = [
-        b"Well S-1\r\n# made by hand\r\n\r\n\"MD\n(m)\"\tInc[deg]\tAzi[deg]\r\n0\t0\t0\r\n\r\n\"1,030.5\"\t0.5\t45\r\nEnd\t\t\r\n",
+        b"Well S-1\r\n# made by \
+         hand\r\n\r\n\"MD\n(m)\"\tInc[deg]\tAzi[deg]\r\n0\t0\t0\r\n\r\n\"1,030.5\"\t0.5\t45\r\nEnd\t\t\r\n",
         b"MD\tINCL\tAzimuth\nft\tdeg\tdeg\n0\t0\t0\n1000\t0\t359.5\n1100\t3\t0.5\n",
         b"\xff\xfem\0d\0_\0m\0\t\0i\0n\0c\0\t\0a\0z\0i\0\n\x000\0\t\x000\0\t\x000\0\n\x009\0\t\x001\0\t\x002\0\n\0",
     ];
@@ -88,8 +90,13 @@ pub(super) fn tsv() -> Reader {
 /// Reports in columns of blanks.
 pub(super) fn fixed() -> Reader {
     let seeds: [&[u8]; 3] = [
-        b"  Measured     Incl    Azimuth\n  Depth (ft)  (deg)    (deg)\n    0.0   0.0   0.0\n ! 1,500.0   1.0   2.0\n 1,600.0  1.5  2\n",
-        "Well:      S-1\n\n   Measured                          Vertical\n    Depth    Inclination  Azimuth     Depth\n     (ft)        (°)        (°)        (ft)\n       0.0      0.00        0.00        0.0\n   1,500.0      0.00        0.00    1,500.0\n ! 1,700.0      6.00        0.50    1,699.6\n".as_bytes(),
+        b"  Measured     Incl    Azimuth\n  Depth (ft)  (deg)    (deg)\n    0.0   0.0   0.0\n ! \
+         1,500.0   1.0   2.0\n 1,600.0  1.5  2\n",
+        "Well:      S-1\n\n   Measured                          Vertical\n    Depth    \
+         Inclination  Azimuth     Depth\n     (ft)        (°)        (°)        (ft)\n       \
+         0.0      0.00        0.00        0.0\n   1,500.0      0.00        0.00    1,500.0\n ! \
+         1,700.0      6.00        0.50    1,699.6\n"
+            .as_bytes(),
         b"0 0 0\n30 1.5 45\n60 3 45\n",
     ];
     Reader::text("survey-fixed", seeds, WORDS, reads("a.txt"))

@@ -160,7 +160,7 @@ impl Drawing<'_> {
     fn figure(&self, shared: &Quantity, panels: Vec<Panel>, keys: Vec<Key>) -> Figure {
         Figure {
             title: self.test.title.clone(),
-            subtitle: self.told(),
+            subtitle: self.conditions(),
             keys,
             layout: Layout {
                 direction: Direction::Across,
@@ -175,10 +175,10 @@ impl Drawing<'_> {
     }
 
     /// Bit and rock.
-    fn told(&self) -> String {
+    fn conditions(&self) -> String {
         let facts = self.test.asked.iter();
-        let told = facts.filter_map(|fact| self.shown.fact(fact));
-        told.collect::<Vec<_>>().join("; ")
+        let conditions = facts.filter_map(|fact| self.shown.fact(fact));
+        conditions.collect::<Vec<_>>().join("; ")
     }
 
     fn drill_off(&self) -> Figure {
@@ -246,8 +246,9 @@ impl Drawing<'_> {
             .collect();
         // A bit alone knows no high side.
         let sides = ["Across", "Across"];
-        let (title, told) = (self.test.title.clone(), self.told());
-        (!bottoms.is_empty()).then(|| bottoms_figure(title, told, &bottoms, sides, self.shown))
+        let (title, conditions) = (self.test.title.clone(), self.conditions());
+        (!bottoms.is_empty())
+            .then(|| bottoms_figure(title, conditions, &bottoms, sides, self.shown))
     }
 }
 

@@ -100,7 +100,8 @@ pub(crate) fn css() -> String {
     for Colour { name, .. } in PALETTE {
         let _ = writeln!(
             css,
-            ".figure .stroke-{name}{{stroke:var(--{name})}}.figure .fill-{name}{{fill:var(--{name})}}"
+            ".figure .stroke-{name}{{stroke:var(--{name})}}.figure \
+             .fill-{name}{{fill:var(--{name})}}"
         );
     }
     css

@@ -35,7 +35,8 @@ impl Drawing {
     /// that of every other.
     pub(crate) fn element(&self, name: &str) -> String {
         format!(
-            "<svg class=\"figure\" role=\"img\" viewBox=\"0 0 {} {}\" style=\"width:{}px;--readable:{}px\">\n{}</svg>",
+            "<svg class=\"figure\" role=\"img\" viewBox=\"0 0 {} {}\" \
+             style=\"width:{}px;--readable:{}px\">\n{}</svg>",
             number(self.width),
             number(self.height),
             number(self.width * 2.0),
@@ -44,7 +45,7 @@ impl Drawing {
         )
     }
 
-    /// Of a page, what belongs together is reported, so that its program can hide it and say what a
+    /// Of a page, what belongs together is marked, so that its program can hide it and say what a
     /// point is.
     fn content(&self, name: &str, of_page: bool) -> String {
         let mut clips: Vec<Box> = Vec::new();
@@ -135,7 +136,8 @@ impl Drawing {
                 }
                 Item::Image { image, place } => writeln!(
                     body,
-                    "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" \
+                    "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" \
+                     preserveAspectRatio=\"none\" \
                      style=\"image-rendering:pixelated\" href=\"data:image/png;base64,{}\"/>",
                     number(place.left),
                     number(place.top),
@@ -149,7 +151,8 @@ impl Drawing {
         let mut defined = String::new();
         for (index, clip) in clips.iter().enumerate() {
             defined += &format!(
-                "<clipPath id=\"{name}-{index}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>\n",
+                "<clipPath id=\"{name}-{index}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" \
+                 height=\"{}\"/></clipPath>\n",
                 number(clip.left),
                 number(clip.top),
                 number(clip.width),
@@ -157,7 +160,8 @@ impl Drawing {
             );
         }
         format!(
-            "<title>{}</title>\n<defs>\n{defined}</defs>\n<g font-family=\"{FAMILIES}\">\n{body}</g>\n",
+            "<title>{}</title>\n<defs>\n{defined}</defs>\n<g \
+             font-family=\"{FAMILIES}\">\n{body}</g>\n",
             escaped(&self.title)
         )
     }

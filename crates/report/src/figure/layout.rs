@@ -45,8 +45,8 @@ fn draw(figure: &Figure) -> Drawing {
     let room = width - 2.0 * MARGIN;
     let legend = Legend::of_figure(&figure.keys, room);
     let title = if figure.title.is_empty() { 0.0 } else { 13.0 };
-    let told = wrapped(&figure.subtitle, room);
-    let subtitle = 10.5 * told.len() as f64;
+    let subtitle_lines = wrapped(&figure.subtitle, room);
+    let subtitle = 10.5 * subtitle_lines.len() as f64;
     let under = if figure.keys.is_empty() { 0.0 } else { 6.0 };
     let top = MARGIN + title + subtitle + legend.height() + under;
 
@@ -66,7 +66,7 @@ fn draw(figure: &Figure) -> Drawing {
     let y = MARGIN + 0.5 * TITLE;
     let text = fitting(&figure.title, TITLE, room);
     on.text(&text, (MARGIN, y), TITLE, Ink::Text, Anchor::Start);
-    for (line, text) in told.iter().enumerate() {
+    for (line, text) in subtitle_lines.iter().enumerate() {
         let y = MARGIN + title + 0.5 * SUBTITLE + 10.5 * line as f64;
         on.text(text, (MARGIN, y), SUBTITLE, Ink::Note, Anchor::Start);
     }

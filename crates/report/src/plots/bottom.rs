@@ -110,7 +110,7 @@ fn deepest_m(bottom: &BottomPicture) -> f64 {
     depths.filter(|depth| depth.is_finite()).fold(0.0, f64::max)
 }
 
-/// A bottom that is asked for its depth anywhere.
+/// A bottom whose depth is known anywhere.
 struct Cells {
     edges_m: [f64; 2],
     rings: usize,

@@ -47,18 +47,18 @@ pub fn plots(runs: &[Run<'_>], units: &str) -> Vec<Plot> {
         for operation in &operations {
             let one = [*operation];
             let styles = CurveStyles::new(runs, &one);
-            let subtitle = asked_of(runs, shown, Some(operation));
+            let subtitle = common_facts(runs, shown, Some(operation));
             let suffix = suffix(operation);
             plots.extend(tracks::plots(runs, &styles, shown, &subtitle, &suffix));
         }
     } else {
         let styles = CurveStyles::new(runs, &operations);
-        let subtitle = asked_of(runs, shown, None);
+        let subtitle = common_facts(runs, shown, None);
         plots.extend(tracks::plots(runs, &styles, shown, &subtitle, ""));
     }
     for operation in &operations {
         let suffix = suffix(operation);
-        let subtitle = asked_of(runs, shown, Some(operation));
+        let subtitle = common_facts(runs, shown, Some(operation));
         for draw in [
             histories::plots,
             drill_off::plots,
@@ -83,13 +83,13 @@ pub fn profile(report: &Report, units: &str) -> Option<Figure> {
     let shown = Shown::new(&report.dimensions, units);
     let operations = common_operations(&runs);
     let styles = CurveStyles::new(&runs, &operations);
-    let subtitle = asked_of(&runs, shown, None);
+    let subtitle = common_facts(&runs, shown, None);
     let plots = tracks::plots(&runs, &styles, shown, &subtitle, "");
     plots.into_iter().next().map(|plot| plot.figure)
 }
 
 /// What was done, one operation or what was asked, and what was asked of every run alike.
-fn asked_of(runs: &[Run<'_>], shown: Shown<'_>, operation: Option<&str>) -> String {
+fn common_facts(runs: &[Run<'_>], shown: Shown<'_>, operation: Option<&str>) -> String {
     let done = match operation {
         Some(operation) => spoken(operation),
         None => {
@@ -119,7 +119,7 @@ pub(crate) fn subtitle(asked: &[Fact], shown: Shown<'_>) -> String {
         "Friction factor",
         "Mud density",
     ];
-    let told = asked
+    let parts = asked
         .iter()
         .filter(|fact| SHOWN_FACTS.contains(&fact.label.as_str()))
         .filter_map(|fact| {
@@ -129,5 +129,5 @@ pub(crate) fn subtitle(asked: &[Fact], shown: Shown<'_>) -> String {
             let said = text.split_once(' ').filter(|_| done);
             Some(said.map_or(text.clone(), |(_, done)| done.to_owned()))
         });
-    told.collect::<Vec<_>>().join("; ")
+    parts.collect::<Vec<_>>().join("; ")
 }

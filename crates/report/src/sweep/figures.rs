@@ -392,10 +392,10 @@ impl<'a> Drawing<'a> {
 
     fn figure(&self, panels: &[(&Quantity, Panel)], columns: usize, width_mm: f64) -> Figure {
         let down = matches!(self.varied, Varied::Depth);
-        let told = subtitle(&self.sweep.asked, self.shown);
+        let subtitle_text = subtitle(&self.sweep.asked, self.shown);
         Figure {
             title: self.sweep.title.clone(),
-            subtitle: told,
+            subtitle: subtitle_text,
             keys: self.keys(),
             layout: Layout {
                 direction: if down {

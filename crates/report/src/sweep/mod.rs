@@ -52,7 +52,7 @@ pub struct SweepRow {
     pub page: Option<String>,
 }
 
-/// What is drawn and told of each case.
+/// What is drawn and reported of each case.
 struct Quantity {
     /// Name of its file.
     name: &'static str,
@@ -114,7 +114,7 @@ impl Sweep {
         let whole = self.rows.iter().all(|row| row.status == "complete");
         let judged = self.rows.iter().any(|row| row.errors + row.warnings > 0);
         let paged = self.rows.iter().any(|row| row.page.is_some());
-        let told: Vec<&Quantity> = QUANTITIES
+        let quantities: Vec<&Quantity> = QUANTITIES
             .iter()
             .filter(|of| {
                 self.rows
@@ -128,7 +128,7 @@ impl Sweep {
             let mut cells: Vec<Cell> = row.values.iter().cloned().map(Cell::Text).collect();
             cells.push(Cell::Text(model.into()));
             cells.push(Cell::Text(spoken(&row.operation)));
-            for of in &told {
+            for of in &quantities {
                 let number = |end: &str| row.numbers.get(&format!("{}{end}", of.column)).copied();
                 cells.push(number("").map_or(Cell::Nothing, |value| Cell::Quantity {
                     value,
@@ -150,7 +150,7 @@ impl Sweep {
             }
             cells
         };
-        let titles = told.iter().map(|of| of.title.to_owned());
+        let titles = quantities.iter().map(|of| of.title.to_owned());
         Sheet {
             place: Place::Cases,
             title: "All cases".into(),

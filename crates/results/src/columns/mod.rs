@@ -102,7 +102,7 @@ mod tests {
         }
     }
 
-    /// Whoever reads what a column means is reported that it may be `null`.
+    /// Whoever reads what a column means learns that it may be `null`.
     #[test]
     fn a_column_that_may_be_null_says_so() {
         let tables = [

@@ -9,7 +9,8 @@ pub const SPECTRA: &[ColumnSpec] = &[
     ColumnSpec::text("operation", "`trip_out`, `drill`, ..."),
     ColumnSpec::text(
         "signal",
-        "Column of `time.parquet` or, of a node, of `frames.parquet` without its unit: `surface_torque`, ...",
+        "Column of `time.parquet` or, of a node, of `frames.parquet` without its unit: \
+         `surface_torque`, ...",
     ),
     ColumnSpec::number(
         "md_m",

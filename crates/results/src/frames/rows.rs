@@ -157,13 +157,13 @@ impl FrameRows {
 /// The columns of these channels, in the order of the file.
 fn specs(channels: &[Channel]) -> impl Iterator<Item = &'static ColumnSpec> {
     let blank = Frame::default();
-    let asked = move |name: &str| {
+    let requested = move |name: &str| {
         let mut all = channels.iter().flat_map(|channel| blank.channel(*channel));
         all.any(|(other, _)| other == name)
     };
     let always = ["operation", "time_s", "node", "md_m"];
     let all = FRAMES.iter();
-    all.filter(move |spec| always.contains(&spec.name) || asked(spec.name))
+    all.filter(move |spec| always.contains(&spec.name) || requested(spec.name))
 }
 
 /// How files of such rows are written.

@@ -45,7 +45,7 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<BitTest, R
             let table = table(&folder.join(&point.point), BOTTOM)?;
             points.push(BitTestPoint {
                 bottom: bottom(&table, OPERATION),
-                ..told(outcome)
+                ..test_point(outcome)
             });
         }
     }
@@ -79,7 +79,7 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<BitTest, R
     })
 }
 
-fn told(outcome: &TrialOutcome) -> BitTestPoint {
+fn test_point(outcome: &TrialOutcome) -> BitTestPoint {
     BitTestPoint {
         weight_N: outcome.weight_borne_N,
         weight_std_N: outcome.weight_on_bit_std_N,

@@ -67,7 +67,8 @@ pub(super) fn points(test: &BitTest, settings: &Value) -> Result<Vec<Point>, Err
     let mut names = BTreeSet::new();
     match points.iter().find(|point| !names.insert(&point.name)) {
         Some(twice) => Err(Error::BadInput(format!(
-            "two points of the test are {}: weights and speeds must differ in their first {DIGITS} digits",
+            "two points of the test are {}: weights and speeds must differ in their first \
+             {DIGITS} digits",
             twice.name
         ))),
         None => Ok(points),

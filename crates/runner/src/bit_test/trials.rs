@@ -118,7 +118,7 @@ impl<'a> Trials<'a> {
     fn solve(&self, index: usize) {
         let point = &self.points[index];
         if lock(&self.endings)[index].is_some() {
-            self.tell_end(point.spec.duration_s());
+            self.report_end(point.spec.duration_s());
             return;
         }
         if self.cancellation.is_cancelled() {
@@ -126,7 +126,7 @@ impl<'a> Trials<'a> {
         }
         let ending = self.ending(index);
         lock(&self.endings)[index] = Some(ending);
-        self.tell_end(0.0);
+        self.report_end(0.0);
         // What cannot be written now is reported at the end.
         let _ = self.write();
     }
@@ -211,7 +211,7 @@ impl<'a> Trials<'a> {
     }
 
     /// Shows that a point has ended, of which so much was not drilled now.
-    fn tell_end(&self, reused_s: f64) {
+    fn report_end(&self, reused_s: f64) {
         self.observer.case_ended(&CaseEnded {
             ended: self.ended(),
             of: self.mine.len(),

@@ -38,11 +38,11 @@ const WITHOUT_EFFECT: &[&str] = &[
 /// The first difference between the settings of the run in a folder and those of the case.
 pub(crate) fn difference(there: &Value, here: &Value) -> Option<String> {
     let (path, there, here) = first_difference(String::new(), Some(there), Some(here))?;
-    let tell = |value: Option<&Value>| value.map_or("not given".to_owned(), Value::to_string);
+    let text = |value: Option<&Value>| value.map_or("not given".to_owned(), Value::to_string);
     Some(format!(
         "`{path}` is {} there and {} here",
-        tell(there),
-        tell(here)
+        text(there),
+        text(here)
     ))
 }
 
@@ -74,7 +74,8 @@ fn first_difference<'a>(
 pub(crate) fn other_processor(then: &str, now: &str) -> Option<String> {
     (then != now).then(|| {
         format!(
-            "the run was computed with {then} until now and continues with {now}: as good, but not the same to the last bit"
+            "the run was computed with {then} until now and continues with {now}: as good, but \
+             not the same to the last bit"
         )
     })
 }
@@ -95,17 +96,17 @@ mod tests {
             json!({"a": {"b": [1, 2.5], "c": null}, "dynamics": {"checkpoint_interval_s": 30.0}});
         assert_eq!(difference(&there, &null), None);
         assert_eq!(difference(&null, &there), None);
-        let tell = |here: Value| difference(&there, &here).unwrap();
+        let text = |here: Value| difference(&there, &here).unwrap();
         assert_eq!(
-            tell(json!({"a": {"b": [1, 3]}})),
+            text(json!({"a": {"b": [1, 3]}})),
             "`a.b.1` is 2.5 there and 3 here"
         );
         assert_eq!(
-            tell(json!({"a": {"b": [1, 2.5, "x"]}})),
+            text(json!({"a": {"b": [1, 2.5, "x"]}})),
             "`a.b.2` is not given there and \"x\" here"
         );
         assert_eq!(
-            tell(json!({"a": {}})),
+            text(json!({"a": {}})),
             "`a.b` is [1,2.5] there and not given here"
         );
     }
@@ -113,10 +114,10 @@ mod tests {
     #[test]
     fn another_processor_is_told() {
         assert_eq!(other_processor("AVX2", "AVX2"), None);
-        let told = other_processor("AVX-512", "baseline").unwrap();
+        let note = other_processor("AVX-512", "baseline").unwrap();
         assert!(
-            told.contains("AVX-512") && told.contains("baseline"),
-            "{told}"
+            note.contains("AVX-512") && note.contains("baseline"),
+            "{note}"
         );
     }
 }

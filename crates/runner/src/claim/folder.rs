@@ -1,4 +1,4 @@
-//! A folder that is requested, and held as long as it is written to.
+//! A folder that is claimed, and held as long as it is written to.
 
 use std::{
     path::{Path, PathBuf},
@@ -15,7 +15,7 @@ use crate::{
     output::{Existing, Output},
 };
 
-/// Who requires a folder, and what for.
+/// Who claims a folder, and what for.
 pub(crate) struct Claim<'a> {
     /// What will be written.
     pub(crate) occupant: Occupant,
@@ -165,7 +165,7 @@ impl Claim<'_> {
                 leftovers::remove(path)?;
                 FolderState::Free(folder, hold)
             }
-            // Which of its cases are finished is asked one by one.
+            // Which of its cases are finished is found one by one.
             Some(there)
                 if self.output.existing == Existing::Resume
                     && there

@@ -37,7 +37,8 @@ pub(super) fn sentence(solved: &OperationSummary, units: UnitSet) -> Option<Stri
     let travel_m = solved.numerics.as_ref().map(|of| of.run.bit_travel_m);
     let why = match travel_m.map(f64::abs).filter(|m| *m >= TRAVELS_M) {
         Some(travel_m) => format!(
-            "the string goes {} through the hole meanwhile, and a shorter window shows less of that",
+            "the string goes {} through the hole meanwhile, and a shorter window shows less of \
+             that",
             Dimension::Length.format((10.0 * travel_m).round() / 10.0, units)
         ),
         None => "settle longer".to_owned(),
@@ -98,7 +99,7 @@ mod tests {
         }
     }
 
-    fn told(summary: &Summary) -> Option<String> {
+    fn drift_sentence(summary: &Summary) -> Option<String> {
         sentence(&summary.operations[0], UnitSet::Si)
     }
 
@@ -113,9 +114,10 @@ mod tests {
             json!({}),
         );
         assert_eq!(
-            told(&drifts).as_deref(),
+            drift_sentence(&drifts).as_deref(),
             Some(
-                "Hook load without block falls by 2.1 kN and stretch rises by 0.010 m over the window (↗ ↘): there \
+                "Hook load without block falls by 2.1 kN and stretch rises by 0.010 m over the \
+                 window (↗ ↘): there \
                  ± is drift, not motion alone; settle longer"
             )
         );
@@ -128,17 +130,17 @@ mod tests {
             json!({"hook_load_N": {"drift": 2600.0, "drifts": true}}),
             travels,
         );
-        let told = told(&drifts).expect("a sentence");
+        let drift_sentence = drift_sentence(&drifts).expect("a sentence");
         assert!(
-            told.contains("the string goes 18 m through the hole meanwhile"),
-            "{told}"
+            drift_sentence.contains("the string goes 18 m through the hole meanwhile"),
+            "{drift_sentence}"
         );
-        assert!(!told.contains("settle"), "{told}");
+        assert!(!drift_sentence.contains("settle"), "{drift_sentence}");
     }
 
     #[test]
     fn what_stands_still_is_not_told() {
         let still = summary(json!({"hook_load_N": {}}), json!({}));
-        assert_eq!(told(&still), None);
+        assert_eq!(drift_sentence(&still), None);
     }
 }

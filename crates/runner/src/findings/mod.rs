@@ -9,13 +9,13 @@ use wholestring_results::{Finding, Level, OperationSummary};
 use wholestring_units::UnitSet;
 
 /// The findings of an operation as its summary holds them, the gravest first.
-pub fn told(
+pub fn in_words(
     found: &[core::Finding],
     of: &OperationSummary,
     rig: &Rig,
     units: UnitSet,
 ) -> Vec<Finding> {
-    let told = |found: &core::Finding| Finding {
+    let in_words = |found: &core::Finding| Finding {
         kind: found.kind.name().into(),
         level: found.level,
         md_m: found.from_md_m,
@@ -25,7 +25,7 @@ pub fn told(
         unit: found.kind.unit().into(),
         message: sentence::sentence(found, of, rig, units),
     };
-    found.iter().map(told).collect()
+    found.iter().map(in_words).collect()
 }
 
 /// How many findings of a level an operation has.

@@ -1,4 +1,4 @@
-//! What people are told of a finding, in their units.
+//! Findings in words, in users' units.
 
 #[cfg(test)]
 mod tests;
@@ -90,7 +90,8 @@ pub(super) fn sentence(
         Kind::WindowDrifts => drift::sentence(of, units)
             .unwrap_or_else(|| "The means of the window drift: settle longer".to_owned()),
         Kind::NeverSteady => format!(
-            "Not steady after {:.0} s of settling, the most that it may take by itself; look at time.parquet before you \
+            "Not steady after {:.0} s of settling, the most that it may take by itself; look at \
+             time.parquet before you \
              believe the means, or give a longer dynamics.settle",
             words.value()
         ),
@@ -105,7 +106,7 @@ struct Words<'a> {
     units: UnitSet,
 }
 
-/// `12.5 %`, with less than one per cent told to two digits.
+/// `12.5 %`, below one per cent to two digits.
 fn percent(part: f64) -> String {
     let percent = part * 100.0;
     if percent.abs() < 10.0 {
@@ -156,7 +157,8 @@ impl Words<'_> {
         let off_m = self.value() - self.limit();
         let side = if off_m > 0.0 { "deeper" } else { "shallower" };
         format!(
-            "Settling took so long that the bit is at {} on average over the window, {} {side} than asked",
+            "Settling took so long that the bit is at {} on average over the window, {} {side} \
+             than asked",
             self.depth(self.value()),
             self.depth(off_m.abs()),
         )
@@ -180,12 +182,14 @@ impl Words<'_> {
         let block_N = self.rig.block_weight_N.filter(|block| *block > 0.0);
         match (block_N, self.found.level) {
             (Some(block_N), Level::Error) => format!(
-                "The string does not go down by its weight, nor by that of the block: hook load {hook_load}, {} with \
+                "The string does not go down by its weight, nor by that of the block: hook load \
+                 {hook_load}, {} with \
                  the block",
                 self.force(value_N + block_N)
             ),
             (Some(block_N), _) => format!(
-                "The string does not go down by its weight, the block pushes it: hook load {hook_load}, {} with the \
+                "The string does not go down by its weight, the block pushes it: hook load \
+                 {hook_load}, {} with the \
                  block",
                 self.force(value_N + block_N)
             ),
@@ -326,7 +330,8 @@ impl Words<'_> {
             return format!("{direction} whirl{}", self.place());
         };
         format!(
-            "{direction} whirl over {} of the string, fastest{}: {:.0} rev/min, {:.1} × rotary speed",
+            "{direction} whirl over {} of the string, fastest{}: {:.0} rev/min, {:.1} × rotary \
+             speed",
             percent(whirl.length_fraction),
             self.place(),
             whirl.rate_rad_per_s * 60.0 / TAU,
@@ -342,7 +347,8 @@ impl Words<'_> {
             format!("{slowest:.0} to {fastest:.0} rev/min")
         };
         format!(
-            "The bit was outside its table for {:.1} % of the time on the rock, which stays at its edge there: \
+            "The bit was outside its table for {:.1} % of the time on the rock, which stays at \
+             its edge there: \
              weight on bit {} (table {}), rotary speed {} (table {})",
             of.outside_fraction * 100.0,
             forces(of.weights_N),

@@ -13,15 +13,15 @@ pub(crate) fn facts(summary: &Summary) -> Vec<Fact> {
         .filter_map(OperationKind::from_name)
         .collect();
     let any = |is: fn(OperationKind) -> bool| kinds.iter().any(|kind| is(*kind));
-    let mut asked = Vec::new();
-    let mut tell = |label: &str, value: Cell| {
-        asked.push(Fact {
+    let mut found = Vec::new();
+    let mut add = |label: &str, value: Cell| {
+        found.push(Fact {
             label: label.into(),
             value,
         });
     };
     let names: Vec<String> = kinds.iter().map(|kind| spoken(kind.name())).collect();
-    tell(
+    add(
         if names.len() > 1 {
             "Operations"
         } else {
@@ -32,29 +32,29 @@ pub(crate) fn facts(summary: &Summary) -> Vec<Fact> {
     let models: Vec<&str> = texts(&settings["model"])
         .map(|name| ModelKind::named(name).map_or(name, |of| of.method().long_name))
         .collect();
-    tell("Solved by", Cell::Text(models.join(", ")));
-    tell("Bit depth", quantity(&operation["bit_depth_m"], "length"));
+    add("Solved by", Cell::Text(models.join(", ")));
+    add("Bit depth", quantity(&operation["bit_depth_m"], "length"));
     if any(OperationKind::rotates) {
         let speed = &operation["rotary_speed_rad_per_s"];
-        tell("Rotary speed", quantity(speed, "rotary speed"));
+        add("Rotary speed", quantity(speed, "rotary speed"));
     }
     if any(OperationKind::on_bottom) {
-        tell("Weight on bit", quantity(&operation["wob_N"], "force"));
+        add("Weight on bit", quantity(&operation["wob_N"], "force"));
         let bit = &settings["bit"];
         if bit["law"] == "rock" {
             // Rate and torque are what the rock makes of it; those of the settings are an estimate
             // to begin with.
             let strength = &settings["rock"]["strength_Pa"];
-            tell("Rock strength", quantity(strength, "pressure"));
+            add("Rock strength", quantity(strength, "pressure"));
         } else {
             let rate = &operation["rop_m_per_s"];
-            tell("Rate of penetration", quantity(rate, "rate of penetration"));
-            tell("Bit torque", quantity(&bit["torque_N_m"], "torque"));
+            add("Rate of penetration", quantity(rate, "rate of penetration"));
+            add("Bit torque", quantity(&bit["torque_N_m"], "torque"));
         }
     }
     if any(|kind| !kind.on_bottom() && kind != OperationKind::RotateOffBottom) {
         let speed = &operation["trip_speed_m_per_s"];
-        tell("Trip speed", quantity(speed, "speed"));
+        add("Trip speed", quantity(speed, "speed"));
     }
     if let Some(solved) = summary.operations.first() {
         let text = match &solved.friction {
@@ -64,24 +64,24 @@ pub(crate) fn facts(summary: &Summary) -> Vec<Fact> {
                 values.join(" / ")
             }
         };
-        tell("Friction factor", Cell::Text(text));
+        add("Friction factor", Cell::Text(text));
     }
     let density = &settings["mud"]["density_kg_per_m3"];
-    tell("Mud density", quantity(density, "density"));
+    add("Mud density", quantity(density, "density"));
     let block = &settings["rig"]["block_weight_N"];
-    tell("Weight of the block", quantity(block, "force"));
+    add("Weight of the block", quantity(block, "force"));
     if operation["flow_rate_m3_per_s"]
         .as_f64()
         .is_some_and(|flow| flow > 0.0)
     {
         let flow = &operation["flow_rate_m3_per_s"];
-        tell("Flow rate", quantity(flow, "flow rate"));
+        add("Flow rate", quantity(flow, "flow rate"));
     }
     if texts(&settings["model"]).any(|name| ModelKind::named(name).is_some_and(ModelKind::in_time))
     {
         let dynamics = &settings["dynamics"];
-        tell("Window", quantity(&dynamics["duration_s"], "time"));
-        tell(
+        add("Window", quantity(&dynamics["duration_s"], "time"));
+        add(
             "Settled before",
             match dynamics["settle_s"].as_str() {
                 Some(_) => Cell::Text("until steady".into()),
@@ -89,8 +89,8 @@ pub(crate) fn facts(summary: &Summary) -> Vec<Fact> {
             },
         );
     }
-    asked.retain(|fact| fact.value != Cell::Nothing);
-    asked
+    found.retain(|fact| fact.value != Cell::Nothing);
+    found
 }
 
 /// `trip_out` as people write it.

@@ -4,7 +4,7 @@ use wholestring_report::{Cell, Finding, Level};
 use wholestring_results::{Finding as Found, Level as Grave};
 
 /// A finding of the summary as the page shows it.
-pub(super) fn told(found: &Found) -> Finding {
+pub(super) fn page_finding(found: &Found) -> Finding {
     let cell = |value: Option<f64>| {
         value.map_or(Cell::Nothing, |value| match dimension(&found.unit) {
             Some(dimension) => Cell::quantity(value, dimension),

@@ -144,8 +144,8 @@ fn stress(solved: &OperationSummary, nodes: &Table) -> Answer {
     }
 }
 
-/// The largest mean side force: of a joint where the string has joints and the model shows, per
-/// length otherwise.
+/// The largest mean side force: of a joint where the string has joints and the model knows them,
+/// per length otherwise.
 fn side_force(solved: &OperationSummary, nodes: &Table) -> Answer {
     match largest_of(solved, nodes, "side_force_per_joint_N", f64::abs) {
         Some(force) => Answer {

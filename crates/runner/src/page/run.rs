@@ -141,7 +141,7 @@ pub(crate) fn along_the_hole(
                 Status::Interrupted => Some("interrupted: what was computed until then".into()),
                 Status::Failed(reason) => Some(reason.clone()),
             },
-            findings: solved.findings.iter().map(findings::told).collect(),
+            findings: solved.findings.iter().map(findings::page_finding).collect(),
             answers: results::key_results(solved, settings, &nodes),
             profile: columns(&nodes, Some(solved.model.name()), &solved.operation),
             wear: columns(&wear, Some(solved.model.name()), &solved.operation),

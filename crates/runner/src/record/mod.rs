@@ -160,7 +160,7 @@ impl Record {
         }
     }
 
-    /// What is reported of it in short; all else goes.
+    /// Its summary; all else goes.
     pub(crate) fn into_summary(self) -> Summary {
         self.summary
     }
@@ -175,7 +175,7 @@ impl Record {
     /// Shows what was found in the answer that was added last.
     pub(crate) fn judge(&mut self, found: &[Finding], rig: &Rig) {
         if let Some(last) = self.summary.operations.last_mut() {
-            last.findings = findings::told(found, last, rig, self.units);
+            last.findings = findings::in_words(found, last, rig, self.units);
         }
     }
 

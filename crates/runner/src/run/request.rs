@@ -209,7 +209,8 @@ fn read_checkpoint(folder: &ResultsFolder, case: &Case) -> Result<RunCheckpoint<
         ))
     } else {
         anew(format!(
-            "there is no checkpoint in {place}: the run ended before its first one, with {complete} of {all} answers"
+            "there is no checkpoint in {place}: the run ended before its first one, with \
+             {complete} of {all} answers"
         ))
     })
 }

@@ -284,12 +284,12 @@ mod tests {
         let place = tempfile::tempdir().expect("a folder");
         let folder = ResultsFolder::create(place.path()).expect("a folder");
         let mut record = Record::begin(&case, UnitSet::Si, &folder).expect("a record");
-        let asked = CancellationToken::new();
-        asked.cancel();
+        let cancelled = CancellationToken::new();
+        cancelled.cancel();
         let status = solve_dynamic(
             &case,
             &case.operations[0],
-            &way(&asked),
+            &way(&cancelled),
             &mut record,
             &mut Keeper::new(&folder, Duration::MAX),
             None,
@@ -324,8 +324,8 @@ mod tests {
                 case.operations.remove(0);
             }
             let mut record = Record::begin(&case, UnitSet::Si, &folder).expect("a record");
-            let asked = CancellationToken::new();
-            let stop = solve(&case, &way(&asked), &mut record, &folder, None).unwrap_err();
+            let cancelled = CancellationToken::new();
+            let stop = solve(&case, &way(&cancelled), &mut record, &folder, None).unwrap_err();
             let Stop::Unsolved(message) = stop else {
                 panic!("{stop:?}");
             };

@@ -4,7 +4,7 @@ use wholestring_study::{Quantity, Statistic};
 
 use super::results::Series;
 
-/// A curve with everything that tells it from the others.
+/// A curve with everything that distinguishes it from the others.
 pub(super) struct Curve {
     pub(super) series: Series,
     /// Values of the keys that are not on the axis.

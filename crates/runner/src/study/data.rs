@@ -12,7 +12,7 @@ use super::{
 pub(super) fn table(
     figure: &Figure,
     curves: &[Curve],
-    answers: &CaseResults,
+    results: &CaseResults,
     sweeps: &[String],
 ) -> Table {
     let mut points: Vec<(&Curve, f64, f64)> = Vec::new();
@@ -43,7 +43,7 @@ pub(super) fn table(
         }
         FigureData::Map { .. } => "time_s",
     };
-    for key in keys_of(answers.chosen(&figure.chosen))
+    for key in keys_of(results.chosen(&figure.chosen))
         .iter()
         .filter(|key| *key != axis)
     {

@@ -11,8 +11,8 @@ use super::{
 };
 
 /// All curves of a figure.
-pub(super) fn curves(figure: &Figure, answers: &CaseResults) -> Result<Vec<Curve>, ResultsError> {
-    let chosen: Vec<&CaseResult> = answers.chosen(&figure.chosen).collect();
+pub(super) fn curves(figure: &Figure, results: &CaseResults) -> Result<Vec<Curve>, ResultsError> {
+    let chosen: Vec<&CaseResult> = results.chosen(&figure.chosen).collect();
     let mut curves = Vec::new();
     for quantity in &figure.y {
         match &figure.data {

@@ -14,17 +14,17 @@ pub(super) struct Computed<'a> {
     pub(super) table: &'a NumberTable,
     /// Whose answers its columns are.
     pub(super) series: Vec<Series>,
-    /// By row and series; none where there is no answer, or none was asked.
+    /// By row and series; none where there is no result, or none was requested.
     pub(super) numbers: Vec<Vec<Option<f64>>>,
 }
 
 impl<'a> Computed<'a> {
-    pub(super) fn of(table: &'a NumberTable, answers: &CaseResults) -> Result<Self, ResultsError> {
+    pub(super) fn of(table: &'a NumberTable, results: &CaseResults) -> Result<Self, ResultsError> {
         let mut series = Vec::new();
         for of in table
             .rows
             .iter()
-            .flat_map(|row| answers.series(&row.chosen))
+            .flat_map(|row| results.series(&row.chosen))
         {
             if !series.contains(&of) {
                 series.push(of);
@@ -32,9 +32,9 @@ impl<'a> Computed<'a> {
         }
         series.sort_by_key(|(sweep, ..)| *sweep);
         let numbers = table.rows.iter().map(|row| {
-            let asked = answers.series(&row.chosen);
-            let number = |of: &Series| match asked.contains(of) {
-                true => computed(row, of, answers),
+            let row_series = results.series(&row.chosen);
+            let number = |of: &Series| match row_series.contains(of) {
+                true => computed(row, of, results),
                 false => Ok(None),
             };
             series.iter().map(number).collect()
@@ -62,15 +62,15 @@ pub(super) fn agrees(row: &Row, computed: f64) -> Option<bool> {
 fn computed(
     row: &Row,
     series: &Series,
-    answers: &CaseResults,
+    results: &CaseResults,
 ) -> Result<Option<f64>, ResultsError> {
     let only = &row.chosen.only;
-    let Some(mut value) = of_cases(row, series, answers, only)? else {
+    let Some(mut value) = of_cases(row, series, results, only)? else {
         return Ok(None);
     };
     for (other, divide) in [(&row.less, false), (&row.over, true)] {
         let Some(other) = other else { continue };
-        let Some(other) = of_cases(row, series, answers, &only.narrowed(other))? else {
+        let Some(other) = of_cases(row, series, results, &only.narrowed(other))? else {
             return Ok(None);
         };
         value = if divide { value / other } else { value - other };
@@ -82,10 +82,10 @@ fn computed(
 fn of_cases(
     row: &Row,
     series: &Series,
-    answers: &CaseResults,
+    results: &CaseResults,
     only: &Selection,
 ) -> Result<Option<f64>, ResultsError> {
-    let mut cases = answers.of(series, only);
+    let mut cases = results.of(series, only);
     let Some((key, shape)) = &row.along else {
         return match cases.next() {
             Some(answer) => number(&row.number, answer),

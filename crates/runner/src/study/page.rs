@@ -12,7 +12,7 @@ use crate::page::{FILE, PROGRAM, write_picture};
 /// Writes every figure and table, and the page of all.
 pub(super) fn show(
     study: &Study,
-    answers: &CaseResults,
+    results: &CaseResults,
     folder: &ResultsFolder,
     png: bool,
 ) -> Result<(), ResultsError> {
@@ -25,8 +25,8 @@ pub(super) fn show(
     let tables = within(folder, "tables")?;
     let mut parts = Vec::new();
     for of in &study.figures {
-        let curves = figure::curves(of, answers)?;
-        let data = data::table(of, &curves, answers, &sweeps);
+        let curves = figure::curves(of, results)?;
+        let data = data::table(of, &curves, results, &sweeps);
         data.write_csv(&figures.path().join(format!("{}.csv", of.name)))?;
         let picture = picture::picture(of, &curves, &sweeps, study.units);
         write_picture(&figures, &of.name, &picture, png)?;
@@ -39,7 +39,7 @@ pub(super) fn show(
         });
     }
     for table in &study.tables {
-        let computed = Computed::of(table, answers)?;
+        let computed = Computed::of(table, results)?;
         let data = formats::data(&computed, &sweeps);
         data.write_csv(&tables.path().join(format!("{}.csv", table.name)))?;
         let grid = formats::grid(&computed, &sweeps, study.units);

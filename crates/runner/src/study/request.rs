@@ -76,11 +76,11 @@ pub fn run(
     let sets = sets.collect::<Result<_, Error>>()?;
     let mut batch = Batch::new(options, sets, valid, observer, cancellation);
     batch.solve_all()?;
-    let mut answers = CaseResults(Vec::new());
+    let mut results = CaseResults(Vec::new());
     for (set, point, ending) in batch.cases() {
         if let Some(Ending { solved, .. }) = ending {
             let values = (&set.keys[..], &point.values[..]);
-            answers.add(
+            results.add(
                 point.set,
                 values,
                 solved,
@@ -88,6 +88,6 @@ pub fn run(
             );
         }
     }
-    show(study, &answers, folder, request.png)?;
+    show(study, &results, folder, request.png)?;
     Ok(batch.outcome(folder.path()))
 }

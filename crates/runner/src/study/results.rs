@@ -239,12 +239,13 @@ pub(super) fn names(series: &[Series], sweeps: &[String]) -> Vec<String> {
         &|(_, model, _)| model.method().long_name.into(),
         &|(_, _, operation)| operation.replace('_', " "),
     ];
-    let mut told: Vec<_> = parts.iter().filter(|part| differ(part)).collect();
-    if told.is_empty() {
-        told.push(&parts[1]);
+    let mut differing: Vec<_> = parts.iter().filter(|part| differ(part)).collect();
+    if differing.is_empty() {
+        differing.push(&parts[1]);
     }
     let name = |of: &Series| {
-        told.iter()
+        differing
+            .iter()
             .map(|part| part(of))
             .collect::<Vec<_>>()
             .join(", ")
@@ -253,9 +254,9 @@ pub(super) fn names(series: &[Series], sweeps: &[String]) -> Vec<String> {
 }
 
 /// Unordered names of columns with their values, for data files.
-pub(super) fn keys_of<'a>(answers: impl Iterator<Item = &'a CaseResult>) -> Vec<String> {
+pub(super) fn keys_of<'a>(results: impl Iterator<Item = &'a CaseResult>) -> Vec<String> {
     let mut keys: BTreeMap<usize, Vec<String>> = BTreeMap::new();
-    for answer in answers {
+    for answer in results {
         keys.entry(answer.sweep)
             .or_insert_with(|| answer.keys.clone());
     }

@@ -92,15 +92,15 @@ impl CurveStyles {
         let (series, shown) = self.place(curve);
         match self.series.len() {
             1 => self.shown[shown].clone(),
-            _ => self.told(series, shown),
+            _ => self.series_label(series, shown),
         }
     }
 
     /// A series and what it shows, in words.
-    fn told(&self, series: usize, shown: usize) -> String {
+    fn series_label(&self, series: usize, shown: usize) -> String {
         let both = [&self.series_names[series], &self.shown[shown]].map(String::as_str);
-        let told: Vec<&str> = both.into_iter().filter(|name| !name.is_empty()).collect();
-        told.join(", ")
+        let series_label: Vec<&str> = both.into_iter().filter(|name| !name.is_empty()).collect();
+        series_label.join(", ")
     }
 
     pub(super) fn of_curve(&self, curve: &Curve) -> (usize, Stroke) {
@@ -137,7 +137,7 @@ impl CurveStyles {
         for (i, series) in self.series.iter().enumerate() {
             for j in 0..self.shown.len() {
                 let ink = Ink::Line(i * self.shown.len() + j);
-                keys.push(key(self.told(i, j), ink, stroke_of(series)));
+                keys.push(key(self.series_label(i, j), ink, stroke_of(series)));
             }
         }
         keys.retain(|key| !key.name.is_empty());

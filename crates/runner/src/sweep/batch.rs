@@ -241,7 +241,7 @@ impl<'a> Batch<'a> {
         })
     }
 
-    /// Shows why a case does not continue from what lies in its folder.
+    /// Says why a case does not continue from what lies in its folder.
     fn warn_of(&self, point: &Point<'_>, reason: &str) {
         let label = self.label(point);
         let warning = format!("{label}: {reason}; it begins anew");

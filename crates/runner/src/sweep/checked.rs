@@ -75,7 +75,7 @@ pub(super) fn check(
     cancellation: &CancellationToken,
 ) -> Result<Vec<Checked>, Error> {
     let all: Vec<usize> = (0..points.len()).collect();
-    let answers: Vec<Mutex<Option<Result<Checked, Report>>>> =
+    let outcomes: Vec<Mutex<Option<Result<Checked, Report>>>> =
         points.iter().map(|_| Mutex::default()).collect();
     // The first in the order of their texts.
     let warnings: Mutex<BTreeMap<String, Report>> = Mutex::default();
@@ -93,11 +93,11 @@ pub(super) fn check(
                 warnings.pop_last();
             }
         }
-        *lock(&answers[i]) = Some(answer.map(|case| Checked::of(case, points.len() <= MAX_HELD)));
+        *lock(&outcomes[i]) = Some(answer.map(|case| Checked::of(case, points.len() <= MAX_HELD)));
     });
     let mut checked = Vec::new();
     let mut unsound: Vec<(&Point<'_>, Report)> = Vec::new();
-    for (point, answer) in points.iter().zip(answers) {
+    for (point, answer) in points.iter().zip(outcomes) {
         match answer.into_inner().unwrap_or_else(PoisonError::into_inner) {
             Some(Ok(case)) => checked.push(case),
             Some(Err(report)) => unsound.push((point, report)),
@@ -116,10 +116,10 @@ pub(super) fn check(
                 first.name
             )),
         };
-        let mut told: BTreeSet<String> = BTreeSet::new();
+        let mut seen: BTreeSet<String> = BTreeSet::new();
         let mut reports: Vec<Report> = Vec::new();
         for (_, report) in unsound {
-            if reports.len() < SHOWN && told.insert(report.render(false)) {
+            if reports.len() < SHOWN && seen.insert(report.render(false)) {
                 reports.push(report);
             }
         }

@@ -37,7 +37,8 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, Res
         return Err(ResultsError::Format {
             path,
             reason: format!(
-                "its columns are not those of a sweep: expected the keys that were varied, then model, operation, {}",
+                "its columns are not those of a sweep: expected the keys that were varied, then \
+                 model, operation, {}",
                 SCALARS[0]
             ),
         });

@@ -102,16 +102,16 @@ impl SweepTable {
                 folder: folder.to_owned(),
             });
         };
-        let mut told = false;
+        let mut explained = false;
         for operation in solved {
             if let Ok(Value::Object(operation)) = serde_json::to_value(operation) {
-                told |= operation
+                explained |= operation
                     .get("status")
                     .is_some_and(|status| status == "failed");
                 row(operation);
             }
         }
-        if let (Some(failure), false) = (failure, told) {
+        if let (Some(failure), false) = (failure, explained) {
             row([("status", "failed"), ("message", failure)]
                 .map(|(key, word)| (key.to_owned(), word.into()))
                 .into_iter()

@@ -7,7 +7,7 @@ use crate::{
 /// Why a run cannot begin.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SetupError {
-    /// The soft string, which the start is laid by, has no solution.
+    /// The soft string, from which the start is prepared, has no solution.
     #[error("the string cannot be placed in the hole: {0}")]
     Start(#[from] SoftError),
     /// A setting that no run can use.
@@ -25,7 +25,8 @@ pub enum SetupError {
     Rock(#[from] DrillingError),
     /// A bit that is lighter than the rock that it touches.
     #[error(
-        "the bit's node has {bit:.3} {unit} {direction} and the rock that it touches up to {rock:.3} {unit}, expected less: \
+        "the bit's node has {bit:.3} {unit} {direction} and the rock that it touches up to \
+         {rock:.3} {unit}, expected less: \
          lower the density factor or the size of the elements, or raise the length of the elements"
     )]
     LightBit {

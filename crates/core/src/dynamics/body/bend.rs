@@ -94,6 +94,7 @@ impl Bend {
         let k = chain.stiffness(upper);
         let mut step = BendStep::default();
         if part != self.part {
+            // Bending the body in place, nothing moving, changes the elastic energy alone.
             step.work_J = energy(&k, &self.pose_with(chain, part)) - energy(&k, &self.pose(chain));
             self.part = part;
         }
@@ -108,6 +109,7 @@ impl Bend {
         };
         pose.twist = react(&k, &halfway, input.dt, 0.0).twist;
         let bent = react(&k, &pose, 0.0, input.stiffness_damping);
+        // What the step itself will do, which knows of no bend.
         let straight = react(&k, &straight_pose, input.dt, input.stiffness_damping);
         let force = bent.force - straight.force;
         let above = moment_above(&bent, pose.d1) - moment_above(&straight, straight_pose.d1);

@@ -16,17 +16,16 @@ const PASSES: usize = 8;
 /// A node whose centre of mass lies off its axis.
 ///
 /// With the imbalance `U = Σ m e` (kg·m) in the direction `q`, fixed in the body and across the
-/// director, and the angular velocity `ω = w + s d`, the node's kinetic energy gains `U v·(ω × q)`.
-/// Hence
+/// director, and the angular velocity `ω = w + s d`,
 ///
 /// ```text
 /// M v' + U (ω × q)' = F            the centre of mass is thrown outwards
 /// I ω' + U q × v'   = m + U q × g  a sideways acceleration turns the pipe, and gravity does
 /// ```
 ///
-/// The first is kept as a balance of momentum over the step: what follows from the turning of `q`
-/// at the present `ω` comes before the step, so that the wall feels it like weight; what the step
-/// changes in `ω` and `v` comes after it.
+/// What follows from the turning of `q` at the present `ω` comes before the step, so that the wall
+/// feels it like weight; what the step changes in `ω` and `v` comes after it. Theory:
+/// `docs/src/theory/bends.md`.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Imbalance {
     /// The node.
@@ -81,12 +80,14 @@ impl Imbalance {
         let omega = whole_turning(chain, i);
         let q = self.toward;
         self.before = [chain.director(i), chain.velocity(i), omega];
+        // −U Δ(ω × q)/dt between the middles of the last step and of this one.
         let ahead = unit(q.plus(omega.cross(q), 0.5 * dt));
         let behind = self
             .half
             .unwrap_or_else(|| unit(q.minus(omega.cross(q), 0.5 * dt)));
         self.led = omega.cross(ahead);
         let outwards = (self.led - omega.cross(behind)).scaled(-self.moment_kg_m / dt);
+        // U q × g, gravity straight down.
         let moment = q.cross(Vector(0.0, 0.0, self.weight_moment_N_m));
         loads.add(chain, i, outwards, moment);
     }
@@ -103,6 +104,7 @@ impl Imbalance {
         let lateral = node!(chain, i, inv_mass_lateral);
         let axial = node!(chain, i, inv_mass_axial);
         let (polar, rotary) = (node!(chain, i, inv_polar), node!(chain, i, inv_rotary));
+        // Velocity of an impulse: less mass moves along the hole than across it.
         let moved = |impulse: Vector<f64>| {
             let along = impulse.dot(tangent);
             impulse
@@ -112,6 +114,7 @@ impl Imbalance {
         };
         let (mut dv, mut dw, mut ds) = (Vector::zero(), Vector::zero(), 0.0);
         for _ in 0..PASSES {
+            // M dv = −U (ω × q − what was led), I dω = −U q × Δv: each with the other's last value.
             let omega = (w_step + dw).plus(d, spin_step + ds);
             dv = moved((omega.cross(half) - self.led).scaled(-self.moment_kg_m));
             let moment = q.cross(v_step + dv - v_before).scaled(-self.moment_kg_m);
@@ -119,6 +122,7 @@ impl Imbalance {
             ds = about * polar;
             dw = moment.minus(d, about).scaled(rotary);
         }
+        // The step has turned the director by its own w: the rest follows.
         let d_moved = unit(d.plus(dw.cross(d), dt));
         let w = w_step + dw;
         chain.set_velocity(i, v_step + dv);

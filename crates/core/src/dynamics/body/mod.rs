@@ -202,6 +202,7 @@ fn share_out(mesh: &Mesh, stretch: [f64; 2], mut give: impl FnMut(usize, f64)) {
         let (top, bottom) = (mesh.nodes[i].from_bit_m, mesh.nodes[i + 1].from_bit_m);
         let (low, high) = (stretch[0].max(bottom), stretch[1].min(top));
         if high > low {
+            // By the lever of the stretch's middle between the two nodes.
             let upper = (0.5 * (low + high) - bottom) / (top - bottom);
             give(i, (high - low) * upper);
             give(i + 1, (high - low) * (1.0 - upper));

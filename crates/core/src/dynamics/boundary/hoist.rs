@@ -124,6 +124,7 @@ impl Hoist {
         weight_on_bit_N: f64,
         dt: f64,
     ) -> HoistStep {
+        // Filter of first order, implicit.
         let part = dt / (self.autodriller.filter_s + dt);
         self.filtered_N += part * (weight_on_bit_N - self.filtered_N);
         if self.control == HoistControl::Autodriller {
@@ -152,6 +153,7 @@ impl Hoist {
                     damping_N_s_per_m: c,
                     ..
                 } = self.line;
+                // F = k x + c v with the x and v that F itself leaves at the step's end.
                 let stretch = k * (end - self.block_m) + c * (free - self.velocity_m_per_s);
                 // A line does not push.
                 (stretch / (1.0 + mobility * (k * dt + c))).max(-block_kg * GRAVITY_M_PER_S2)
@@ -166,6 +168,7 @@ impl Hoist {
             self.velocity_m_per_s = after;
             self.block_m = end - dt * taken - force / self.line.stiffness_N_per_m;
         }
+        // F_hook = F_line − M g + M v': `force` is the line's beyond the block's weight already.
         let hook_load_N = if block_kg > 0.0 {
             force + block_kg * (after - before_m_per_s) / dt
         } else {

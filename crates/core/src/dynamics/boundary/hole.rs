@@ -150,6 +150,7 @@ impl Borehole {
         index: usize,
         md_m: f64,
     ) {
+        // The node keeps its place in the world; its displacement is counted from the new anchor.
         let there = anchors[index].position_m + Vector3::from(chain.displacement(index));
         self.place(chain, anchors, index, md_m);
         chain.set_displacement(index, (there - anchors[index].position_m).into());
@@ -194,6 +195,7 @@ impl Borehole {
                 wall.slope
             }
         );
+        // Roughness moves the wall but does not change its stiffness.
         let hole = self.bore.smooth_radius_m(md_m);
         let section = self.bore.section(md_m);
         node!(chain, index, radius = radius);
@@ -228,6 +230,7 @@ impl Borehole {
                 node!(
                     chain,
                     index,
+                    // c = 2 ζ √(k m).
                     damping = 2.0 * damping_ratio * (stiffness_N_per_m * mass).sqrt()
                 );
             }
@@ -257,6 +260,7 @@ impl Borehole {
                 self.anchor(chain, anchors, index, md);
                 note_high_side(high, chain.layout().place(index), &anchors[index]);
             }
+            // A chord changes with either anchor.
             if index > 0 && (moved || moved_above) {
                 span(chain, anchors, index - 1);
             }

@@ -1,25 +1,13 @@
 //! What turns the top of the string: a constant speed, or a drive with inertia under a controller.
 //!
-//! A drive of inertia `J` gives the torque `T` and feels the string's, `J Ω' = T − T_s`. Its
-//! controller compares the speed with a reference,
-//!
 //! ```text
+//! J Ω' = T − T_s
 //! T = K_p (Ω_r − Ω) + K_i ∫ (Ω_r − Ω) dt        |T| at most the limit
-//! Ω_r = Ω_set − H T_s / Z                        H = s/(s + ω₁), only where it listens to the string
+//! Ω_r = Ω_set − H T_s / Z                        H = s/(s + ω₁), with Z-Torque alone
 //! ```
 //!
-//! To a torsional wave that comes up the string the drive is the impedance
-//!
-//! ```text
-//! Z_td(s) = (J s + K_p + K_i/s) / (1 + (K_p + K_i/s) H/Z)
-//! ```
-//!
-//! and sends the part `(Z_td − Z_pipe)/(Z_td + Z_pipe)` of it back.
-//!
-//! Sources: Jansen and van den Steen, *Active damping of self-excited torsional vibrations in oil
-//! well drillstrings*, Journal of Sound and Vibration 179 (1995); Kyllingstad and Nessjøen, *A new
-//! stick-slip prevention system*, SPE/IADC 119660 (2009); Dwars, *Recent advances in Soft Torque
-//! rotary systems*, SPE/IADC 173037 (2015).
+//! (Jansen and van den Steen 1995; Kyllingstad and Nessjøen 2009; Dwars 2015.) Theory:
+//! `docs/src/theory/top-side.md`.
 
 use std::f64::consts::TAU;
 
@@ -224,6 +212,7 @@ impl TopDrive {
         let reference = set_rad_per_s - heard * (fixed - drive.slow_N_m);
         let slope = heard.mul_add(stiff, 1.0);
         let per_dt = inertia / dt;
+        // J (Ω − Ω₀)/dt = K (Ω_r − Ω) + integral − string, where Ω_r depends on Ω, solved for Ω.
         let mut after = (per_dt * before + gain * reference + drive.integral_N_m - string)
             / gain.mul_add(slope, per_dt);
         let missing = reference - slope * after;

@@ -70,12 +70,15 @@ impl Guide {
             // A turning pipe climbs the wall until friction carries it: atan(mu) from the load.
             let climb = 1.0 / (1.0 + mu * mu).sqrt();
             let tangent = model.well.path.at(md).tangent;
+            // The contact's direction turned about the hole by the angle of the climb.
             let touch = climb * side - mu * climb * tangent.cross(&side);
             lean[i] = touch * (load / (load + LIGHT_N_PER_M));
             if i > 0 {
                 let length = mesh.tributary_length_m(i);
+                // Friction torque of a climbed pipe, μ q ℓ r/√(1 + μ²).
                 torque += mu * climb * load * length * radius;
                 let mud = viscous.map_or(0.0, |mud| mud.torque_N_m(i - 1));
+                // An element's torque is that at its middle: half of its mud's lies below.
                 torque_N_m[i - 1] = torque + 0.5 * mud;
                 torque += mud;
             }

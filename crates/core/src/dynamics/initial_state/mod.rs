@@ -109,6 +109,7 @@ pub fn initialise(
         }
     }
     string.chain.clear_sums();
+    // The uppermost half element hangs on the top node.
     let hook_load_N = guide.tension_N[0] + chain::top_weight_N(&string.chain);
     Ok(Initial {
         chain: string.chain,
@@ -132,6 +133,7 @@ impl InitialString<'_> {
     /// Puts every node at its depth and on its side, from the bit up, every element at its tension.
     fn place(&mut self, bit_md_m: f64, lean: bool) {
         let nodes = self.mesh.nodes.len();
+        // First guess: every element at its rest length.
         let mut md = vec![bit_md_m; nodes];
         for i in (0..nodes - 1).rev() {
             md[i] = md[i + 1] - self.mesh.elements[i].length_m;
@@ -150,6 +152,7 @@ impl InitialString<'_> {
             }
             self.span_all();
             self.point_directors();
+            // What the elements below lack adds up towards the top.
             let mut shift = 0.0;
             for i in (0..nodes - 1).rev() {
                 shift += self.shortfall_m(i);
@@ -180,6 +183,7 @@ impl InitialString<'_> {
             .map(|i| self.anchors[i].position_m + Vector3::from(self.chain.displacement(i)))
             .collect();
         for i in 0..=last {
+            // Central difference over the two elements at a node; the top is clamped to the hole.
             let direction = if i == 0 {
                 self.chain.tangent(0).into()
             } else {
@@ -237,6 +241,7 @@ impl InitialString<'_> {
         );
         let steps = (SETTLING_S / input.dt).ceil() as usize;
         for step in 0..steps {
+            // Bends grow in the first part, so that the rest damps what that stirs up.
             let grown = (step + 1) as f64 / (GROWING * steps as f64);
             self.body.push(&mut self.chain, input, grown.min(1.0));
             stepper.step(&mut self.chain, input);

@@ -196,8 +196,10 @@ impl<R: Real> Chain<R> {
                 let along = dot(&node.tangent, &state.v);
                 let square = dot(&state.v, &state.v) - along * along;
                 let speed = Number::max(square, R::default()).sqrt();
+                // c + ½ ρ C_d D |v|, both parts times the length.
                 let drag = node.drag_linear.0[lane] + node.drag_quadratic.0[lane] * speed;
                 let slowed = dt * node.inv_mass_lateral.0[lane] * drag;
+                // At most half: explicit drag must not turn the velocity round.
                 node.slowed.0[lane] = Number::min(slowed, half);
             }
         }
@@ -253,7 +255,8 @@ impl<R: Real> Chain<R> {
         director, set_director, states, d, "Director of a node.";
         turning, set_turning, states, w, "Angular velocity of a node across its director, rad/s.";
         tangent, set_tangent, node_blocks, tangent, "Tangent of the hole at a node's anchor.";
-        curvature, set_curvature, node_blocks, curvature, "Curvature of the hole at a node's anchor, 1/m.";
+        curvature, set_curvature, node_blocks, curvature, "Curvature of the hole at a node's \
+                                                           anchor, 1/m.";
         weight, set_weight, node_blocks, weight, "Buoyed weight of a node, N.";
         chord, set_chord, element_blocks, chord, "Chord between the anchors of an element, m.";
     }

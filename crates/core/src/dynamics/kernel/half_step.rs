@@ -6,6 +6,7 @@ use crate::{rod::element::Pose, simd::vector::Vector};
 pub fn half_a_step_before(mut pose: Pose<f64>, dt: f64) -> Pose<f64> {
     let half = 0.5 * dt;
     pose.displacement = pose.displacement.minus(pose.velocity, half);
+    // One explicit half step back along the sphere, then back to unit length.
     let back = |d: Vector<f64>, w: Vector<f64>| {
         let turned = d.minus(w.cross(d), half);
         turned.scaled(1.0 / turned.dot(turned).sqrt())

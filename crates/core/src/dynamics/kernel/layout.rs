@@ -6,7 +6,7 @@ use crate::simd::{lanes::DOUBLES, number::Real};
 
 /// How long the pieces are that a chain is cut into.
 ///
-/// Every number of a node is requested by its place, and divisions would take most of the time: the
+/// Every number of a node is looked up by its place, and divisions would take most of the time: the
 /// inverse of the length, rounded up, is multiplied with instead.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(try_from = "usize", into = "usize")]

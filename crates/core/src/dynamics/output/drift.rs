@@ -13,13 +13,10 @@ pub(in crate::dynamics) const MATTERS: f64 = 0.005;
 
 /// Standard error of the mean of samples that depend on their neighbours, by block averages.
 ///
-/// Neighbours are averaged in pairs, the pairs in pairs again, as long as eight blocks are left. Of
-/// `n` blocks with the standard deviation `s` the mean has the standard error `s/√n`, if they do
-/// not depend on each other; with the length of the blocks that estimate grows until they do not,
-/// and levels off. The largest is taken: of a quantity that swings it is that of blocks of half a
-/// period. Flyvbjerg and Petersen, *Error estimates on averages of correlated data*, J. Chem. Phys.
-/// 91 (1989). It serves where the correlation time is a hundredth of the stretch or less, and falls
-/// short beyond.
+/// Neighbours are averaged in pairs, the pairs in pairs again, as long as eight blocks are left;
+/// the largest `s/√n` of `n` blocks with the standard deviation `s` is taken (Flyvbjerg and
+/// Petersen 1989). It serves where the correlation time is a hundredth of the stretch or less, and
+/// falls short beyond. Theory: `docs/src/theory/statistics.md`.
 pub(in crate::dynamics) fn standard_error(samples: &[f64]) -> f64 {
     let mut blocks = samples.to_vec();
     let mut largest: f64 = 0.0;

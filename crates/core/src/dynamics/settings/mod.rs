@@ -189,13 +189,10 @@ pub struct RodDamping {
 
 /// Settling that continues until the string is steady.
 ///
-/// Every second the last stretch of the run is tested, in which the string turns three times and
-/// swings twice in its lowest torsional motion (at least 5 s): every scalar of the statistics, and
-/// the magnitude of its deviation, so that a vibration that builds up is waited for. The window
-/// begins when none of them drifts by more than a tenth of a percent of its scale over the time of
-/// the window, or by no more than chance. The first stretch begins after the extra damping of a
-/// prepared start or the ramp of a centred one, and after the schedule's last line. A limit cycle
-/// such as stick-slip is a steady state.
+/// Every second the last stretch of the run is tested for drift: every scalar of the statistics,
+/// and the magnitude of its deviation. The window begins when none of them drifts by more than
+/// chance, or by no more than a tenth of a percent of its scale over the time of the window.
+/// Criterion and stretches: `docs/src/theory/start.md`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct UntilSteady {
     /// Longest simulated time before the window, s; it counts from the end of the schedule where

@@ -292,12 +292,12 @@ impl SetPoints {
         self.speed.at(time_s)
     }
 
-    /// What the pumps deliver, m³/s; none while they do what they were told before the run.
+    /// What the pumps deliver, m³/s; none while they do as set before the run.
     pub fn flow_rate_m3_per_s(&self, time_s: f64) -> Option<f64> {
         self.flow.map(|ramp| ramp.at(time_s))
     }
 
-    /// What the hoist does; none while it does what it was told before the run.
+    /// What the hoist does; none while it does as set before the run.
     pub fn hoist_at(&self, time_s: f64) -> Option<HoistSetPoint> {
         self.hoist.map(|(kind, ramp)| match kind {
             HoistSetPoint::BlockVelocity(_) => HoistSetPoint::BlockVelocity(ramp.at(time_s)),

@@ -3,7 +3,8 @@
 /// A run that left the range of numbers that mean anything.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error(
-    "the run diverged {time_s:.3} s after its start, at {md_m:.1} m measured depth: {quantity} is {value:e}"
+    "the run diverged {time_s:.3} s after its start, at {md_m:.1} m measured depth: {quantity} is \
+     {value:e}"
 )]
 pub struct Diverged {
     /// When, s.

@@ -65,13 +65,15 @@ impl Precision {
         let turns = speed != 0.0 && scheduled.all(|other| speed * other > 0.0);
         if !turns {
             return Err(
-                "the string does not turn all the time: which nodes of a string at rest stick, and whether it \
+                "the string does not turn all the time: which nodes of a string at rest stick, \
+                 and whether it \
                  buckles, is decided in digits that single precision does not have",
             );
         }
         if settings.element_length_m < SHORTEST_M {
             return Err(
-                "the elements are shorter than 1 m: the last digit of a position strains them by newtons",
+                "the elements are shorter than 1 m: the last digit of a position strains them by \
+                 newtons",
             );
         }
         Ok(())
@@ -259,7 +261,7 @@ impl Simulation {
     }
 
     /// Gives every node an additional velocity, m/s, and an additional spin, rad/s: a blow.
-    /// `impulse` is requested each node but the top, which is clamped.
+    /// `impulse` is called for each node but the top, which is clamped.
     pub fn apply_impulse(&mut self, impulse: impl Fn(&MeshNode) -> (Vector3<f64>, f64)) {
         either!(&mut self.0, run => run.apply_impulse(impulse));
     }

@@ -178,7 +178,7 @@ impl<R: Real> Run<R> {
     }
 
     /// Gives every node an additional velocity, m/s, and an additional spin, rad/s: a blow.
-    /// `impulse` is requested each node but the top, which is clamped.
+    /// `impulse` is called for each node but the top, which is clamped.
     pub fn apply_impulse(&mut self, impulse: impl Fn(&MeshNode) -> (Vector3<f64>, f64)) {
         for (index, node) in self.mesh.nodes.iter().enumerate().skip(1) {
             let (velocity, spin) = impulse(node);

@@ -21,7 +21,7 @@ pub(in crate::dynamics) const FADING_S: f64 = 5.0;
 /// Shortest stretch that is tested, s.
 const MIN_INTERVAL_S: f64 = 5.0;
 
-/// Revolutions of the string in the stretch, and the most time that they may require, s.
+/// Revolutions of the string in the stretch, and the most time that they may take, s.
 const REVOLUTIONS: f64 = 3.0;
 const REVOLUTIONS_MAX_S: f64 = 30.0;
 
@@ -78,7 +78,7 @@ pub(in crate::dynamics) struct Settled {
 }
 
 impl Settling {
-    /// What the settings require.
+    /// What the settings ask for.
     ///
     /// A stretch holds three revolutions and two periods of the lowest torsional motion, and five
     /// seconds at least. It begins when the extra damping or the ramp of the start is over and the

@@ -75,16 +75,15 @@ const NEAR_M: f64 = 2e-3;
 
 /// A face in a step of the rock, and what the nodes that it has met did to the bit.
 ///
-/// Penetration `α` and closing speed `v` are those with which the step would end without the face;
-/// the force solves `N = k α' + c v'` with what it leaves of them,
+/// With the penetration `α` and the closing speed `v` at the step's end without the face,
 ///
 /// ```text
 /// N = max(0, k α + c v)/(1 + (dt/m)(k dt + c)),   k = stiffness · area,   c = 2 ζ √(k m)
 /// ```
 ///
-/// and never takes more than all penetration away, so that no stiffness limits the step and a node
-/// that has just come is not thrown back. Friction is the smaller of `μ N` and what stops the
-/// sliding, exactly. The motion of the bit within the step is taken to the first order.
+/// and never takes more than all penetration away. Friction is the smaller of `μ N` and what stops
+/// the sliding. The motion of the bit within the step is taken to the first order. Theory:
+/// `docs/src/theory/bit-face.md`.
 #[derive(Debug, Clone, Copy)]
 pub struct Contact<'a> {
     face: &'a BitFace,

@@ -176,7 +176,7 @@ impl Cutter {
     /// How deep a point is inside, m, and the shortest way out.
     #[inline]
     pub(super) fn depth(&self, position_m: Vector3<f64>) -> Option<(f64, Vector3<f64>)> {
-        // Most that are asked are beside it: they need no root.
+        // Most points are beside it: they need no root.
         let from = position_m - self.origin;
         let along = from.dot(&self.axis);
         let (width2, [low, high]) = self.reach;

@@ -16,7 +16,8 @@ pub enum FaceError {
     },
     /// Arcs of these radii do not join the nose to the gauge.
     #[error(
-        "bit face: a nose arc of {nose_radius_m} m and a shoulder arc of {shoulder_radius_m} m cannot meet: \
+        "bit face: a nose arc of {nose_radius_m} m and a shoulder arc of {shoulder_radius_m} m \
+         cannot meet: \
          one must be no smaller, the other no larger than the {reach_m} m from nose to gauge"
     )]
     Profile {
@@ -39,7 +40,8 @@ pub enum FaceError {
     },
     /// Two cutters of a blade, or two inserts of neighbouring rows, stand in the same place.
     #[error(
-        "bit face: cutters {first} and {second} of one blade overlap: {distance_m} m apart, {diameter_m} m wide"
+        "bit face: cutters {first} and {second} of one blade overlap: {distance_m} m apart, \
+         {diameter_m} m wide"
     )]
     Overlap {
         /// The inner one.

@@ -192,7 +192,7 @@ impl PdcBit {
         let mut cutters = Vec::with_capacity(tracks * self.cutters_per_track);
         for (track, length) in self.spread(tracks, profile.length_m()).enumerate() {
             let point = profile.at(length);
-            // Tracks that neighbour continue blades that do not.
+            // Neighbouring tracks go on blades that are no neighbours.
             let turn = track % sets;
             let set = turn / 2 + (turn % 2) * sets.div_ceil(2);
             for blade in (set..self.blades).step_by(sets) {

@@ -52,7 +52,7 @@ pub struct Cut {
 /// Rings of the bottom.
 const RINGS: usize = 512;
 
-/// How far from the axis, in half widths of a cutter that holds it, verticals are asked, and their
+/// How far from the axis, in half widths of a cutter that holds it, verticals are tested, and their
 /// number around it.
 const AXIS: f64 = 0.25;
 const VERTICALS: usize = 120;
@@ -106,7 +106,7 @@ impl Tracks {
         self.fill_axis(index, cutter);
     }
 
-    /// Near the axis, which its lines pass at a distance, a cutter is asked itself: along
+    /// Near the axis, which its lines pass at a distance, the cutter itself is tested: along
     /// verticals.
     fn fill_axis(&mut self, index: usize, cutter: &Cutter) {
         if lowest_above(cutter, 0.0, 0.0).is_none() {

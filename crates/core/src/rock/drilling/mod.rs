@@ -178,7 +178,7 @@ impl Drilling {
         advance
     }
 
-    /// The bit continues and turns; its spin, rad/s. The spin stays with the axis and what tilts
+    /// The bit moves on and turns; its spin, rad/s. The spin stays with the axis and what tilts
     /// the bit goes along: how a spinning bit precesses is its string's.
     fn go(&mut self, dt: f64) -> f64 {
         let omega = self.pose.angular_velocity_rad_per_s;

@@ -39,7 +39,8 @@ pub enum DrillingError {
     Face(#[from] FaceError),
     /// A block too shallow to follow the bit.
     #[error(
-        "a block {depth_m} m deep under a wall of {wall_m} m: expected three layers of elements more than the wall"
+        "a block {depth_m} m deep under a wall of {wall_m} m: expected three layers of elements \
+         more than the wall"
     )]
     Shallow {
         /// Depth of the block, m.

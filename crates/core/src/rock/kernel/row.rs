@@ -54,6 +54,7 @@ impl Pulls {
             let from = (j + side) * grid.node_row();
             let edge = 2 * side + 4 * below;
             for (axis, pulls) in layer.iter_mut().enumerate() {
+                // Node i meets the near corner of element i and the far corner of element i − 1.
                 let (near, far) = (self.place(edge, axis, 0), self.place(edge + 1, axis, 0) - 1);
                 let pulls = pulls[from..from + grid.node_row()].as_mut_ptr();
                 for at in (0..grid.node_row()).step_by(N::WIDTH) {
@@ -199,6 +200,7 @@ unsafe fn elements<N: Number<Real = f64>>(
             Modes::of(corners(grid, fields.velocity, node), constants),
         )
     };
+    // ΔF, the change of the deformation gradient in the step.
     let mut change = velocity.gradient;
     for i in 0..3 {
         for j in 0..3 {
@@ -215,9 +217,11 @@ unsafe fn elements<N: Number<Real = f64>>(
         }
         N::load(fields.intact.add(element))
     };
+    // Jaumann's rate: the stress turns with the element, then takes the strain of the step.
     let update = constants
         .law
         .return_map(turned(motion.turn, stress), motion.strain, intact);
+    // One squeezed beyond what the step bears fails; one that is gone (negative) stays as it is.
     let fit = N::splat(MAX_SQUEEZED) - square(motion.inverse);
     let new_intact = intact.if_positive(fit.if_positive(update.intact, zero), intact);
     // SAFETY: as above.
@@ -233,12 +237,14 @@ unsafe fn elements<N: Number<Real = f64>>(
         .least
         .min(intact.if_positive(new_intact, N::splat(1.0)));
 
+    // Bulk viscosity, and the pressure of the hole: elements pull by τ + p J, so free faces bear p.
     let swelling = motion.strain[0] + motion.strain[1] + motion.strain[2];
     let viscous = N::splat(constants.viscosity) * swelling;
     let held = motion
         .volume
         .mul_add(N::splat(constants.pressure_Pa), viscous);
     let [xx, yy, zz, xy, yz, zx] = stress;
+    // V₀ (τ + p J) F⁻ᵀ, as coefficients of the gradients.
     let gradients = pulls(
         [xx + held, yy + held, zz + held, xy, yz, zx],
         motion.inverse,
@@ -248,6 +254,7 @@ unsafe fn elements<N: Number<Real = f64>>(
         N::splat(constants.hourglass),
         N::splat(constants.hourglass_damping),
     );
+    // Hourglasses are held by a spring and a dashpot; one point of integration does not feel them.
     let mut damped = zero;
     for axis in 0..3 {
         let mut hourglass = displacement.hourglass[axis];
@@ -258,11 +265,13 @@ unsafe fn elements<N: Number<Real = f64>>(
         }
         let pull = spread(gradients[axis], hourglass);
         for corner in 0..8 {
+            // An element that is gone pulls at nothing.
             let pull = intact.if_positive(pull[corner], zero);
             // SAFETY: the pulls are as long as a row of elements.
             unsafe { pull.store(out.of.as_mut_ptr().add(out.place(corner, axis, at))) };
         }
     }
+    // Work of the bulk viscosity and of the hourglass dashpots in the step.
     let lost = (viscous * swelling).mul_add(N::splat(constants.volume_m3), damped * (damping * dt));
     books.viscous = books.viscous + intact.if_positive(lost, zero);
 }

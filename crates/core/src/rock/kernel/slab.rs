@@ -71,6 +71,7 @@ pub unsafe fn work<N: Number<Real = f64>>(
     }
     for layer in slab.from..slab.to {
         let (here, below) = (slab.buffer(layer), slab.buffer(layer + 1));
+        // The layers shared with the slabs above and below drift and are kicked outside.
         let own = |layer: usize| layer > slab.from && (layer < slab.to || slab.closes);
         for axis in &mut slab.pulls[below] {
             axis.fill(0.0);

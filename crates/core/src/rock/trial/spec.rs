@@ -47,7 +47,8 @@ pub enum TrialError {
     },
     /// The forces are beyond all numbers.
     #[error(
-        "bit and rock diverged after {revolutions:.2} revolutions: the mass that moves with the bit may be too small, or the density scaled too far"
+        "bit and rock diverged after {revolutions:.2} revolutions: the mass that moves with the \
+         bit may be too small, or the density scaled too far"
     )]
     Diverged {
         /// Revolutions until then.

@@ -6,10 +6,9 @@
 //! dF/dx = μ (w_n(F) + [helical] r F²/(4 EI)) − w cos θ
 //! ```
 //!
-//! The helix's part (Mitchell, *Simple frictional analysis of helical buckling of tubing*, SPE
-//! Drilling Engineering 1, 1986) adds to the weight's, as is usual. It makes `F` infinite within a
-//! finite length: the string locks up, and no push from above adds anything below. The angle `φ =
-//! atan(F/F₀)`, which goes to a right angle there, is what is integrated.
+//! (Mitchell 1986). `F` becomes infinite within a finite length: the string locks up. The angle
+//! `φ = atan(F/F₀)`, which goes to a right angle there, is what is integrated. Theory:
+//! `docs/src/findings.md`.
 
 use std::f64::consts::FRAC_PI_2;
 

@@ -32,7 +32,8 @@ pub enum SoftError {
     },
     /// The tension or torque left the range of floating-point numbers.
     #[error(
-        "tension or torque is not a finite number at MD {md_m:.1} m: a dimension, a weight or a set point is out of proportion"
+        "tension or torque is not a finite number at MD {md_m:.1} m: a dimension, a weight or a \
+         set point is out of proportion"
     )]
     NotFinite {
         /// Measured depth, m.

@@ -54,6 +54,7 @@ impl Segment<'_> {
     fn load(&self, point: &Point, tension_N: f64) -> Load {
         let down = Vector3::z();
         let across = down - point.tangent * point.tangent.z;
+        // q = F κ n + w (k − (k·t) t).
         let q_N_per_m = point.curvature_per_m * tension_N + across * self.weight_N_per_m;
         let side_force_N_per_m = q_N_per_m.norm();
         let (mu_along, mu_around) = self.friction;
@@ -61,6 +62,7 @@ impl Segment<'_> {
         Load {
             q_N_per_m,
             side_force_N_per_m,
+            // Friction is positive where it adds to hook load: against the motion along the hole.
             axial_friction_N_per_m: -mu_along * side_force_N_per_m * along,
             friction_torque_N_m_per_m: mu_around
                 * side_force_N_per_m
@@ -72,6 +74,7 @@ impl Segment<'_> {
     /// Change per metre upwards.
     fn rate(&self, point: &Point, at: &Totals) -> Totals {
         let load = self.load(point, at.tension_N);
+        // Upwards, so with the opposite signs of dF/ds and dM/ds.
         let pressure_Pa = self.mud.pressure_Pa(point.tvd_m);
         Totals {
             tension_N: self.weight_N_per_m * point.tangent.z
@@ -91,6 +94,7 @@ impl Segment<'_> {
         let high_side = path.high_side_of(md_m, &point.tangent);
         let load = self.load(point, totals.tension_N);
         let at_rest_Pa = self.mud.pressure_Pa(point.tvd_m);
+        // The losses of the flow change linearly along the stretch.
         let up_m = self.to_md_m - md_m;
         let Circulating {
             outer_Pa,
@@ -232,6 +236,7 @@ pub(super) fn from_bit(
     for (segment, circulating) in segments.iter_mut().zip(circulating) {
         segment.circulating = circulating;
     }
+    // At the bit: F = −WOB less the thrust of the jets, M = M_bit.
     let mut totals = Totals {
         tension_N: -operation.weight_on_bit_now_N()
             - hydraulics.map_or(0.0, |mud| mud.jet_thrust_N),
@@ -282,11 +287,13 @@ pub(super) fn from_bit(
             }
             let mud_N_m = segment.circulating.torque_N_m_per_m * step_m;
             let rubbed_N_m = totals.torque_N_m - before.torque_N_m - mud_N_m;
+            // Force times sliding speed, about and along; what the mud takes does not rub the wall.
             let rubbed_W = rotation_rad_per_s * rubbed_N_m
                 - axial_m_per_s * (totals.axial_friction_N - before.axial_friction_N);
             spread(&mut hole_W, upper_md_m, lower_md_m, rubbed_W);
             (lower_md_m, lower) = (upper_md_m, upper);
         }
+        // The uppermost stretch ends at the surface, with a row of its own.
         if segment.from_md_m == 0.0 {
             rows.push(segment.row(path, 0.0, &lower, &totals));
         }

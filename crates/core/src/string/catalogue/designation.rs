@@ -35,25 +35,25 @@ const NEAREST: usize = 4;
 pub fn find(designation: &str) -> Result<CatalogueEntry, CatalogueError> {
     let entries = entries();
     // Text longer than any spelling of a tubular is not read.
-    let asked = (designation.len() <= 120)
+    let requested = (designation.len() <= 120)
         .then(|| Reading::of(designation))
         .flatten();
     let found = entries.iter().find(|entry| {
         let own = Reading::of(&entry.designation);
-        asked
+        requested
             .as_ref()
             .zip(own)
-            .is_some_and(|(asked, own)| own.same(asked))
+            .is_some_and(|(requested, own)| own.same(requested))
     });
     found
         .cloned()
-        .ok_or_else(|| unknown(designation, asked.as_ref(), &entries))
+        .ok_or_else(|| unknown(designation, requested.as_ref(), &entries))
 }
 
 /// Ranks by numbers where the designation was understood, by spelling otherwise.
 fn unknown(
     designation: &str,
-    asked: Option<&Reading>,
+    requested: Option<&Reading>,
     entries: &[CatalogueEntry],
 ) -> CatalogueError {
     let key = |text: &str| -> Vec<char> {
@@ -68,8 +68,8 @@ fn unknown(
         .iter()
         .map(|entry| {
             let own = Reading::of(&entry.designation);
-            let distance = match asked.zip(own) {
-                Some((asked, own)) => own.distance(asked),
+            let distance = match requested.zip(own) {
+                Some((requested, own)) => own.distance(requested),
                 None => edit_distance(&spelling, &key(&entry.designation)) as f64,
             };
             (distance, &entry.designation)
@@ -123,7 +123,7 @@ impl Reading {
             && self.grade == other.grade
             && (self.od_in - other.od_in).abs() < DIAMETER_TOLERANCE_IN
             && match (self.second, other.second) {
-                (Some(own), Some(asked)) => (own - asked).abs() < tolerance,
+                (Some(own), Some(requested)) => (own - requested).abs() < tolerance,
                 _ => self.kind == TubularKind::HeavyWeight,
             }
     }
@@ -136,7 +136,7 @@ impl Reading {
             + self
                 .second
                 .zip(other.second)
-                .map_or(0.0, |(own, asked)| (own - asked).abs())
+                .map_or(0.0, |(own, requested)| (own - requested).abs())
             + differs(self.grade != other.grade, 0.1)
     }
 

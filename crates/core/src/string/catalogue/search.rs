@@ -22,9 +22,9 @@ const UNITS: [&str; 10] = [
 /// assert!(describes(pipe, "drill 5 1/2"));
 /// assert!(!describes(pipe, "5"));
 /// ```
-pub fn describes(description: &str, asked: &str) -> bool {
+pub fn describes(description: &str, query: &str) -> bool {
     let own = parts(description);
-    parts(asked).iter().all(|part| match part {
+    parts(query).iter().all(|part| match part {
         Part::Word(word) => {
             UNITS.contains(&word.as_str())
                 || own

@@ -9,12 +9,9 @@ use super::{Cutters, Excitation, SteadyCut, rate_segment::RateSegment};
 /// The law of Detournay and Defourny for drag bits, with the three regimes that Detournay, Richard
 /// and Shepherd measured (*International Journal of Rock Mechanics and Mining Sciences* 45, 2008).
 ///
-/// The weight is what cutting takes and what the wear flats bear, `W = ζ a ε d + W_f`:
-///
-/// 1. Up to the depth of cut `d*` the flats come to lie on the rock, `W_f = σ a l d/d*`.
-/// 2. From there they are in full contact, `W_f = σ a l`, and what the weight grows by cuts.
-/// 3. At the cleaning limit `d†` the bit face is choked with cuttings: what the weight grows by
-///    rests on them and rubs as the wear flats do, and the depth of cut grows no more.
+/// The weight is what cutting takes and what the wear flats bear, `W = ζ a ε d + W_f`, with
+/// `W_f = σ a l d/d*` up to the depth of cut `d*`, `W_f = σ a l` from there, and all further weight
+/// at the cleaning limit `d†`. Theory: `docs/src/theory/bit.md`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct DetournayDefournyLaw {
     /// Cutters and rock.

@@ -139,6 +139,7 @@ impl Noise {
         let x = place - knot;
         let knot = knot as i64;
         let y = 1.0 - x;
+        // The four cubic B-splines that are not zero here.
         let blend = [
             y * y * y / 6.0,
             2.0 / 3.0 - x * x * (1.0 - 0.5 * x),

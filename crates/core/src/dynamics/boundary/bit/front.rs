@@ -66,6 +66,7 @@ impl Press {
         let (k, dt) = (self.stiffness_N_per_m, self.dt);
         let mut found = (0.0, 0.0);
         for s in segments {
+            // W = k (over − dt · mobility · W − dt v(W)), on a straight stretch of v(W).
             let yielding = 1.0 + k * dt * (self.mobility_s_per_kg + s.slope_m_per_s_per_N);
             // Where the rate falls so steeply with the weight, more of it compresses the rock less.
             if yielding <= 0.0 {
@@ -119,7 +120,7 @@ impl FrontCut {
     /// How often the bit was where its table is not, and how far.
     pub(super) fn table_use(&self) -> Option<TableUse> {
         match &self.law {
-            FrontLaw::Table(law, used) => used.tell(&law.table),
+            FrontLaw::Table(law, used) => used.table_use(&law.table),
             _ => None,
         }
     }
@@ -171,6 +172,7 @@ impl FrontCut {
                 (cut.torque_N_m, cut.depth_of_cut_m)
             }
         };
+        // A fluctuation never makes the rock turn the bit.
         let wanted = steady * (1.0 + shake.torque).max(0.0);
         let turned = self.turn(at, drive, wanted);
         if let Some(shaker) = &mut self.shaker {

@@ -209,6 +209,7 @@ impl Bit {
         if let Some(Cut::Rock(cut)) = &mut self.cut {
             chain.set_velocity(index, held.velocity);
             let mut step = cut.drill(chain, anchor, step_start, &mut self.drive, executor, dt);
+            // The spring beside the bit works on the mean of the velocities, like every force.
             let mean = (step_start.velocity + chain.velocity(index)).scaled(0.5);
             step.work_J += held.force_N.dot(mean) * dt;
             step.force_N = step.force_N + held.force_N;
@@ -249,6 +250,7 @@ impl Bit {
             velocity = velocity.minus(tangent, mobility * weight);
             displacement = displacement.minus(tangent, dt * mobility * weight);
             node!(chain, index, spin = spin);
+            // Force times the mean of the velocities before and after: exact for the leapfrog.
             work -= weight * tangent.dot((step_start.velocity + velocity).scaled(0.5))
                 + torque * 0.5 * (step_start.spin + spin);
             step = BitStep {

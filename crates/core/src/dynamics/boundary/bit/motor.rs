@@ -16,11 +16,9 @@ pub enum Motor {
 
 /// A positive displacement motor.
 ///
-/// Each revolution takes the volume `V` through it, and the pressure `p` that it takes off the mud
-/// turns it with `T = η V p/2π`. What leaks past its seals does not turn it: `Ω = 2π (Q − q(p))/V`,
-/// `q` growing evenly to the slip `s` of the rated flow at the largest pressure that the motor is
-/// made for, and from there evenly to all of it at the stall. A motor does not turn the bit with
-/// more than its stall torque: its seals give way.
+/// `T = η V p/2π` at the pressure drop `p`, `Ω = 2π (Q − q(T))/V` at the flow `Q`, with a leak `q`
+/// that is linear in the torque below the largest pressure and above it, up to the stall. Theory:
+/// `docs/src/theory/bit.md`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct MudMotor {
     /// Volume per revolution `V`, m³.
@@ -82,6 +80,7 @@ impl MudMotor {
         let turning = |torque: f64| {
             spin_rad_per_s - mobility * torque + self.speed_rad_per_s(flow_m3_per_s, torque)
         };
+        // The speed of the bit falls along each straight part: it stands where it crosses zero.
         for below in [true, false] {
             let [(from, _), (to, _)] = self.segment(below);
             let (fast, slow) = (turning(from), turning(to));
@@ -217,6 +216,7 @@ impl Drive {
         self.run_free();
         let free = spin_rad_per_s + self.speed_rad_per_s;
         let (most, stops) = match self.motor {
+            // Turned back by the string: the rock resists the other way.
             _ if free < 0.0 => (-back_N_m, free / mobility),
             Motor::Speed(_) => (forward_N_m, free / mobility),
             Motor::Displacement(motor) => (

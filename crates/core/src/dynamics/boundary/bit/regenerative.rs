@@ -14,9 +14,8 @@ use crate::{damage::Damaged, operation::Operation};
 /// 2007), on the cutting law of Detournay and Defourny (1992).
 ///
 /// `n` blades cut `d_n` each: the depth of the bit less that of the surface which the preceding
-/// blade has left. With `d = n d_n`, cutting takes `W_c = ζ a ε d` and `T_c = a² ε d/2`; the wear
-/// flats bear up to `W_f = σ a l` while the bit goes down, nothing while it goes up, and rub with
-/// `T_f = μ γ a W_f/2`.
+/// blade has left. With `d = n d_n`, `W = ζ a ε d + W_f` and `T = ½ a² ε d + ½ μ γ a W_f`. Theory:
+/// `docs/src/theory/bit.md`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct RegenerativeLaw {
     /// Cutters and rock.
@@ -85,6 +84,7 @@ impl RegenerativeCut {
         if over > 0.0 {
             let k = law.stiffness_N_per_m();
             let yielding = 1.0 + k * at.dt * mobility;
+            // W = k d and W = k d + W_f, with the depth of cut d that W itself leaves.
             let going_up = k * over / yielding;
             let going_down = (k * over + law.cutters.wear_flat_weight_N()) / yielding;
             // Between the two the wear flats bear what stops the bit; nothing pulls it into the

@@ -39,7 +39,7 @@ impl Default for BitSettings {
 impl BitSettings {
     /// Whether the speed of a sliding string's motor makes a difference: where the bit's angle
     /// counts.
-    pub fn asks_for_motor_speed(&self) -> bool {
+    pub fn needs_motor_speed(&self) -> bool {
         match &self.law {
             BitLaw::Rate(law) => law.excitation.is_some(),
             _ => true,

@@ -52,10 +52,10 @@ impl Side {
         let across = displacement.minus(tangent, displacement.dot(tangent));
         let k = self.stiffness_N_per_m;
         let rate = self.cut_m_per_N * turning_rad_per_s.abs();
+        // F = k (u − s) at the step's end: F slows the bit, and cuts the hole towards it.
         let hold = k / (1.0 + k * (mobility + rate) * dt);
         let pressed = if rate > 0.0 {
-            // The hole continues with the bit: what it was cut by lies across wherever the bit gets
-            // to.
+            // The hole moves on with the bit: its cut lies across it wherever the bit is.
             let axis = self.axis_m.minus(tangent, self.axis_m.dot(tangent));
             let pressed = across.minus(axis, 1.0);
             self.axis_m = axis.plus(pressed, dt * rate * hold);

@@ -260,6 +260,7 @@ impl BitTable {
         let rate = move |i: usize| column.pace * self.across(&self.rate_m_per_s, i, column);
         let last = self.weights_N.len() - 1;
         let rising = (0..=last).map(move |i| {
+            // Without weight nothing is cut: the first stretch begins at zero.
             let (from_N, from_m_per_s) = match i {
                 0 => (0.0, 0.0),
                 _ => (self.weights_N[i - 1], rate(i - 1)),
@@ -295,6 +296,7 @@ impl BitTable {
             part: 0.0,
             pace,
         };
+        // Below the least speed the rate goes to zero with the speed; above the largest it stays.
         if above == 0 {
             edge(0, (speed_rad_per_s / speeds[0]).max(0.0))
         } else if above == speeds.len() {
@@ -322,6 +324,7 @@ impl BitTable {
         if above == weights.len() {
             return self.across(values, above - 1, at);
         }
+        // Below the least weight, straight to zero.
         let (from_N, from) = match above {
             0 => (0.0, 0.0),
             _ => (weights[above - 1], self.across(values, above - 1, at)),
@@ -386,7 +389,7 @@ impl Counter {
     }
 
     /// What was counted; none of a bit that was never on the rock.
-    pub(super) fn tell(&self, table: &BitTable) -> Option<TableUse> {
+    pub(super) fn table_use(&self, table: &BitTable) -> Option<TableUse> {
         (self.steps > 0).then(|| TableUse {
             outside_fraction: self.outside as f64 / self.steps as f64,
             weights_N: self.weights_N,

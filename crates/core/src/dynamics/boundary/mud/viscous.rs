@@ -43,7 +43,7 @@ const REACH_M: f64 = 1.0;
 
 /// Largest part γ of a node's velocity that drag takes in a step. Taken at the step's beginning, it
 /// makes `(ω dt)² < 4 − 2γ` of the leapfrog's limit `(ω dt)² < 4`, and the step uses 0.99² of that:
-/// 0.040 would be unstable. A mud below its yield point requires more; the force itself stays what
+/// 0.040 would be unstable. A mud below its yield point takes more; the force itself stays what
 /// it is.
 const STRONGEST: f64 = 0.025;
 
@@ -236,6 +236,7 @@ impl Viscous {
         {
             let half = 0.5 * passage.length_m;
             for end in [above, above + 1] {
+                // The two end nodes hand their shares to their neighbours.
                 if end.clamp(1, (last - 1).max(1)) == index {
                     pull += half * passage.drag.pull_N_per_m;
                     drag += half * passage.drag.drag_Pa_s;
@@ -246,16 +247,19 @@ impl Viscous {
         let tangent = chain.tangent(index);
         let strongest = STRONGEST * node!(chain, index, mass_axial) / dt;
         if drag > strongest {
+            // The slope is cut, the force at this velocity kept: what is missing becomes a pull.
             pull -= (drag - strongest) * tangent.dot(chain.velocity(index));
             drag = strongest;
         }
         let strongest = STRONGEST * node!(chain, index, polar) / dt;
         node!(chain, index, mud_axial = drag);
         node!(chain, index, mud_spin = spin_drag.min(strongest));
+        // The jets lift the bit.
         if index == self.passages.len() {
             pull -= self.mud.jet_thrust_N(self.flow_m3_per_s, self.bit_loss_Pa);
         }
         let pull_N = pull * Vector3::from(tangent);
+        // A constant pull has a potential: what that loses as the pull changes is work.
         let place = middle_m(chain, anchors, index, dt);
         self.dropped_J += (Vector3::from(self.pull_N[index]) - pull_N).dot(&place);
         self.pull_N[index] = pull_N.into();
@@ -369,6 +373,7 @@ impl Passage {
     fn is_stale(&self, motion: &Motion, md_m: f64) -> bool {
         let radius = 0.5 * self.od_m;
         let known = &self.motion;
+        // Speeds of the pipe's surface: what shears the mud.
         let change = (motion.axial_m_per_s - known.axial_m_per_s).abs()
             + radius * (motion.spin_rad_per_s - known.spin_rad_per_s).abs();
         let shear = known.axial_m_per_s.abs()

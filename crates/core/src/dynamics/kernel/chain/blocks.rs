@@ -81,7 +81,7 @@ impl<R: Real> StateBlock<R> {
 
 block! {
     /// A row of nodes: what they are, what is summed up between samples, and last what a plain step
-    /// does not require.
+    /// does not need.
     pub struct NodeBlock<R> {
         /// Tangent of the hole's axis at the anchor.
         pub tangent: Rows<R>,

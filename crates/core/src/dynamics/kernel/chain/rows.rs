@@ -17,7 +17,7 @@ impl<R: Real> Row<R> {
     }
 
     /// Moves every number one lane up; zero comes in.
-    pub fn go_on(&mut self) {
+    pub fn shift_lanes(&mut self) {
         self.0.as_mut().copy_within(..R::LANES - 1, 1);
         self.0[0] = R::default();
     }

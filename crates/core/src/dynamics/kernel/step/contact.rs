@@ -17,9 +17,11 @@ pub(super) fn normal_contact<N: Number, const HERTZ: bool>(
 ) {
     let dt = N::splat(input.dt);
     let offset = at3::<N>(&prediction.offset, lane);
+    // The least distance keeps the inverse finite for a node on the axis.
     let distance = (offset.dot(offset) + N::splat(1e-30)).sqrt();
     let inverse = N::splat(1.0) / distance;
     let penetration = distance - at(&prediction.clearance, lane);
+    // v·offset/|offset|: the velocity towards the wall.
     let inward = inverse * at(&prediction.inward, lane);
     let stiffness = at(&n.stiffness, lane);
     let mobility = at::<N>(&prediction.mobility, lane);

@@ -42,6 +42,8 @@ pub(super) fn damp<N: Number>(chain: &mut Chain<N::Real>, mass_damping: &MassDam
             let axial0 = th.dot(v0);
             // What fills the last lane stays where it is.
             let free = at::<N>(&n.inv_mass_axial, lane).if_positive(damped, zero);
+            // Along the hole and about the axis what exceeds the rigid motion decays, across it
+            // everything.
             let axial1 = free.neg_mul_add(axial0 - rigid_v, axial0);
             let v1 = v0.scaled(left).plus(th, left.neg_mul_add(axial0, axial1));
             let free = at::<N>(&n.inv_polar, lane).if_positive(damped, zero);

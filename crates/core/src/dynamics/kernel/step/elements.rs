@@ -11,7 +11,7 @@ use crate::{
     simd::number::{Number, Real},
 };
 
-/// What a row of elements does to its ends, in the words of [`crate::rod::element::Reaction`].
+/// What a row of elements does to its ends, named as in [`crate::rod::element::Reaction`].
 #[derive(Clone, Copy)]
 pub(super) struct Pull<R: Real> {
     pub(super) force: Rows<R>,
@@ -33,8 +33,9 @@ impl<R: Real> Pull<R> {
         }
     }
 
-    /// What the last row does to the first, where the pieces continue: each in the lane above.
-    pub(super) fn go_on(&mut self) {
+    /// What the last row does to the first, where one piece ends and the next begins: each goes to
+    /// the lane above.
+    pub(super) fn shift_lanes(&mut self) {
         let Self {
             force,
             bend1: _,
@@ -43,9 +44,9 @@ impl<R: Real> Pull<R> {
             torque,
         } = self;
         for row in force.iter_mut().chain(bend2).chain(couple) {
-            row.go_on();
+            row.shift_lanes();
         }
-        torque.go_on();
+        torque.shift_lanes();
     }
 }
 
@@ -192,6 +193,7 @@ fn pose<N: Number>(
     Pose {
         anchor_chord: at3(&e.chord, lane),
         anchor_excess: at(&e.excess, lane),
+        // Differences of the ends: an element knows no absolute position.
         displacement: at3::<N>(&below.u, lane) - at3(&above.u, lane),
         velocity: at3::<N>(&below.v, lane) - at3(&above.v, lane),
         d1: at3(&above.d, lane),

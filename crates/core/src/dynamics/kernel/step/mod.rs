@@ -227,10 +227,12 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
     } else {
         pulls[0] = last;
     }
-    pulls[2].go_on();
+    // The last row of a lane pulls at the first node of the next lane.
+    pulls[2].shift_lanes();
 
     for (row, n) in node_blocks.iter_mut().enumerate() {
         let [a, b, c] = &mut pulls;
+        // Three rows of pulls go round: of the elements above, below, and below the next nodes.
         let (above, below, next) = match row % 3 {
             0 => (c, a, b),
             1 => (a, b, c),

@@ -90,6 +90,7 @@ pub(super) fn predict<N: Number, const FULL: bool>(
     let mobility_spin = dt * at(&n.inv_polar, lane);
     let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));
     let axial0 = th.dot(v0);
+    // A node is end 2 of the element above it and end 1 of the one below.
     let force = at3::<N>(&above.force, lane) - at3(&below.force, lane) + at3(&n.weight, lane);
     let along = th.dot(force);
     let torque = at::<N>(&below.torque, lane) - at(&above.torque, lane);
@@ -104,6 +105,7 @@ pub(super) fn predict<N: Number, const FULL: bool>(
     let mut spin = mobility_spin.mul_add(torque, s0);
     if FULL {
         let half = N::splat(0.5);
+        // An explicit drag that took more than the velocity would turn it round.
         let slowed_axial = (mobility_axial * at(&n.mud_axial, lane)).min(half) * axial0;
         let slowed_spin = (mobility_spin * at(&n.mud_spin, lane)).min(half) * s0;
         (instead, axial) = (instead - slowed_axial, axial - slowed_axial);
@@ -135,6 +137,7 @@ pub(super) fn gap<N: Number, const FULL: bool>(
     let v = at3::<N>(&prediction.v, lane);
     let u = at3::<N>(&state.u, lane).plus(v, dt);
     let z = th.dot(u);
+    // offset = u − z T − ½ z² κ: from the curved axis, not from its tangent.
     let offset = u
         .minus(th, z)
         .minus(at3(&n.curvature, lane), half * (z * z));
@@ -146,6 +149,7 @@ pub(super) fn gap<N: Number, const FULL: bool>(
     put3(&mut prediction.offset, lane, offset);
     put(&mut prediction.clearance, lane, clearance);
     put(&mut prediction.inward, lane, v.dot(offset));
+    // |offset|² > clearance²: no root where nothing touches.
     clearance
         .neg_mul_add(clearance, offset.dot(offset))
         .any_positive()
@@ -190,6 +194,7 @@ pub(super) fn friction<N: Number, const VECTOR: bool, const FULL: bool>(
     } else {
         limit
     };
+    // Vector: Coulomb's cone. Independent: the whole limit along and the whole limit around.
     let (friction_along, friction_around) = match (VECTOR, FULL) {
         (true, false) => friction::vector(limit, axial, slip, g_axial, g_around),
         // In the forces' parts of their limits the law is that of one limit, 1.
@@ -210,7 +215,7 @@ pub(super) fn friction<N: Number, const VECTOR: bool, const FULL: bool>(
 }
 
 /// Moves a row of nodes to where the step ends. Where none of them touches the wall, nothing of it
-/// is requested.
+/// is computed.
 #[inline(always)]
 pub(super) fn correct<N: Number, const FULL: bool, const TOUCHES: bool>(
     prediction: &Prediction<N::Real>,
@@ -264,6 +269,7 @@ pub(super) fn correct<N: Number, const FULL: bool, const TOUCHES: bool>(
         add(&mut losses.contact, lane, contact);
     }
     let both_axial = axial0 + axial3;
+    // The drag across the hole took `slowed` of v0 less its part along the hole.
     let drag = at::<N>(&n.mass_lateral, lane) * at(&n.slowed, lane);
     let mut slowed = drag * axial0.neg_mul_add(both_axial, v0.dot(both));
     if FULL {
@@ -272,6 +278,7 @@ pub(super) fn correct<N: Number, const FULL: bool, const TOUCHES: bool>(
         slowed = drag_axial.mul_add(both_axial, drag_spin.mul_add(s0 + s3, slowed));
     }
     add(&mut losses.mud, lane, slowed);
+    // Positions go on with the new velocity: the drift of the leapfrog.
     let u0 = at3::<N>(&state.u, lane);
     put3(&mut state.u, lane, u0.plus(v3, dt));
     put3(&mut state.v, lane, v3);
@@ -292,6 +299,7 @@ pub(super) fn rotate_directors<N: Number>(
     let (one, dt, half_dt) = (splat(1.0), splat(input.dt), splat(0.5 * input.dt));
     let quarter_dt2 = splat(0.25 * input.dt * input.dt);
     let (d0, w0) = (at3::<N>(&state.d, lane), at3::<N>(&state.w, lane));
+    // End 2 of the element above, end 1 of the one below: its couple acts the other way round.
     let moment = across(
         at3::<N>(&above.bend2, lane) + at3(&below.bend1, lane),
         at3::<N>(&below.couple, lane) - at3(&above.couple, lane),

@@ -1,4 +1,4 @@
-//! What is kept of a run while it continues: sums per node, samples of the scalars.
+//! What is kept of a run while it goes on: sums per node, samples of the scalars.
 
 mod block_sample;
 mod contact_map;

@@ -104,7 +104,7 @@ impl SumBlock {
     }
 }
 
-/// One instruction, where `f64::max` requires not-a-number too.
+/// One instruction, where `f64::max` handles not-a-number too.
 #[inline(always)]
 fn larger(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }

@@ -29,7 +29,7 @@ const EVEN_S: f64 = 0.02;
 
 /// The rock under a bit, and where it stands in the world.
 ///
-/// The block stands along the bit as it was laid, x to the hole's high side, and stays so: a bit
+/// The block stands along the bit as it was placed, x to the hole's high side, and stays so: a bit
 /// that leans in its hole has cut it leaning, and leaves that axis where the rock lets it.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct RockCut {
@@ -76,15 +76,11 @@ impl RockCut {
 
     /// Takes the bit's node, which the step has pushed without the rock, through the step.
     ///
-    /// The string's impulse is given in two parts: its average of late evenly, the rest at the
-    /// step's beginning, from where the bit moves as the rock lets it. So the string's own motion
-    /// stays that of central differences, and the rock feels no blow at each step of the string.
-    /// What the rock does to the bit is what the bit does to the rock, in momentum to rounding, and
-    /// its work is that on the way that the bit took. What the bit has turned further than its last
-    /// spin says goes to the twist.
-    ///
-    /// A motor keeps its speed in the step; that follows the average of the torque, first order in
-    /// time.
+    /// The string's impulse is applied in two parts: its recent average evenly over the step, the
+    /// rest at the step's beginning. So the string's own motion stays that of central differences,
+    /// and the rock feels no blow at each step of the string. What the bit has turned beyond its
+    /// last spin goes to the twist. A motor keeps its speed in the step. Theory:
+    /// `docs/src/theory/rock.md`.
     pub(in crate::dynamics) fn drill(
         &mut self,
         chain: &mut Chain<impl Real>,
@@ -110,15 +106,18 @@ impl RockCut {
         ]
         .map(into);
         let part = dt / (EVEN_S + dt);
+        // What the string gave in this step, and its running average.
         let push_N = inertia.impulse_N_s(velocity - before) / dt;
         let spin = node!(chain, index, spin);
         let turn_N_m = (spin - step_start.spin) * inertia.about_axis_kg_m2 / dt;
         self.even_N += (push_N - self.even_N) * part;
         self.even_N_m += (turn_N_m - self.even_N_m) * part;
 
+        // The motor turns at the speed that it has under the average torque of the rock.
         drive.resist(self.resisting_N_m);
         let motor = drive.speed_rad_per_s();
         let axis = self.drilling.pose().axis();
+        // The average acts in the rock's own steps: the kick that the node has had is less by it.
         let kept = spin - dt * self.even_N_m / inertia.about_axis_kg_m2;
         let motion = BitMotion {
             velocity_m_per_s: velocity - inertia.moved(self.even_N * dt),
@@ -134,9 +133,11 @@ impl RockCut {
         let omega = advance.angular_velocity_rad_per_s;
         let turned = omega.dot(&axis);
         let spin_after = turned - motor;
+        // Whatever the spin has lost, the rock has taken.
         let torque_N_m = (spin - spin_after) * inertia.about_axis_kg_m2 / dt;
         self.resisting_N_m += (torque_N_m - self.resisting_N_m) * part;
 
+        // The bit's motion, from the block's frame back to the world's.
         let out = |v: Vector3<f64>| Vector::from(self.frame * v);
         chain.set_velocity(index, out(advance.velocity_m_per_s));
         let at = self.origin_m + self.frame * self.drilling.pose().position_m;
@@ -145,10 +146,13 @@ impl RockCut {
         chain.set_turning(index, out(omega - axis * turned));
         node!(chain, index, spin = spin_after);
         if index > 0 {
+            // The leapfrog turns the bit by its last spin; the rock turned it through the whole
+            // step.
             let further = advance.turned_rad - dt * (motor + spin_after);
             element!(chain, index - 1, twist += further);
         }
         let rate_m_per_s = advance.displacement_m.z / dt;
+        // Fades over about one revolution.
         let turned_part = (advance.turned_rad.abs() / TAU).min(1.0);
         self.depth_of_cut_m += advance.displacement_m.z - turned_part * self.depth_of_cut_m;
         let moment = advance.moment_N_m;

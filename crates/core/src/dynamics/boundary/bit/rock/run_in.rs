@@ -135,7 +135,7 @@ fn turn(
     for _ in 0..REVOLUTIONS {
         last = Advance::default();
         for _ in 0..steps as usize {
-            go_on(executor)?;
+            check_running(executor)?;
             last.join(&driver.drive(
                 drilling,
                 turn_s / steps,
@@ -148,7 +148,7 @@ fn turn(
 }
 
 /// Refuses to continue where the executor asks to stop.
-fn go_on(executor: &RockExecutor) -> Result<(), SetupError> {
+fn check_running(executor: &RockExecutor) -> Result<(), SetupError> {
     if executor.shared.stopped() {
         return Err(SetupError::Stopped);
     }
@@ -163,7 +163,7 @@ fn press(
 ) -> Result<(), SetupError> {
     let left = (-PRESSING_DAMPING_PER_S * STEP_S).exp();
     for step in 1..=(PRESSING_S / STEP_S) as usize {
-        go_on(executor)?;
+        check_running(executor)?;
         let weight_N = standing.weight_N * (step as f64 * STEP_S / GROWING_S).min(1.0);
         let motion = BitMotion {
             velocity_m_per_s: Vector3::z() * (left * drilling.pose().velocity_m_per_s.z),
