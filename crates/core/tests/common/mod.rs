@@ -203,6 +203,12 @@ pub fn uniform_model(stations_m_deg: &[[f64; 3]], w_N_per_m: f64, r_m: f64, mu: 
     )
 }
 
+/// The same in a straight hole of an inclination, deg.
+pub fn straight_model(inc_deg: f64, length_m: f64, w_N_per_m: f64, r_m: f64, mu: f64) -> Model {
+    let stations = [[0.0, inc_deg, 0.0], [length_m, inc_deg, 0.0]];
+    uniform_model(&stations, w_N_per_m, r_m, mu)
+}
+
 /// An operation with the bit at a depth: 70 rev/min, off bottom or without weight, no advance.
 pub const fn operation(kind: OperationKind, bit_depth_m: f64) -> Operation {
     Operation {
@@ -216,6 +222,14 @@ pub const fn operation(kind: OperationKind, bit_depth_m: f64) -> Operation {
         flow_rate_m3_per_s: 0.0,
         bit_pressure_drop_Pa: 0.0,
         motor_pressure_drop_Pa: 0.0,
+    }
+}
+
+/// The same with a weight on the bit.
+pub const fn pressing(kind: OperationKind, bit_depth_m: f64, weight_on_bit_N: f64) -> Operation {
+    Operation {
+        weight_on_bit_N,
+        ..operation(kind, bit_depth_m)
     }
 }
 

@@ -1,6 +1,5 @@
 //! The rod at rest: cantilevers, elastica, beam-columns and Euler's column.
 
-
 use crate::{
     common::{Row, Tolerance, assert_close, number, relative_error, report, verification},
     plane::{Plane, order, section},
