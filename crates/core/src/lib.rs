@@ -9,6 +9,12 @@
 //! clockwise looking down the hole.
 #![warn(missing_docs)]
 
+#[cfg(test)]
+extern crate self as wholestring;
+
+#[cfg(test)]
+#[path = "../tests/common/mod.rs"]
+mod common;
 mod damage;
 pub mod dynamics;
 pub mod findings;

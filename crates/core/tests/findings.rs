@@ -14,7 +14,6 @@ use wholestring::{
     rig::Rig,
     statics::soft::{self, SoftSettings},
     string::{ComponentLength, ComponentSpec},
-    well::{Friction, Hole, HoleKind, HoleSection},
 };
 
 /// A horizontal well: vertical to 500 m, a quarter circle to 1400 m, and on to `to_m`.
@@ -32,27 +31,12 @@ fn lateral(to_m: f64, mu: f64) -> Model {
 fn five_inch(stations: &[[f64; 3]], hole_m: f64, mu: f64, weight_N_per_m: f64) -> Model {
     let path = arcs(stations);
     let bit_depth_m = path.last_md_m();
-    let hole = Hole::new(vec![HoleSection {
-        kind: HoleKind::Open,
-        from_md_m: 0.0,
-        to_md_m: bit_depth_m,
-        diameter_m: hole_m,
-        friction: Friction::uniform(mu),
-        youngs_modulus_Pa: 50e9,
-        poisson_ratio: 0.3,
-        roughness: 1.0,
-    }]);
+    let hole = open_hole(hole_m, mu, bit_depth_m);
     let pipe = ComponentSpec {
         mass_per_length_kg_per_m: weight_N_per_m / wholestring::GRAVITY_M_PER_S2,
         ..ComponentSpec::uniform("pipe", 0.127, 0.1086, ComponentLength::ToSurface, steel())
     };
-    model(
-        path,
-        hole.expect("a sound hole"),
-        vec![pipe],
-        mud(0.0),
-        bit_depth_m,
-    )
+    model(path, hole, vec![pipe], mud(0.0), bit_depth_m)
 }
 
 fn soft_findings(model: &Model, operation: &Operation) -> Vec<Finding> {

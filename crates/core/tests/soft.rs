@@ -49,18 +49,12 @@ fn horizontal_turn_has_a_hyperbolic_closed_form() {
     assert_close("pulled", pulled.scalars.hook_load_N, expected, 1e-11);
 
     let weight_on_bit_N = 80e3;
-    let slide = Operation {
-        weight_on_bit_N,
-        ..operation(Slide, length_m)
-    };
+    let slide = pressing(Slide, length_m, weight_on_bit_N);
     let pushed = solve(&model, &slide);
     let expected = scale * ((-weight_on_bit_N / scale).asinh() - mu * turn).sinh();
     assert_close("pushed", pushed.scalars.hook_load_N, expected, 1e-11);
 
-    let drill = Operation {
-        weight_on_bit_N,
-        ..operation(Drill, length_m)
-    };
+    let drill = pressing(Drill, length_m, weight_on_bit_N);
     let rotated = solve(&model, &drill);
     let side_force = weight.hypot(weight_on_bit_N / radius_m);
     let expected = mu * side_force * pipe_radius_m * length_m;
@@ -250,10 +244,7 @@ fn fourth_order_where_the_load_is_smooth() {
     let stations = [[0.0, 20.0, 0.0], [length_m, 80.0, 50.0]];
     let model = uniform_model(&stations, 300.0, 0.07, 0.4);
     let hook_load = |step_m: f64| {
-        let pull = Operation {
-            weight_on_bit_N: -300e3,
-            ..operation(Slide, length_m)
-        };
+        let pull = pressing(Slide, length_m, -300e3);
         solve_with(&model, &pull, step_m).scalars.hook_load_N
     };
     let exact = hook_load(1.0);
@@ -394,10 +385,7 @@ fn neutral_point() {
         mud(0.0),
         2000.0,
     );
-    let drill = Operation {
-        weight_on_bit_N: 120e3,
-        ..operation(Drill, 2000.0)
-    };
+    let drill = pressing(Drill, 2000.0, 120e3);
     let found = solve(&model, &drill)
         .scalars
         .neutral_point_m
@@ -405,12 +393,8 @@ fn neutral_point() {
     // 100 kN of collars and 80 m of pipe; tension is linear there, so only rounding is left.
     assert!((found - 1820.0).abs() < 1e-6, "{found}");
     assert_eq!(run(&model, RotateOffBottom).scalars.neutral_point_m, None);
-    let stations = [[0.0, 90.0, 0.0], [1000.0, 90.0, 0.0]];
-    let horizontal = uniform_model(&stations, 300.0, 0.07, 0.3);
-    let slide = Operation {
-        weight_on_bit_N: 20e3,
-        ..operation(Slide, 1000.0)
-    };
+    let horizontal = straight_model(90.0, 1000.0, 300.0, 0.07, 0.3);
+    let slide = pressing(Slide, 1000.0, 20e3);
     assert_eq!(solve(&horizontal, &slide).scalars.neutral_point_m, None);
 }
 
@@ -462,8 +446,7 @@ fn cutoff_of_a_surveyed_build() {
         );
     }
     // A straight hole has no build, so no cut-off.
-    let stations = [[0.0, 30.0, 0.0], [1000.0, 30.0, 0.0]];
-    let slant = uniform_model(&stations, 300.0, 0.07, 0.3);
+    let slant = straight_model(30.0, 1000.0, 300.0, 0.07, 0.3);
     assert_eq!(run(&slant, TripOut).scalars.cutoff_depth_m, None);
 }
 
@@ -518,66 +501,47 @@ fn profile_runs_from_surface_to_bit_and_adds_up() {
 
 #[test]
 fn bad_input_is_refused() {
-    let stations = [[0.0, 30.0, 0.0], [1000.0, 30.0, 0.0]];
-    let model = uniform_model(&stations, 300.0, 0.07, 0.3);
+    let model = straight_model(30.0, 1000.0, 300.0, 0.07, 0.3);
     let good = operation(Drill, 1000.0);
-    let refused = |operation: Operation| {
+    let refused = |change: fn(&mut Operation)| {
+        let mut operation = good;
+        change(&mut operation);
         soft::solve(&model, &operation, &SoftSettings::default())
             .map(|profile| profile.scalars)
             .expect_err("a bad set point")
             .to_string()
     };
-    for (operation, expected) in [
+    let cases: [(fn(&mut Operation), &str); 6] = [
         (
-            Operation {
-                bit_depth_m: 990.0,
-                ..good
-            },
+            |of| of.bit_depth_m = 990.0,
             "the string is 1000.000 m long, but the bit is 990.000 m deep",
         ),
         (
-            Operation {
-                bit_depth_m: f64::NAN,
-                ..good
-            },
+            |of| of.bit_depth_m = f64::NAN,
             "the bit depth must be a positive number of metres up to 100 km, got NaN m",
         ),
         (
-            Operation {
-                rotary_speed_rad_per_s: 0.0,
-                ..good
-            },
+            |of| of.rotary_speed_rad_per_s = 0.0,
             "the rotary speed must be positive (rad/s) where the string rotates, got 0",
         ),
         (
-            Operation {
-                weight_on_bit_N: f64::INFINITY,
-                ..good
-            },
+            |of| of.weight_on_bit_N = f64::INFINITY,
             "the weight on bit must be a finite number (N), got inf",
         ),
         (
-            Operation {
-                bit_torque_N_m: f64::NAN,
-                ..good
-            },
+            |of| of.bit_torque_N_m = f64::NAN,
             "the bit torque must be a finite number (N·m), got NaN",
         ),
         (
-            Operation {
-                rate_of_penetration_m_per_s: f64::NAN,
-                ..good
-            },
+            |of| of.rate_of_penetration_m_per_s = f64::NAN,
             "the axial speed must be a finite number (m/s), got NaN",
         ),
-    ] {
-        assert_eq!(refused(operation), expected);
+    ];
+    for (change, expected) in cases {
+        assert_eq!(refused(change), expected);
     }
     let curved = uniform_model(&BUILD_AND_TURN, 300.0, 0.07, 0.3);
-    let overload = Operation {
-        weight_on_bit_N: 1e300,
-        ..operation(Drill, 2500.0)
-    };
+    let overload = pressing(Drill, 2500.0, 1e300);
     let result = soft::solve(&curved, &overload, &SoftSettings::default());
     assert!(matches!(result, Err(SoftError::NotFinite { .. })));
     for step_m in [0.0, -1.0, f64::NAN, 1e-9, 1e9] {

@@ -279,15 +279,12 @@ fn a_turn_climbs_to_its_inside() {
             mud(steel().density_kg_per_m3),
             length_m,
         );
-        let drill = Operation {
-            weight_on_bit_N: -100e3,
-            ..operation(Drill, length_m)
-        };
+        let drill = pressing(Drill, length_m, -100e3);
         let found = solve(&model, &drill).climb_rad[450].expect("it lies on a side");
         assert!((found - climb_rad).abs() < 1e-9, "{found} for {climb_rad}");
     }
     // A vertical string that hangs free presses nowhere.
-    let model = uniform_model(&[[0.0, 0.0, 0.0], [500.0, 0.0, 0.0]], 300.0, 0.07, 0.3);
+    let model = straight_model(0.0, 500.0, 300.0, 0.07, 0.3);
     let hanging = solve(&model, &operation(TripOut, 500.0));
     assert!(hanging.climb_rad.iter().all(Option::is_none));
 }

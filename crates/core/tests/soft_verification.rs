@@ -36,8 +36,12 @@ impl Given<'_> {
         self.0["expected"][key].as_f64().expect(key)
     }
 
-    /// Reports a number of the row.
-    fn holds(&self, quantity: &str, computed: f64, expected: f64, tolerance: f64) {
+    /// Reports a number of the row, which expects what stands under the key.
+    fn holds(&self, quantity: &str, computed: f64, key: &str, tolerance: f64) {
+        self.holds_number(quantity, computed, self.expected(key), tolerance);
+    }
+
+    fn holds_number(&self, quantity: &str, computed: f64, expected: f64, tolerance: f64) {
         let id = self.0["id"].as_str().expect("id").replace('_', " ");
         report(&Row {
             case: "A01",
@@ -79,63 +83,40 @@ fn a01_closed_forms() {
 
 fn vertical_hang(row: &Given) {
     let length_m = row.input("L_m");
-    let model = uniform_model(
-        &[[0.0, 0.0, 0.0], [length_m, 0.0, 0.0]],
-        row.input("w_N_per_m"),
-        0.07,
-        0.3,
-    );
-    let drill = Operation {
-        weight_on_bit_N: row.input("WOB_N"),
-        ..operation(Drill, length_m)
-    };
+    let model = straight_model(0.0, length_m, row.input("w_N_per_m"), 0.07, 0.3);
+    let drill = pressing(Drill, length_m, row.input("WOB_N"));
     let scalars = solve(&model, &drill).scalars;
-    row.holds(
-        "hook load, N",
-        scalars.hook_load_N,
-        row.expected("hookload_N"),
-        1e-9,
-    );
+    row.holds("hook load, N", scalars.hook_load_N, "hookload_N", 1e-9);
     assert_eq!(scalars.surface_torque_N_m, row.expected("torque_Nm"));
 }
 
 fn slant(row: &Given) {
     let (length_m, inclination) = (row.input("L_m"), row.input("inc_deg"));
-    let model = uniform_model(
-        &[[0.0, inclination, 0.0], [length_m, inclination, 0.0]],
+    let model = straight_model(
+        inclination,
+        length_m,
         row.input("w_N_per_m"),
         row.input("r_m"),
         row.input("mu"),
     );
     let hook_load = |kind| scalars(&model, kind).hook_load_N;
-    row.holds(
-        "pick-up, N",
-        hook_load(TripOut),
-        row.expected("pickup_N"),
-        1e-9,
-    );
-    row.holds(
-        "slack-off, N",
-        hook_load(TripIn),
-        row.expected("slackoff_N"),
-        1e-9,
-    );
+    row.holds("pick-up, N", hook_load(TripOut), "pickup_N", 1e-9);
+    row.holds("slack-off, N", hook_load(TripIn), "slackoff_N", 1e-9);
     row.holds(
         "rotating, N",
         hook_load(RotateOffBottom),
-        row.expected("rotating_N"),
+        "rotating_N",
         1e-9,
     );
     let torque = scalars(&model, RotateOffBottom).surface_torque_N_m;
-    row.holds("torque, N·m", torque, row.expected("torque_Nm"), 1e-9);
+    row.holds("torque, N·m", torque, "torque_Nm", 1e-9);
 }
 
 /// A string does not slide down by itself where `tan i = 1/μ`: its slack-off hook load is zero.
 fn critical_angle(row: &Given) {
     let (inclination, length_m, weight) = (row.expected("inc_deg"), 1000.0, 300.0);
     let slack_off = |inclination: f64| {
-        let stations = [[0.0, inclination, 0.0], [length_m, inclination, 0.0]];
-        let model = uniform_model(&stations, weight, 0.07, row.input("mu"));
+        let model = straight_model(inclination, length_m, weight, 0.07, row.input("mu"));
         scalars(&model, TripIn).hook_load_N / (weight * length_m)
     };
     assert!(slack_off(inclination).abs() < 1e-12);
@@ -145,23 +126,16 @@ fn critical_angle(row: &Given) {
 
 fn horizontal_push(row: &Given) {
     let length_m = row.input("L_m");
-    let model = uniform_model(
-        &[[0.0, 90.0, 0.0], [length_m, 90.0, 0.0]],
+    let model = straight_model(
+        90.0,
+        length_m,
         row.input("w_N_per_m"),
         0.07,
         row.input("mu"),
     );
-    let slide = Operation {
-        weight_on_bit_N: row.input("WOB_N"),
-        ..operation(Slide, length_m)
-    };
+    let slide = pressing(Slide, length_m, row.input("WOB_N"));
     let hook_load_N = solve(&model, &slide).scalars.hook_load_N;
-    row.holds(
-        "force at the heel, N",
-        hook_load_N,
-        row.expected("axial_at_heel_N"),
-        1e-9,
-    );
+    row.holds("force at the heel, N", hook_load_N, "axial_at_heel_N", 1e-9);
 }
 
 fn capstan(row: &Given) {
@@ -175,11 +149,11 @@ fn capstan(row: &Given) {
         row.input("F_bottom_N"),
     );
     let out = scalars(&model, TripOut).hook_load_N;
-    row.holds("pull, N", out, row.expected("pull_top_N"), 1e-8);
+    row.holds("pull, N", out, "pull_top_N", 1e-8);
     let lower = scalars(&model, TripIn).hook_load_N;
-    row.holds("lower, N", lower, row.expected("lower_top_N"), 1e-8);
+    row.holds("lower, N", lower, "lower_top_N", 1e-8);
     let torque = scalars(&model, RotateOffBottom).surface_torque_N_m;
-    row.holds("torque, N·m", torque, row.expected("rot_torque_Nm"), 1e-8);
+    row.holds("torque, N·m", torque, "rot_torque_Nm", 1e-8);
 }
 
 /// A build from the surface, with a frictionless tangent below it whose weight is the force at the
@@ -212,12 +186,7 @@ fn kind_of(id: &str) -> OperationKind {
 fn build_arc(row: &Given, id: &str) {
     let (model, arc_m) = arc_on_a_tail(row);
     let profile = solve(&model, &operation(kind_of(id), model.string.length_m()));
-    row.holds(
-        "hook load, N",
-        profile.scalars.hook_load_N,
-        row.expected("F_top_N"),
-        1e-7,
-    );
+    row.holds("hook load, N", profile.scalars.hook_load_N, "F_top_N", 1e-7);
     for (md, force) in profile.md_m.iter().zip(&profile.side_force_N_per_m) {
         assert!(
             (*force > 0.0) == (*md <= arc_m),
@@ -231,12 +200,7 @@ fn build_arc(row: &Given, id: &str) {
 fn side_switch(row: &Given, id: &str) {
     let (model, arc_m) = arc_on_a_tail(row);
     let profile = solve(&model, &operation(kind_of(id), model.string.length_m()));
-    row.holds(
-        "hook load, N",
-        profile.scalars.hook_load_N,
-        row.expected("F_top_N"),
-        1e-6,
-    );
+    row.holds("hook load, N", profile.scalars.hook_load_N, "F_top_N", 1e-6);
     let switch = row.expected("switch_inclination_deg");
     let crossing = profile
         .side_force_N_per_m
@@ -265,8 +229,9 @@ fn side_switch(row: &Given, id: &str) {
 /// back-reaming differ from drilling in the sign of the drag alone.
 fn combined_motion(row: &Given) {
     let length_m = 1000.0;
-    let model = uniform_model(
-        &[[0.0, 90.0, 0.0], [length_m, 90.0, 0.0]],
+    let model = straight_model(
+        90.0,
+        length_m,
         row.input("N_N") / length_m,
         row.input("r_m"),
         row.input("mu"),
@@ -281,7 +246,7 @@ fn combined_motion(row: &Given) {
         };
         let scalars = solve(&model, &operation).scalars;
         let drag = sign * row.expected("axial_drag_N");
-        row.holds(
+        row.holds_number(
             &format!("drag when {}, N", kind.name().replace('_', " ")),
             scalars.axial_friction_N,
             drag,
@@ -290,7 +255,7 @@ fn combined_motion(row: &Given) {
         row.holds(
             &format!("torque when {}, N·m", kind.name().replace('_', " ")),
             scalars.friction_torque_N_m,
-            row.expected("torque_Nm"),
+            "torque_Nm",
             1e-10,
         );
         // 90° in radians leaves 2e-11 of the weight along the hole.

@@ -1,5 +1,9 @@
 //! Study files: what is read, and the answer that mistakes get.
 
+#[path = "../../case/tests/common/change.rs"]
+mod change;
+
+use change::changes;
 use wholestring_case::Report;
 use wholestring_study::{ColumnName, FigureData, Pointing, Source, Statistic, Study, parse};
 use wholestring_units::Dimension;
@@ -199,133 +203,60 @@ fn an_axis_points_down_where_that_is_asked_for() {
 
 #[test]
 fn mistakes_get_an_answer() {
-    for (name, from, to) in [
-        ("key_misspelt", "description =", "descripton ="),
-        (
-            "key_of_another_table",
-            "description =",
-            "expected = 1\ndescription =",
-        ),
-        ("sweep_unknown", "sweeps = \"deep\"", "sweeps = \"depe\""),
-        ("sweep_twice", "name = \"soft\"", "name = \"Deep\""),
-        ("range_without_step", "300m..1500m/300m", "300m..1500m"),
-        ("value_twice", "[0.1, 0.3]", "[0.1, 0.1]"),
-        ("no_values", "[0.1, 0.3]", "[]"),
-        (
-            "where_of_no_case",
-            "\"..600 m\", friction = 0.3",
-            "\"..100 m\"",
-        ),
-        (
-            "where_of_another_key",
-            "\"..600 m\", friction = 0.3",
-            "\"..600 m\", fricton = 0.3",
-        ),
-        (
-            "where_backwards",
-            "\"..600 m\", friction = 0.3",
-            "\"900 m..600 m\"",
-        ),
-        (
-            "x_axis_unknown",
-            "statistic = [\"mean\", \"std\"]",
-            "x_axis = \"up\"",
-        ),
-        ("axis_not_varied", "x = \"bit_depth\"", "x = \"rpm\""),
-        ("column_unknown", "y = \"torque_N_m\"", "y = \"torqe_N_m\""),
-        (
-            "column_of_another_table",
-            "y = \"torque_N_m\"",
-            "y = \"tension_N\"",
-        ),
-        (
-            "columns_of_two_units",
-            "y = \"torque_N_m\"",
-            "y = [\"torque_N_m\", \"hook_load_N\"]",
-        ),
-        ("statistic_unknown", "[\"mean\", \"std\"]", "\"sdt\""),
-        ("percentile_of_a_summary", "[\"mean\", \"std\"]", "\"p98\""),
-        (
-            "level_of_another_unit",
-            "value = \"45 kN.m\"",
-            "value = \"45 kN\"",
-        ),
-        (
-            "window_backwards",
-            "[\"0 s\", \"10 s\"]",
-            "[\"10 s\", \"0 s\"]",
-        ),
-        ("frames_without_place", "depths = \"600 m\"\n", ""),
-        (
-            "map_without_colour",
-            "colour = \"|side_force_N_per_m|\"\n",
-            "",
-        ),
-        ("map_upside_down", "y = \"md_m\"", "y = \"time_s\""),
-        (
-            "map_of_an_unknown_colour",
-            "|side_force_N_per_m|",
-            "side_force_N",
-        ),
-        (
-            "case_open",
-            "only = { bit_depth = \"1500 m\", friction = 0.3 }",
-            "only = { friction = 0.3 }",
-        ),
-        (
-            "other_case_unknown",
-            "over = { friction = 0.1 }",
-            "over = { friction = 0.9 }",
-        ),
-        (
-            "tolerance_of_nothing",
-            "tolerance = \"8 %\"",
-            "tolerance = 0",
-        ),
-        ("ratio_with_a_unit", "at_least = 2", "at_least = \"2 kN\""),
-        (
-            "shape_without_key",
-            "at_least = 2",
-            "shape = \"growth\"\nat_least = 2",
-        ),
-        ("file_name_unsound", "name = \"contact\"", "name = \"a/b\""),
-        ("no_sweep", EXAMPLE, "name = \"nothing\"\n"),
-        ("empty", EXAMPLE, ""),
-    ] {
-        match read(&changed(from, to)) {
-            Ok(_) => panic!("`{name}` was accepted"),
-            Err(report) => on_record(name, &report),
-        }
+    let refused = |name: &str, text: &str| match read(text) {
+        Ok(_) => panic!("`{name}` was accepted"),
+        Err(report) => on_record(name, &report),
+    };
+    refused("no_sweep", "name = \"nothing\"\n");
+    refused("empty", "");
+    for (name, from, to) in changes(
+        r#"
+        key_misspelt: `description =` -> `descripton =`
+        key_of_another_table: `description =` -> `expected = 1\ndescription =`
+        sweep_unknown: `sweeps = "deep"` -> `sweeps = "depe"`
+        sweep_twice: `name = "soft"` -> `name = "Deep"`
+        range_without_step: `300m..1500m/300m` -> `300m..1500m`
+        value_twice: `[0.1, 0.3]` -> `[0.1, 0.1]`
+        no_values: `[0.1, 0.3]` -> `[]`
+        where_of_no_case: `"..600 m", friction = 0.3` -> `"..100 m"`
+        where_of_another_key: `"..600 m", friction = 0.3` -> `"..600 m", fricton = 0.3`
+        where_backwards: `"..600 m", friction = 0.3` -> `"900 m..600 m"`
+        x_axis_unknown: `statistic = ["mean", "std"]` -> `x_axis = "up"`
+        axis_not_varied: `x = "bit_depth"` -> `x = "rpm"`
+        column_unknown: `y = "torque_N_m"` -> `y = "torqe_N_m"`
+        column_of_another_table: `y = "torque_N_m"` -> `y = "tension_N"`
+        columns_of_two_units: `y = "torque_N_m"` -> `y = ["torque_N_m", "hook_load_N"]`
+        statistic_unknown: `["mean", "std"]` -> `"sdt"`
+        percentile_of_a_summary: `["mean", "std"]` -> `"p98"`
+        level_of_another_unit: `value = "45 kN.m"` -> `value = "45 kN"`
+        window_backwards: `["0 s", "10 s"]` -> `["10 s", "0 s"]`
+        frames_without_place: `depths = "600 m"\n` -> ``
+        map_without_colour: `colour = "|side_force_N_per_m|"\n` -> ``
+        map_upside_down: `y = "md_m"` -> `y = "time_s"`
+        map_of_an_unknown_colour: `|side_force_N_per_m|` -> `side_force_N`
+        case_open: `only = { bit_depth = "1500 m", friction = 0.3 }` -> `only = { friction = 0.3 }`
+        other_case_unknown: `over = { friction = 0.1 }` -> `over = { friction = 0.9 }`
+        tolerance_of_nothing: `tolerance = "8 %"` -> `tolerance = 0`
+        ratio_with_a_unit: `at_least = 2` -> `at_least = "2 kN"`
+        shape_without_key: `at_least = 2` -> `shape = "growth"\nat_least = 2`
+        file_name_unsound: `name = "contact"` -> `name = "a/b"`
+        "#,
+    ) {
+        refused(name, &changed(&from, &to));
     }
-    for (name, from, to) in [
-        (
-            "statistic_of_frames",
-            "window = [\"0 s\", \"10 s\"]",
-            "statistic = \"std\"",
-        ),
-        (
-            "tolerance_of_no_number",
-            "at_least = 2\n",
-            "tolerance = \"1 %\"\n",
-        ),
-        (
-            "x_axis_of_a_map",
-            "colour = \"|side_force_N_per_m|\"\n",
-            "colour = \"side_force_N_per_m\"\nx_axis = \"down\"\n",
-        ),
-        (
-            "colour_of_frames",
-            "window = [\"0 s\", \"10 s\"]",
-            "colour = \"md_m\"",
-        ),
-        (
-            "times_of_a_map",
-            "colour = \"|side_force_N_per_m|\"\n",
-            "colour = \"side_force_N_per_m\"\ntimes = \"1 s\"\n",
-        ),
-        ("depth_of_a_summary", "at_least = 2\n", "depth = \"10 m\"\n"),
-    ] {
-        let study = read(&changed(from, to)).unwrap_or_else(|report| panic!("{name}: {report}"));
+    for (name, from, to) in changes(
+        r#"
+        statistic_of_frames: `window = ["0 s", "10 s"]` -> `statistic = "std"`
+        tolerance_of_no_number: `at_least = 2\n` -> `tolerance = "1 %"\n`
+        x_axis_of_a_map: `colour = "|side_force_N_per_m|"\n`
+            -> `colour = "side_force_N_per_m"\nx_axis = "down"\n`
+        colour_of_frames: `window = ["0 s", "10 s"]` -> `colour = "md_m"`
+        times_of_a_map: `colour = "|side_force_N_per_m|"\n`
+            -> `colour = "side_force_N_per_m"\ntimes = "1 s"\n`
+        depth_of_a_summary: `at_least = 2\n` -> `depth = "10 m"\n`
+        "#,
+    ) {
+        let study = read(&changed(&from, &to)).unwrap_or_else(|report| panic!("{name}: {report}"));
         on_record(name, &study.warnings);
     }
 }

@@ -1,6 +1,7 @@
 //! The case that tests start from.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
+pub(crate) mod change;
 pub(crate) mod schema_check;
 
 use wholestring_case::{Case, InMemory, Override, Report, parse};

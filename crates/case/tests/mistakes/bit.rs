@@ -265,37 +265,20 @@ fn a_file_is_read_as_the_points_that_it_holds() {
 
 #[test]
 fn what_has_no_effect_or_is_odd() {
-    each_warned(&[
-        ("warn_bit_torque", "torque = \"3.1 kN.m\"", "# torque"),
-        (
-            "warn_bit_does_not_cut",
-            "torque = \"3.1 kN.m\"",
-            "law = \"regenerative\"\nwear_flat = \"20 mm\"",
-        ),
-        (
-            "warn_regenerative_key",
-            "torque = \"3.1 kN.m\"",
-            "torque = \"3.1 kN.m\"\nblades = 6\nwear_flat = \"2 mm\"",
-        ),
-        (
-            "warn_rate_key",
-            "torque = \"3.1 kN.m\"",
-            "torque = \"3.1 kN.m\"\nlaw = \"regenerative\"\n[bit.excitation]\namplitude = \"1 mm\"",
-        ),
-        (
-            "warn_excitation_key",
-            "torque = \"3.1 kN.m\"",
-            "torque = \"3.1 kN.m\"\n[bit.excitation]\nlobes = 4\nfrequency = \"20 Hz\"",
-        ),
-        (
-            "warn_keys_of_other_laws",
-            "torque = \"3.1 kN.m\"",
-            "torque = \"3.1 kN.m\"\nkind = \"core\"\ncore_diameter = \"4 in\"\ncleaning_limit = \"5 mm\"\n[bit.table]\nfile = \"bit.csv\"",
-        ),
-        (
-            "warn_detournay_choked",
-            "torque = \"3.1 kN.m\"",
-            "law = \"detournay-defourny\"\ncleaning_limit = \"5 mm\"",
-        ),
-    ]);
+    each_warned(
+        r#"
+        warn_bit_torque: `torque = "3.1 kN.m"` -> `# torque`
+        warn_bit_does_not_cut: `torque = "3.1 kN.m"` -> `law = "regenerative"\nwear_flat = "20 mm"`
+        warn_regenerative_key: `torque = "3.1 kN.m"`
+            -> `torque = "3.1 kN.m"\nblades = 6\nwear_flat = "2 mm"`
+        warn_rate_key: `torque = "3.1 kN.m"`
+            -> `torque = "3.1 kN.m"\nlaw = "regenerative"\n[bit.excitation]\namplitude = "1 mm"`
+        warn_excitation_key: `torque = "3.1 kN.m"`
+            -> `torque = "3.1 kN.m"\n[bit.excitation]\nlobes = 4\nfrequency = "20 Hz"`
+        warn_keys_of_other_laws: `torque = "3.1 kN.m"`
+            -> `torque = "3.1 kN.m"\nkind = "core"\ncore_diameter = "4 in"\ncleaning_limit = "5 mm"\n[bit.table]\nfile = "bit.csv"`
+        warn_detournay_choked: `torque = "3.1 kN.m"`
+            -> `law = "detournay-defourny"\ncleaning_limit = "5 mm"`
+        "#,
+    );
 }

@@ -9,56 +9,37 @@ use crate::{
 
 #[test]
 fn unusual_numbers_name_the_unit_that_would_make_sense() {
-    each_warned(&[
-        ("usual_density_of_ppg", "\"1.2 sg\"", "10.8"),
-        ("usual_density_of_sg", "\"1.2 sg\"", "1.2"),
-        ("usual_density_in_another_unit", "\"1.2 sg\"", "\"1.2 ppg\""),
-        ("usual_weight_on_bit", "\"6 tf\"", "20"),
-        ("usual_bit_torque", "\"3.1 kN.m\"", "3.1"),
-        ("usual_top_drive_torque", "\"45 kN.m\"", "45"),
-        ("usual_trip_speed", "\"0.3 m/s\"", "5"),
-        ("usual_rpm", "rpm = 70", "rpm = \"70 rad/s\""),
-        ("usual_rpm_slow", "rpm = 70", "rpm = 7.33"),
-        (
-            "usual_friction",
-            "friction = 0.3\n[[",
-            "friction = 0.02\n[[",
-        ),
-        ("usual_length", "\"0.34 m\"", "\"34 mm\""),
-        (
-            "usual_mass_per_length",
-            "length = \"to surface\"",
-            "mass_per_length = 21.9\nlength = \"to surface\"",
-        ),
-    ]);
+    each_warned(
+        r#"
+        usual_density_of_ppg: `"1.2 sg"` -> `10.8`
+        usual_density_of_sg: `"1.2 sg"` -> `1.2`
+        usual_density_in_another_unit: `"1.2 sg"` -> `"1.2 ppg"`
+        usual_weight_on_bit: `"6 tf"` -> `20`
+        usual_bit_torque: `"3.1 kN.m"` -> `3.1`
+        usual_top_drive_torque: `"45 kN.m"` -> `45`
+        usual_trip_speed: `"0.3 m/s"` -> `5`
+        usual_rpm: `rpm = 70` -> `rpm = "70 rad/s"`
+        usual_rpm_slow: `rpm = 70` -> `rpm = 7.33`
+        usual_friction: `friction = 0.3\n[[` -> `friction = 0.02\n[[`
+        usual_length: `"0.34 m"` -> `"34 mm"`
+        usual_mass_per_length: `length = "to surface"`
+            -> `mass_per_length = 21.9\nlength = "to surface"`
+        "#,
+    );
 }
 
 #[test]
 fn numbers_out_of_range_name_it_too() {
-    each_refused(&[
-        (
-            "usual_hole_diameter",
-            "\"215.9 mm\"\nfriction",
-            "8.5\nfriction",
-        ),
-        (
-            "usual_od",
-            "od = \"215.9 mm\"\nlength",
-            "od = 215.9\nlength",
-        ),
-        ("usual_rop", "\"10 m/h\"", "10"),
-        ("usual_modulus", "\"210 GPa\"", "210"),
-        (
-            "usual_bit_depth",
-            "\"4305 m\"                  # default",
-            "\"4305 km\" # default",
-        ),
-        (
-            "usual_friction_too_large",
-            "friction = 0.3\n[[",
-            "friction = 3\n[[",
-        ),
-    ]);
+    each_refused(
+        r#"
+        usual_hole_diameter: `"215.9 mm"\nfriction` -> `8.5\nfriction`
+        usual_od: `od = "215.9 mm"\nlength` -> `od = 215.9\nlength`
+        usual_rop: `"10 m/h"` -> `10`
+        usual_modulus: `"210 GPa"` -> `210`
+        usual_bit_depth: `"4305 m"                  # default` -> `"4305 km" # default`
+        usual_friction_too_large: `friction = 0.3\n[[` -> `friction = 3\n[[`
+        "#,
+    );
 }
 
 /// In a case that is shown in feet a length without a unit may be either.
@@ -96,19 +77,17 @@ fn zero_is_not_doubted() {
 
 #[test]
 fn casing_is_called_by_its_outside_diameter() {
-    each_warned(&[
-        ("casing_outside_diameter", "\"222.96 mm\"", "\"9-5/8 in\""),
-        (
-            "casing_outside_diameter_in_mm",
-            "\"222.96 mm\"",
-            "\"244.5 mm\"",
-        ),
-    ]);
-    each_refused(&[(
-        "casing_outside_or_inside_diameter",
-        "\"222.96 mm\"",
-        "\"7-5/8 in\"",
-    )]);
+    each_warned(
+        r#"
+        casing_outside_diameter: `"222.96 mm"` -> `"9-5/8 in"`
+        casing_outside_diameter_in_mm: `"222.96 mm"` -> `"244.5 mm"`
+        "#,
+    );
+    each_refused(
+        r#"
+        casing_outside_or_inside_diameter: `"222.96 mm"` -> `"7-5/8 in"`
+        "#,
+    );
     let open = changed("\"215.9 mm\"\nfriction", "\"9-5/8 in\"\nfriction");
     let open = read(&open).expect("an open hole of 9-5/8 in");
     assert!(open.warnings.is_empty(), "{}", open.warnings);
@@ -121,26 +100,18 @@ fn casing_by_its_name() {
     assert!(case.warnings.is_empty(), "{}", case.warnings);
     let diameter_m = case.model.well.hole.sections()[0].diameter_m;
     assert!((diameter_m - 8.835 * 0.0254).abs() < 1e-12, "{diameter_m}");
-    each_refused(&[
-        ("casing_unknown", casing, "casing = \"9-5/8 in 41 lb/ft\""),
-        ("casing_without_weight", casing, "casing = \"9-5/8\""),
-        (
-            "casing_and_diameter",
-            casing,
-            "diameter = \"222.96 mm\"\ncasing = \"9-5/8 in 40 lb/ft\"",
-        ),
-        (
-            "casing_of_open_hole",
-            "diameter = \"215.9 mm\"\nfriction",
-            "casing = \"9-5/8 in 40 lb/ft\"\nfriction",
-        ),
-        ("casing_too_narrow", casing, "casing = \"7 in 29 lb/ft\""),
-        (
-            "casing_or_diameter_missing",
-            "diameter = \"222.96 mm\"\n",
-            "",
-        ),
-    ]);
+    each_refused(
+        r#"
+        casing_unknown: `diameter = "222.96 mm"` -> `casing = "9-5/8 in 41 lb/ft"`
+        casing_without_weight: `diameter = "222.96 mm"` -> `casing = "9-5/8"`
+        casing_and_diameter: `diameter = "222.96 mm"`
+            -> `diameter = "222.96 mm"\ncasing = "9-5/8 in 40 lb/ft"`
+        casing_of_open_hole: `diameter = "215.9 mm"\nfriction`
+            -> `casing = "9-5/8 in 40 lb/ft"\nfriction`
+        casing_too_narrow: `diameter = "222.96 mm"` -> `casing = "7 in 29 lb/ft"`
+        casing_or_diameter_missing: `diameter = "222.96 mm"\n` -> ``
+        "#,
+    );
 }
 
 /// A shell takes away the quotes of `"9.5 ppg"`, and a number alone says nothing.

@@ -18,7 +18,7 @@ mod top_side;
 mod well;
 mod writing;
 
-use common::{changed, read};
+use common::{change::changes, changed, read};
 use wholestring_case::{Case, Report};
 
 /// Holds the answer against the one on record. The mistake must be refused.
@@ -47,10 +47,10 @@ fn on_record(name: &str, report: &Report) {
     settings.bind(|| insta::assert_snapshot!(name, report.render(false)));
 }
 
-/// Mistakes of the example: a name, what stands there, and what stands there instead.
-fn each_refused(cases: &[(&str, &str, &str)]) {
-    for (name, from, to) in cases {
-        refused(name, read(&changed(from, to)));
+/// Mistakes of the example, as [`changes`] has them.
+fn each_refused(table: &str) {
+    for (name, from, to) in changes(table) {
+        refused(name, read(&changed(&from, &to)));
     }
 }
 
@@ -62,8 +62,8 @@ fn texts_refused<const N: usize>(cases: [(&str, String); N]) {
 }
 
 /// Changes of the example that are accepted with a warning.
-fn each_warned(cases: &[(&str, &str, &str)]) {
-    for (name, from, to) in cases {
-        warned(name, read(&changed(from, to)));
+fn each_warned(table: &str) {
+    for (name, from, to) in changes(table) {
+        warned(name, read(&changed(&from, &to)));
     }
 }

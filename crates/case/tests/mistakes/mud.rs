@@ -7,20 +7,18 @@ use crate::{
 
 #[test]
 fn density() {
-    each_refused(&[
-        ("mud_missing", "[mud]\ndensity = \"1.2 sg\"\n", ""),
-        ("density_missing", "density = \"1.2 sg\"", ""),
-        ("density_1e308", "\"1.2 sg\"", "1e308"),
-        ("density_1e400", "\"1.2 sg\"", "1e400"),
-        ("density_nan", "\"1.2 sg\"", "nan"),
-        ("density_nan_in_quotes", "\"1.2 sg\"", "\"nan sg\""),
-        (
-            "density_with_too_many_digits",
-            "\"1.2 sg\"",
-            "99999999999999999999",
-        ),
-        ("mud_denser_than_steel", "\"1.2 sg\"", "\"8 sg\""),
-    ]);
+    each_refused(
+        r#"
+        mud_missing: `[mud]\ndensity = "1.2 sg"\n` -> ``
+        density_missing: `density = "1.2 sg"` -> ``
+        density_1e308: `"1.2 sg"` -> `1e308`
+        density_1e400: `"1.2 sg"` -> `1e400`
+        density_nan: `"1.2 sg"` -> `nan`
+        density_nan_in_quotes: `"1.2 sg"` -> `"nan sg"`
+        density_with_too_many_digits: `"1.2 sg"` -> `99999999999999999999`
+        mud_denser_than_steel: `"1.2 sg"` -> `"8 sg"`
+        "#,
+    );
 }
 
 #[test]
@@ -46,21 +44,14 @@ fn rheology_and_flow() {
         );
         refused(name, read(&text));
     }
-    each_warned(&[
-        (
-            "warn_mud_key_of_another_rheology",
-            "density = \"1.2 sg\"",
-            "density = \"1.2 sg\"\nrheology = \"newtonian\"\nviscosity = \"20 cP\"\nyield_point = \"15 lbf/100ft2\"",
-        ),
-        (
-            "warn_mud_key_without_rheology",
-            "density = \"1.2 sg\"",
-            "density = \"1.2 sg\"\nplastic_viscosity = \"25 cP\"",
-        ),
-        (
-            "warn_flow_without_rheology",
-            "rpm = 70",
-            "flow_rate = \"2000 L/min\"\nbit_pressure_drop = \"80 bar\"\nrpm = 70",
-        ),
-    ]);
+    each_warned(
+        r#"
+        warn_mud_key_of_another_rheology: `density = "1.2 sg"`
+            -> `density = "1.2 sg"\nrheology = "newtonian"\nviscosity = "20 cP"\nyield_point = "15 lbf/100ft2"`
+        warn_mud_key_without_rheology: `density = "1.2 sg"`
+            -> `density = "1.2 sg"\nplastic_viscosity = "25 cP"`
+        warn_flow_without_rheology: `rpm = 70`
+            -> `flow_rate = "2000 L/min"\nbit_pressure_drop = "80 bar"\nrpm = 70`
+        "#,
+    );
 }

@@ -7,46 +7,34 @@ use crate::{
 
 #[test]
 fn kind() {
-    each_refused(&[
-        (
-            "operation_misspelt",
-            "kind = \"drill\"",
-            "kind = \"driling\"",
-        ),
-        (
-            "operation_unknown",
-            "kind = \"drill\"",
-            "kind = \"cementing\"",
-        ),
-        (
-            "operation_listed_twice",
-            "kind = \"drill\"",
-            "kind = [\"drill\", \"slide\", \"drill\"]",
-        ),
-        ("operations_empty", "kind = \"drill\"", "kind = []"),
-    ]);
+    each_refused(
+        r#"
+        operation_misspelt: `kind = "drill"` -> `kind = "driling"`
+        operation_unknown: `kind = "drill"` -> `kind = "cementing"`
+        operation_listed_twice: `kind = "drill"` -> `kind = ["drill", "slide", "drill"]`
+        operations_empty: `kind = "drill"` -> `kind = []`
+        "#,
+    );
 }
 
 #[test]
 fn set_points() {
-    each_refused(&[
-        ("wob_missing", "wob = \"6 tf\"", ""),
-        (
-            "rpm_missing",
-            "rpm = 70                              # rev/min\n",
-            "",
-        ),
-        ("rpm_too_large", "rpm = 70 ", "rpm = 70000 "),
-        ("rpm_zero_while_drilling", "rpm = 70 ", "rpm = 0 "),
-        ("rop_missing", "rop = \"10 m/h\"", "# rop = \"10 m/h\""),
-        (
-            "bit_depth_negative",
-            "bit_depth = \"4305 m\"",
-            "bit_depth = \"-4305 m\"",
-        ),
-        ("bit_depth_zero", "bit_depth = \"4305 m\"", "bit_depth = 0"),
-    ]);
-    each_warned(&[("warn_weight_on_bit", "wob = \"6 tf\"", "wob = \"200 tf\"")]);
+    each_refused(
+        r#"
+        wob_missing: `wob = "6 tf"` -> ``
+        rpm_missing: `rpm = 70                              # rev/min\n` -> ``
+        rpm_too_large: `rpm = 70 ` -> `rpm = 70000 `
+        rpm_zero_while_drilling: `rpm = 70 ` -> `rpm = 0 `
+        rop_missing: `rop = "10 m/h"` -> `# rop = "10 m/h"`
+        bit_depth_negative: `bit_depth = "4305 m"` -> `bit_depth = "-4305 m"`
+        bit_depth_zero: `bit_depth = "4305 m"` -> `bit_depth = 0`
+        "#,
+    );
+    each_warned(
+        r#"
+        warn_weight_on_bit: `wob = "6 tf"` -> `wob = "200 tf"`
+        "#,
+    );
     warned(
         "warn_projection",
         read(
@@ -88,17 +76,14 @@ fn words_of_drillers() {
         let case = read(&text).unwrap_or_else(|report| panic!("{word}: {report}"));
         assert_eq!(case.operations[0].kind.name(), name, "{word}");
     }
-    let drill = "kind = \"drill\"";
-    each_refused(&[
-        ("operation_triping_out", drill, "kind = \"triping out\""),
-        ("operation_slackof", drill, "kind = \"slackof\""),
-        ("operation_half_a_word", drill, "kind = \"tripping\""),
-        ("operation_rotating", drill, "kind = \"rotating\""),
-        ("operation_circulate", drill, "kind = \"circulate\""),
-        (
-            "operation_twice_by_another_word",
-            drill,
-            "kind = [\"trip_out\", \"pick-up\"]",
-        ),
-    ]);
+    each_refused(
+        r#"
+        operation_triping_out: `kind = "drill"` -> `kind = "triping out"`
+        operation_slackof: `kind = "drill"` -> `kind = "slackof"`
+        operation_half_a_word: `kind = "drill"` -> `kind = "tripping"`
+        operation_rotating: `kind = "drill"` -> `kind = "rotating"`
+        operation_circulate: `kind = "drill"` -> `kind = "circulate"`
+        operation_twice_by_another_word: `kind = "drill"` -> `kind = ["trip_out", "pick-up"]`
+        "#,
+    );
 }

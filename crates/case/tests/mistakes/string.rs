@@ -7,18 +7,12 @@ use crate::{
 
 #[test]
 fn words() {
-    each_refused(&[
-        (
-            "catalogue_unknown",
-            "5-1/2 in 21.90 lb/ft S-135",
-            "5-1/2 in 29.10 lb/ft S-135",
-        ),
-        (
-            "to_surface_misspelt",
-            "\"to surface\"",
-            "\"to the surface\"",
-        ),
-    ]);
+    each_refused(
+        r#"
+        catalogue_unknown: `5-1/2 in 21.90 lb/ft S-135` -> `5-1/2 in 29.10 lb/ft S-135`
+        to_surface_misspelt: `"to surface"` -> `"to the surface"`
+        "#,
+    );
 }
 
 #[test]
@@ -171,27 +165,17 @@ fn a_pipe_alone() {
 
 #[test]
 fn what_has_no_effect_or_is_odd() {
-    each_warned(&[
-        (
-            "warn_mass",
-            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
-            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\nmass_per_length = \"20 kg/m\" ",
-        ),
-        ("warn_moduli", "\"76.923 GPa\"", "\"27 GPa\""),
-        (
-            "warn_bend_keys",
-            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
-            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\nbend_at = 2\nbend_toolface = \"90 deg\" ",
-        ),
-        (
-            "warn_eccentricity_keys",
-            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
-            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"\neccentricity_phase = 1\neccentricity_cavity = \"mud\" ",
-        ),
-        (
-            "warn_joint_mass",
-            "catalogue = \"5-1/2 in 21.90 lb/ft S-135\"",
-            "od = 0.1397\nid = 0.1186\njoint_od = 0.1778\njoint_spacing = 9.6 ",
-        ),
-    ]);
+    each_warned(
+        r#"
+        warn_mass: `catalogue = "5-1/2 in 21.90 lb/ft S-135"`
+            -> `catalogue = "5-1/2 in 21.90 lb/ft S-135"\nmass_per_length = "20 kg/m" `
+        warn_moduli: `"76.923 GPa"` -> `"27 GPa"`
+        warn_bend_keys: `catalogue = "5-1/2 in 21.90 lb/ft S-135"`
+            -> `catalogue = "5-1/2 in 21.90 lb/ft S-135"\nbend_at = 2\nbend_toolface = "90 deg" `
+        warn_eccentricity_keys: `catalogue = "5-1/2 in 21.90 lb/ft S-135"`
+            -> `catalogue = "5-1/2 in 21.90 lb/ft S-135"\neccentricity_phase = 1\neccentricity_cavity = "mud" `
+        warn_joint_mass: `catalogue = "5-1/2 in 21.90 lb/ft S-135"`
+            -> `od = 0.1397\nid = 0.1186\njoint_od = 0.1778\njoint_spacing = 9.6 `
+        "#,
+    );
 }

@@ -52,7 +52,11 @@ fn top_drive_and_hoist() {
             "control = \"soft-torque\"\nproportional = \"38 kN.m.s\"",
         )),
     );
-    each_warned(&[("warn_hoist_key", "[mesh]", "[hoist]\ngain = 1e-7\n[mesh]")]);
+    each_warned(
+        r#"
+        warn_hoist_key: `[mesh]` -> `[hoist]\ngain = 1e-7\n[mesh]`
+        "#,
+    );
 }
 
 #[test]
@@ -84,11 +88,11 @@ fn tuned_lifts() {
         "lift_tolerance_in_per_cent",
         of("kind = \"drill\"").replace("tuned-lift\"", "tuned-lift\"\ntolerance = 2"),
     )]);
-    each_warned(&[(
-        "warn_tolerance_without_lift",
-        "[mesh]",
-        "[hoist]\ntolerance = 0.02\n[mesh]",
-    )]);
+    each_warned(
+        r#"
+        warn_tolerance_without_lift: `[mesh]` -> `[hoist]\ntolerance = 0.02\n[mesh]`
+        "#,
+    );
     warned(
         "warn_lift_with_gain",
         read(&of("kind = \"drill\"").replace("tuned-lift\"", "tuned-lift\"\ngain = 1e-7")),

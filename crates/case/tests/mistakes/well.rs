@@ -4,82 +4,40 @@ use crate::{common::changed, each_refused, each_warned, texts_refused};
 
 #[test]
 fn hole() {
-    each_refused(&[
-        (
-            "hole_kind_unknown",
-            "kind = \"open\"",
-            "kind = \"openhole\"",
-        ),
-        (
-            "diameter_in_metres_meant_millimetres",
-            "\"222.96 mm\"",
-            "222.96",
-        ),
-        ("diameter_negative", "\"222.96 mm\"", "\"-222.96 mm\""),
-        (
-            "friction_in_quotes",
-            "friction = 0.3\n[[",
-            "friction = \"0.3\"\n[[",
-        ),
-        (
-            "friction_above_two",
-            "friction = 0.3\n[[",
-            "friction = 30\n[[",
-        ),
-        (
-            "friction_around_negative",
-            "friction = 0.3\n[[",
-            "friction = { kinetic = 0.3, around = -0.1 }\n[[",
-        ),
-        (
-            "friction_around_without_axial",
-            "friction = 0.3\n[[",
-            "friction = { kinetic = 0, around = 0.2 }\n[[",
-        ),
-    ]);
+    each_refused(
+        r#"
+        hole_kind_unknown: `kind = "open"` -> `kind = "openhole"`
+        diameter_in_metres_meant_millimetres: `"222.96 mm"` -> `222.96`
+        diameter_negative: `"222.96 mm"` -> `"-222.96 mm"`
+        friction_in_quotes: `friction = 0.3\n[[` -> `friction = "0.3"\n[[`
+        friction_above_two: `friction = 0.3\n[[` -> `friction = 30\n[[`
+        friction_around_negative: `friction = 0.3\n[[`
+            -> `friction = { kinetic = 0.3, around = -0.1 }\n[[`
+        friction_around_without_axial: `friction = 0.3\n[[`
+            -> `friction = { kinetic = 0, around = 0.2 }\n[[`
+        "#,
+    );
 }
 
 #[test]
 fn roughness() {
-    each_refused(&[
-        (
-            "roughness_in_metres_meant_millimetres",
-            "[mud]",
-            "[well.roughness]\nrms = 2\n[mud]",
-        ),
-        (
-            "roughness_too_steep",
-            "[mud]",
-            "[well.roughness]\ntortuosity = \"20 cm\"\n[mud]",
-        ),
-        (
-            "roughness_band_upside_down",
-            "[mud]",
-            "[well.roughness]\nrms = \"1 mm\"\nshortest_wavelength = \"20 m\"\nlongest_wavelength = \"2 m\"\n[mud]",
-        ),
-        (
-            "roughness_key_misspelt",
-            "[mud]",
-            "[well.roughness]\nrms = \"1 mm\"\nwavelength = \"20 m\"\n[mud]",
-        ),
-    ]);
-    each_warned(&[
-        (
-            "warn_section_roughness",
-            "friction = 0.3\n[[",
-            "friction = 0.3\nroughness = 0\n[[",
-        ),
-        (
-            "warn_roughness_without_amplitude",
-            "[mud]",
-            "[well.roughness]\nseed = 4\n[mud]",
-        ),
-        (
-            "warn_roughness_closes_in",
-            "[mud]",
-            "[well.roughness]\nrms = \"9 mm\"\n[mud]",
-        ),
-    ]);
+    each_refused(
+        r#"
+        roughness_in_metres_meant_millimetres: `[mud]` -> `[well.roughness]\nrms = 2\n[mud]`
+        roughness_too_steep: `[mud]` -> `[well.roughness]\ntortuosity = "20 cm"\n[mud]`
+        roughness_band_upside_down: `[mud]`
+            -> `[well.roughness]\nrms = "1 mm"\nshortest_wavelength = "20 m"\nlongest_wavelength = "2 m"\n[mud]`
+        roughness_key_misspelt: `[mud]`
+            -> `[well.roughness]\nrms = "1 mm"\nwavelength = "20 m"\n[mud]`
+        "#,
+    );
+    each_warned(
+        r#"
+        warn_section_roughness: `friction = 0.3\n[[` -> `friction = 0.3\nroughness = 0\n[[`
+        warn_roughness_without_amplitude: `[mud]` -> `[well.roughness]\nseed = 4\n[mud]`
+        warn_roughness_closes_in: `[mud]` -> `[well.roughness]\nrms = "9 mm"\n[mud]`
+        "#,
+    );
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::fs;
 use serde_json::Value;
 use wholestring::{dynamics::Simulation, rock::Stepper};
 
-use crate::desk::Desk;
+use crate::desk::{Desk, args};
 
 /// A short string of long elements, measured once: some hundredths of a second.
 const SMALL: [&str; 6] = [
@@ -135,15 +135,10 @@ fn solid_rock_under_a_bit_with_every_instruction_set() {
 
 #[test]
 fn a_sweep_of_every_law_and_precision() {
-    let (text, numbers) = measured(&[
-        "sweep",
-        "--set",
-        "mesh.element_length=30 m",
-        "--set",
-        "dynamics.settle=0.1 s",
-        "--set",
-        "dynamics.duration=0.1 s",
-    ]);
+    let (text, numbers) = measured(&args(
+        "sweep --set 'mesh.element_length=30 m' --set 'dynamics.settle=0.1 s' \
+         --set 'dynamics.duration=0.1 s'",
+    ));
     let sweep = &numbers["sweep"];
     assert_eq!(sweep["cases"], 60);
     let rows = sweep["rows"].as_array().unwrap();

@@ -12,7 +12,7 @@ use std::{
 use insta::assert_snapshot;
 use wholestring_results::{BitTestOutcome, BitTestSummary, Status, Table};
 
-use crate::desk::{Desk, masked, transcript};
+use crate::desk::{Desk, args, masked, transcript};
 
 /// Weak rock in coarse elements under the bit of 120 mm: a point takes half a second.
 const ROCK: &str = r#"
@@ -232,13 +232,7 @@ fn a_killed_test_goes_on() {
     assert!(desk.run(&bit_test(&["-o", "whole"])).status.success());
     assert!(leavings(&desk.path("killed")) == leavings(&desk.path("whole")));
     // Another speed joins.
-    let more = [
-        "-o",
-        "killed",
-        "--resume",
-        "--set",
-        "bit_test.rpm=[240, 300, 360]",
-    ];
+    let more = args("-o killed --resume --set 'bit_test.rpm=[240, 300, 360]'");
     assert!(desk.run(&bit_test(&more)).status.success());
     assert_eq!(written(done), before);
     assert_eq!(summary(&desk, "killed").points.len(), 6);
@@ -325,15 +319,7 @@ fn mistakes_are_told() {
     let of_run = answer(&bit_test(&["-o", "run", "--resume"]));
     assert_snapshot!("bit_test_in_the_folder_of_a_run", of_run);
     // The folder of a test of another rock.
-    let quick = [
-        "-o",
-        "results",
-        "--quiet",
-        "--set",
-        "bit_test.wob=10 kN",
-        "--set",
-        "bit_test.rpm=300",
-    ];
+    let quick = args("-o results --quiet --set 'bit_test.wob=10 kN' --set bit_test.rpm=300");
     assert!(desk.run(&bit_test(&quick)).status.success());
     assert_snapshot!("bit_test_overlaid", answer(&together));
     let other = ["--resume", "--set", "rock.density=2600 kg/m3"];

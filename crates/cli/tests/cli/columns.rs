@@ -8,7 +8,7 @@ use wholestring_results::{
     CONTACT, Column, ColumnSpec, Data, FRAMES, NODES, SPECTRA, TIME, Table, WEAR,
 };
 
-use crate::desk::Desk;
+use crate::desk::{Desk, args};
 
 /// A build and a tangent, tool joints and known strength, a mud that flows, a motor; all that is
 /// kept of time.
@@ -218,12 +218,7 @@ fn solved() -> Desk {
     write("deviated.toml", KINDS, "");
     write("scheduled.toml", "\"rotate_off_bottom\"", NOTED);
     let kinds = format!("operation.kind={KINDS}");
-    let short = [
-        "--set",
-        "dynamics.duration=0.1 s",
-        "--set",
-        "dynamics.settle=0.1 s",
-    ];
+    let short = args("--set 'dynamics.duration=0.1 s' --set 'dynamics.settle=0.1 s'");
     let plain = [
         &["run", "slant.toml", "-o", "plain", "--set", &kinds],
         &short[..],

@@ -2,7 +2,7 @@
 
 use std::{fs, path::Path, process::Output};
 
-use crate::desk::{Desk, transcript};
+use crate::desk::{Desk, args, transcript};
 
 #[track_caller]
 fn refused(output: &Output, file: &str) {
@@ -16,15 +16,7 @@ fn refused(output: &Output, file: &str) {
 #[test]
 fn a_damaged_table_is_named() {
     let desk = Desk::new();
-    let run = desk.run(&[
-        "run",
-        "slant.toml",
-        "--quiet",
-        "-o",
-        "results",
-        "--set",
-        "model=soft",
-    ]);
+    let run = desk.run(&args("run slant.toml --quiet -o results --set model=soft"));
     assert!(run.status.success(), "{}", transcript(&run));
     let damaged = Path::new(env!("CARGO_MANIFEST_DIR")).join("../results/tests/data");
     for name in ["p4201.parquet", "p9353.parquet"] {
@@ -39,17 +31,7 @@ fn a_damaged_table_is_named() {
 #[test]
 fn a_sweep_that_lost_its_columns_is_refused() {
     let desk = Desk::new();
-    let sweep = [
-        "sweep",
-        "slant.toml",
-        "--quiet",
-        "--vary",
-        "friction=0.1,0.2",
-        "-o",
-        "swept",
-        "--set",
-        "model=soft",
-    ];
+    let sweep = args("sweep slant.toml --quiet --vary friction=0.1,0.2 -o swept --set model=soft");
     let output = desk.run(&sweep);
     assert!(output.status.success(), "{}", transcript(&output));
     let path = desk.path("swept/sweep.csv");

@@ -42,6 +42,16 @@ impl Desk {
     }
 }
 
+/// The arguments of a command line; single quotes stand around those that contain blanks.
+pub(crate) fn args(text: &str) -> Vec<&str> {
+    let parts = text.split('\'').enumerate();
+    let arguments = parts.map(|(place, part)| match place % 2 {
+        0 => part.split_whitespace().collect(),
+        _ => vec![part],
+    });
+    arguments.collect::<Vec<_>>().concat()
+}
+
 /// Exit status and everything printed, for snapshots; the same on every system.
 pub(crate) fn transcript(output: &Output) -> String {
     let text = |bytes: &[u8]| {

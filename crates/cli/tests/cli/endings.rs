@@ -3,7 +3,7 @@
 use std::fs;
 
 use crate::{
-    desk::{Desk, transcript},
+    desk::{Desk, args, transcript},
     run::SOFT,
 };
 use insta::assert_snapshot;
@@ -43,16 +43,10 @@ fn a_folder_in_the_place_of_a_file() {
 #[test]
 fn diverged() {
     let desk = Desk::new();
-    let output = desk.run(&[
-        "run",
-        "slant.toml",
-        "-o",
-        "results",
-        "--set",
-        "hoist.control=hook-load",
-        "--set",
-        "hoist.hook_load=1e8 N",
-    ]);
+    let output = desk.run(&args(
+        "run slant.toml -o results --set hoist.control=hook-load \
+         --set 'hoist.hook_load=1e8 N'",
+    ));
     assert_eq!(output.status.code(), Some(3));
     let message = String::from_utf8(output.stderr).unwrap();
     // Nobody means such a hook load, which is said first.
@@ -119,14 +113,9 @@ fn interrupted() {
 
     let desk = Desk::new();
     let mut child = desk
-        .command(&[
-            "run",
-            "slant.toml",
-            "-o",
-            "results",
-            "--set",
-            "dynamics.duration=3600 s",
-        ])
+        .command(&args(
+            "run slant.toml -o results --set 'dynamics.duration=3600 s'",
+        ))
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
@@ -170,22 +159,11 @@ fn interrupted() {
 #[test]
 fn a_profile_without_window() {
     let desk = Desk::new();
-    let output = desk.run(&[
-        "run",
-        "slant.toml",
-        "-o",
-        "results",
-        "--set",
-        "model=dynamic",
-        "--set",
-        "dynamics.settle=100 s",
-        "--set",
-        "hoist.control=hook-load",
-        "--set",
-        "hoist.hook_load=1e8 N",
-        "--set",
-        "dynamics.sample_interval=1 ms",
-    ]);
+    let output = desk.run(&args(
+        "run slant.toml -o results --set model=dynamic --set 'dynamics.settle=100 s' \
+         --set hoist.control=hook-load --set 'hoist.hook_load=1e8 N' \
+         --set 'dynamics.sample_interval=1 ms'",
+    ));
     assert_eq!(output.status.code(), Some(3));
     let nodes = Table::read_parquet(&desk.path("results/nodes.parquet")).unwrap();
     let Data::Number(tensions) = &nodes.column("tension_N").unwrap().data else {

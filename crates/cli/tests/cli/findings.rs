@@ -6,7 +6,11 @@ use std::{collections::BTreeSet, fs, path::Path};
 use wholestring::outcome::ModelKind;
 use wholestring_results::{Finding, Level, OperationSummary};
 
-use crate::{desk::Desk, run::SOFT, sweep::split};
+use crate::{
+    desk::{Desk, args},
+    run::SOFT,
+    sweep::split,
+};
 
 /// A lateral of 4500 m: what is wrong with it must be said by either model.
 fn lateral() -> String {
@@ -118,14 +122,7 @@ fn strict_ends_with_four() {
 fn a_sweep_counts_what_was_found() {
     let desk = Desk::new();
     let arguments = |more: &[&'static str]| {
-        let sweep = [
-            "sweep",
-            "slant.toml",
-            "--vary",
-            "friction=0.25,0.6",
-            "-o",
-            "results",
-        ];
+        let sweep = args("sweep slant.toml --vary friction=0.25,0.6 -o results");
         [
             &sweep[..],
             &["--set", "operation.kind=trip_in"],
@@ -204,13 +201,6 @@ only = { friction = 0.6 }
     let place = heads.iter().position(|head| head == "computed").unwrap();
     let computed: Vec<String> = lines.map(|row| row[place].clone()).collect();
     assert_eq!(computed, ["0", "2"]);
-    let strict = desk.run(&[
-        "study",
-        "study.toml",
-        "-o",
-        "results",
-        "--resume",
-        "--strict",
-    ]);
+    let strict = desk.run(&args("study study.toml -o results --resume --strict"));
     assert_eq!(strict.status.code(), Some(4));
 }

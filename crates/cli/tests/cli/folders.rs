@@ -8,7 +8,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use crate::desk::Desk;
+use crate::desk::{Desk, args};
 
 const SOFT: [&str; 2] = ["--set", "model=soft"];
 
@@ -81,13 +81,7 @@ fn another_case_goes_to_a_folder_of_its_own() {
 #[test]
 fn a_named_folder_with_another_case_is_refused() {
     let desk = Desk::new();
-    let records = [
-        "-o",
-        "results",
-        "--csv",
-        "--set",
-        "records.spectra=hook_load",
-    ];
+    let records = args("-o results --csv --set records.spectra=hook_load");
     let output = desk.run(&[&["run", "slant.toml", "--quiet"], &records[..]].concat());
     assert!(output.status.success());
     assert!(desk.run(&["plot", "results"]).status.success());
@@ -109,14 +103,7 @@ fn a_named_folder_with_another_case_is_refused() {
     }
     assert!(desk.path("results/notes.txt").exists());
     // A run is no sweep.
-    let sweep = [
-        "sweep",
-        "slant.toml",
-        "--vary",
-        "friction=0.1",
-        "-o",
-        "results",
-    ];
+    let sweep = args("sweep slant.toml --vary friction=0.1 -o results");
     let (status, _, said) = words(&desk.run(&[&sweep[..], &SOFT].concat()));
     assert_eq!(status, 2);
     assert!(
@@ -168,14 +155,7 @@ fn sweeps_are_not_replaced_by_other_sweeps() {
 fn a_resumed_sweep_does_not_take_the_answers_of_another_case() {
     let desk = Desk::new();
     let with = |more: &[&str]| {
-        let sweep = [
-            "sweep",
-            "slant.toml",
-            "--vary",
-            "friction=0.1",
-            "-o",
-            "swept",
-        ];
+        let sweep = args("sweep slant.toml --vary friction=0.1 -o swept");
         words(&desk.run(&[&sweep[..], &SOFT, more].concat()))
     };
     assert_eq!(with(&[]).0, 0);
@@ -233,16 +213,10 @@ fn a_run_that_ended_before_its_first_checkpoint_is_not_finished() {
         "error: there is no checkpoint in results: the run ended before its first one, with 1 of 4 answers\n\
          run the case without --resume to begin anew\n"
     );
-    let (status, _, said) = words(&desk.run(&[
-        "run",
-        "slant.toml",
-        "--resume",
-        "results",
-        "--set",
-        "string.0.bend=1 deg",
-        "--set",
-        "string.0.bend_at=20 m",
-    ]));
+    let (status, _, said) = words(&desk.run(&args(
+        "run slant.toml --resume results --set 'string.0.bend=1 deg' \
+         --set 'string.0.bend_at=20 m'",
+    )));
     assert_eq!(status, 2);
     assert!(
         said.contains("`string.0.bend_at_m` is not given there and 20.0 here"),
@@ -254,14 +228,7 @@ fn a_run_that_ended_before_its_first_checkpoint_is_not_finished() {
 #[test]
 fn a_second_program_is_kept_out_and_an_unfinished_run_is_kept() {
     let desk = Desk::new();
-    let long = [
-        "run",
-        "slant.toml",
-        "-o",
-        "results",
-        "--set",
-        "dynamics.duration=4000 s",
-    ];
+    let long = args("run slant.toml -o results --set 'dynamics.duration=4000 s'");
     let often = [&long[..], &["--checkpoint", "0.01 s"]].concat();
     let mut child = begin(&desk, &often);
     wait_for(&desk, "results/checkpoint.bin");
@@ -279,14 +246,7 @@ fn a_second_program_is_kept_out_and_an_unfinished_run_is_kept() {
             .code(),
         Some(2)
     );
-    let resume = [
-        "run",
-        "slant.toml",
-        "--resume",
-        "results",
-        "--set",
-        "dynamics.duration=4000 s",
-    ];
+    let resume = args("run slant.toml --resume results --set 'dynamics.duration=4000 s'");
     let (status, _, said) = words(&desk.run(&resume));
     assert_eq!(status, 2);
     assert!(said.contains("another run is writing"), "{said}");

@@ -4,7 +4,7 @@ use std::{collections::BTreeSet, fs};
 
 use insta::assert_snapshot;
 
-use crate::desk::{Desk, transcript};
+use crate::desk::{Desk, args, transcript};
 
 const SOFT: [&str; 2] = ["--set", "model=soft"];
 
@@ -154,17 +154,10 @@ fn two_runs_stand_on_the_same_axes() {
 #[test]
 fn a_sweep_is_drawn_and_reported() {
     let desk = Desk::new();
-    let sweep = [
-        "sweep",
-        "slant.toml",
-        "--quiet",
-        "-o",
-        "sweep",
-        "--vary",
-        "friction=0.2,0.3",
-        "--vary",
-        "bit_depth=300m,600m",
-    ];
+    let sweep = args(
+        "sweep slant.toml --quiet -o sweep --vary friction=0.2,0.3 \
+         --vary bit_depth=300m,600m",
+    );
     assert!(desk.run(&sweep).status.success());
     let page = fs::read_to_string(desk.path("sweep/report.html")).unwrap();
     for word in [

@@ -3,7 +3,10 @@
 
 use std::{f64::consts::PI, fs};
 
-use crate::{desk::Desk, run::SOFT};
+use crate::{
+    desk::{Desk, args},
+    run::SOFT,
+};
 
 /// Tripping out takes `w L (cos i + μ sin i)` and rotating `μ r w L sin i`, as in
 /// `the_numbers_are_the_closed_forms`. The limits lie 1 % to either side.
@@ -69,16 +72,10 @@ fn what_the_rig_cannot_do_is_told() {
 #[test]
 fn a_tuned_lift_is_reported() {
     let desk = Desk::new();
-    let arguments = [
-        "run",
-        "slant.toml",
-        "--set",
-        "model=dynamic",
-        "--set",
-        "operation.kind=drill",
-        "--set",
-        "hoist.control=tuned-lift",
-    ];
+    let arguments = args(
+        "run slant.toml --set model=dynamic --set operation.kind=drill \
+         --set hoist.control=tuned-lift",
+    );
     let output = desk.run(&arguments);
     assert!(output.status.success());
     let text = String::from_utf8(output.stdout).unwrap();
@@ -108,20 +105,10 @@ fn a_tuned_lift_is_reported() {
 #[test]
 fn a_lift_that_is_not_found_says_which_came_nearest() {
     let desk = Desk::new();
-    let output = desk.run(&[
-        "run",
-        "slant.toml",
-        "--set",
-        "model=dynamic",
-        "--set",
-        "operation.kind=drill",
-        "--set",
-        "hoist.control=tuned-lift",
-        "--set",
-        "wob=240 kN",
-        "--set",
-        "mud.density=1.0 sg",
-    ]);
+    let output = desk.run(&args(
+        "run slant.toml --set model=dynamic --set operation.kind=drill \
+         --set hoist.control=tuned-lift --set 'wob=240 kN' --set 'mud.density=1.0 sg'",
+    ));
     assert_eq!(output.status.code(), Some(3));
     let told = String::from_utf8(output.stderr).unwrap();
     assert!(
@@ -138,18 +125,10 @@ fn a_table_that_the_bit_leaves_is_told_of() {
     let table = "weight_on_bit_N,rotary_speed_rpm,rate_of_penetration_m_per_h,torque_N_m,weight_on_bit_std_N\n\
                  5e3,30,2,200,3e3\n5e3,120,8,200,3e3\n20e3,30,8,800,3e3\n20e3,120,32,800,3e3\n";
     fs::write(desk.path("bit.csv"), table).unwrap();
-    let output = desk.run(&[
-        "run",
-        "slant.toml",
-        "--set",
-        "model=dynamic",
-        "--set",
-        "operation.kind=drill",
-        "--set",
-        "bit.law=table",
-        "--set",
-        "bit.table.file=bit.csv",
-    ]);
+    let output = desk.run(&args(
+        "run slant.toml --set model=dynamic --set operation.kind=drill \
+         --set bit.law=table --set bit.table.file=bit.csv",
+    ));
     assert!(output.status.success());
     let summary = desk.summary("out/Straight slant");
     let solved = &summary.operations[0];

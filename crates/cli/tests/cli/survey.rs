@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::desk::{Desk, transcript};
+use crate::desk::{Desk, args, transcript};
 use insta::assert_snapshot;
 
 /// A row of the result by column.
@@ -72,14 +72,7 @@ fn positions_are_those_of_the_arc() {
 #[test]
 fn rows_between_stations() {
     let desk = Desk::new();
-    let output = desk.run(&[
-        "survey",
-        "survey.csv",
-        "--step",
-        "100 ft",
-        "-o",
-        "positions.csv",
-    ]);
+    let output = desk.run(&args("survey survey.csv --step '100 ft' -o positions.csv"));
     assert!(output.status.success() && output.stdout.is_empty());
     let stepped = rows(&fs::read_to_string(desk.path("positions.csv")).unwrap());
     // Every station is a multiple of the step: none comes twice.

@@ -12,7 +12,7 @@ use insta::assert_snapshot;
 use wholestring_results::Status;
 
 use crate::{
-    desk::{Desk, masked, transcript},
+    desk::{Desk, args, masked, transcript},
     resume::{RECORDS, assert_same},
 };
 
@@ -141,19 +141,10 @@ fn threads_leave_the_numbers_alone() {
 #[test]
 fn a_tuned_lift_is_in_the_table() {
     let desk = Desk::new();
-    let output = desk.run(&[
-        "sweep",
-        "slant.toml",
-        "--set",
-        "operation.kind=drill",
-        "--set",
-        "hoist.control=tuned-lift",
-        "--vary",
-        "model=soft,dynamic",
-        "--quiet",
-        "-o",
-        "results",
-    ]);
+    let output = desk.run(&args(
+        "sweep slant.toml --set operation.kind=drill --set hoist.control=tuned-lift \
+         --vary model=soft,dynamic --quiet -o results",
+    ));
     assert!(output.status.success(), "{}", transcript(&output));
     let table = rows(&desk, "results");
     let place = |name: &str| table[0].iter().position(|cell| cell == name).expect(name);
@@ -176,20 +167,10 @@ fn a_tuned_lift_is_in_the_table() {
 #[test]
 fn one_case_that_fails() {
     let desk = Desk::new();
-    let output = desk.run(&[
-        "sweep",
-        "slant.toml",
-        "-o",
-        "results",
-        "--set",
-        "model=dynamic",
-        "--set",
-        "operation.kind=trip_out",
-        "--set",
-        "hoist.control=hook-load",
-        "--vary",
-        "hoist.hook_load=120 kN,1e8 N,130 kN",
-    ]);
+    let output = desk.run(&args(
+        "sweep slant.toml -o results --set model=dynamic --set operation.kind=trip_out \
+         --set hoist.control=hook-load --vary 'hoist.hook_load=120 kN,1e8 N,130 kN'",
+    ));
     assert_eq!(output.status.code(), Some(3));
     assert_snapshot!(masked(&transcript(&output)));
     let table = rows(&desk, "results");
@@ -268,16 +249,10 @@ fn a_killed_sweep_goes_on() {
 fn what_is_kept_of_a_case() {
     let desk = Desk::new();
     let soft = ["--set", "model=soft", "-o", "results"];
-    let dynamic = [
-        "--set",
-        "model=dynamic",
-        "--set",
-        "dynamics.duration=0.1 s",
-        "--set",
-        "dynamics.settle=0.1 s",
-        "-o",
-        "dynamic",
-    ];
+    let dynamic = args(
+        "--set model=dynamic --set 'dynamics.duration=0.1 s' \
+         --set 'dynamics.settle=0.1 s' -o dynamic",
+    );
     let with = |more: &[&'static str]| {
         let output = desk.run(&sweep(more));
         assert!(output.status.success(), "{}", transcript(&output));

@@ -58,12 +58,7 @@ mod tests {
     use super::*;
 
     fn mud(rheology: Rheology) -> Mud {
-        Mud {
-            density_kg_per_m3: 1000.0,
-            linear_drag_Pa_s: 0.0,
-            drag_coefficient: 0.0,
-            rheology: Some(rheology),
-        }
+        crate::common::viscous_mud(1000.0, rheology)
     }
 
     /// Rabinowitsch's integral by Simpson's rule gives back the flow rate that the closed forms

@@ -1,4 +1,5 @@
-//! What the integration tests share: steel, simple strings and wells, verification files.
+//! What the tests share, those inside the crate too: steel, simple strings and wells, verification
+//! files.
 // Every test file uses its own part of this module.
 #![allow(dead_code, unreachable_pub, unused_imports)]
 
@@ -8,7 +9,7 @@ use serde_json::Value;
 use wholestring::{
     GRAVITY_M_PER_S2,
     model::Model,
-    mud::Mud,
+    mud::{Mud, Rheology},
     operation::{Operation, OperationKind},
     rig::Rig,
     string::{ComponentLength, ComponentSpec, Material, StringSpec},
@@ -24,6 +25,13 @@ pub fn verification(name: &str) -> Value {
     let text = std::fs::read_to_string(&path)
         .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     serde_json::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// A number of such a file.
+#[track_caller]
+pub fn number(value: &Value) -> f64 {
+    let number = value.as_f64();
+    number.unwrap_or_else(|| panic!("no number: {value}"))
 }
 
 /// `|obtained - expected| / |expected|`.
@@ -57,14 +65,25 @@ pub fn arcs(stations_m_deg: &[[f64; 3]]) -> Path {
 
 /// A path through stations of MD in m, inclination and azimuth in degrees.
 pub fn path(stations_m_deg: &[[f64; 3]], interpolation: Interpolation) -> Path {
-    let stations: Vec<Station> = stations_m_deg
-        .iter()
-        .map(|[md_m, inclination_deg, azimuth_deg]| Station {
-            md_m: *md_m,
-            inclination_rad: inclination_deg.to_radians(),
-            azimuth_rad: azimuth_deg.to_radians(),
-        })
-        .collect();
+    let in_rad = |[md_m, inclination_deg, azimuth_deg]: &[f64; 3]| {
+        [
+            *md_m,
+            inclination_deg.to_radians(),
+            azimuth_deg.to_radians(),
+        ]
+    };
+    let stations: Vec<[f64; 3]> = stations_m_deg.iter().map(in_rad).collect();
+    path_in_rad(&stations, interpolation)
+}
+
+/// A path through stations of MD in m, inclination and azimuth in radians.
+pub fn path_in_rad(stations_m_rad: &[[f64; 3]], interpolation: Interpolation) -> Path {
+    let station = |[md_m, inclination_rad, azimuth_rad]: &[f64; 3]| Station {
+        md_m: *md_m,
+        inclination_rad: *inclination_rad,
+        azimuth_rad: *azimuth_rad,
+    };
+    let stations: Vec<Station> = stations_m_rad.iter().map(station).collect();
     Path::new(&stations, interpolation, TieIn::default()).expect("a sound survey")
 }
 
@@ -78,14 +97,8 @@ pub fn hole_of(frictions: &[(f64, f64)]) -> Hole {
     let mut from_md_m = 0.0;
     let sections = frictions.iter().map(|&(friction, to_md_m)| {
         let section = HoleSection {
-            kind: HoleKind::Open,
             from_md_m,
-            to_md_m,
-            diameter_m: 0.3,
-            friction: Friction::uniform(friction),
-            youngs_modulus_Pa: 50e9,
-            poisson_ratio: 0.3,
-            roughness: 1.0,
+            ..open_section(0.3, friction, to_md_m)
         };
         from_md_m = to_md_m;
         section
@@ -93,8 +106,55 @@ pub fn hole_of(frictions: &[(f64, f64)]) -> Hole {
     Hole::new(sections.collect()).expect("a sound hole")
 }
 
+/// An open hole of a diameter with the same friction all the way down.
+pub fn open_hole(diameter_m: f64, friction: f64, to_md_m: f64) -> Hole {
+    Hole::new(vec![open_section(diameter_m, friction, to_md_m)]).expect("a sound hole")
+}
+
+/// The same in the rock of the article, with any friction.
+pub fn article_hole(diameter_m: f64, friction: Friction, to_md_m: f64) -> Hole {
+    let section = HoleSection {
+        friction,
+        youngs_modulus_Pa: 51.5e9,
+        poisson_ratio: 0.33,
+        ..open_section(diameter_m, 0.0, to_md_m)
+    };
+    Hole::new(vec![section]).expect("a sound hole")
+}
+
+/// A section of open hole from the surface down, in rock of 50 GPa.
+pub fn open_section(diameter_m: f64, friction: f64, to_md_m: f64) -> HoleSection {
+    HoleSection {
+        kind: HoleKind::Open,
+        from_md_m: 0.0,
+        to_md_m,
+        diameter_m,
+        friction: Friction::uniform(friction),
+        youngs_modulus_Pa: 50e9,
+        poisson_ratio: 0.3,
+        roughness: 1.0,
+    }
+}
+
+/// Mud of 1.2 sg that drags on lateral motion.
+pub const fn mud_with_drag() -> Mud {
+    Mud {
+        linear_drag_Pa_s: 5.0,
+        drag_coefficient: 1.0,
+        ..mud(1200.0)
+    }
+}
+
+/// Mud of a density and a rheology, without lateral drag.
+pub fn viscous_mud(density_kg_per_m3: f64, rheology: Rheology) -> Mud {
+    Mud {
+        rheology: Some(rheology),
+        ..mud(density_kg_per_m3)
+    }
+}
+
 /// Mud of a density, without drag.
-pub fn mud(density_kg_per_m3: f64) -> Mud {
+pub const fn mud(density_kg_per_m3: f64) -> Mud {
     Mud {
         density_kg_per_m3,
         linear_drag_Pa_s: 0.0,
@@ -143,8 +203,14 @@ pub fn uniform_model(stations_m_deg: &[[f64; 3]], w_N_per_m: f64, r_m: f64, mu: 
     )
 }
 
+/// The same in a straight hole of an inclination, deg.
+pub fn straight_model(inc_deg: f64, length_m: f64, w_N_per_m: f64, r_m: f64, mu: f64) -> Model {
+    let stations = [[0.0, inc_deg, 0.0], [length_m, inc_deg, 0.0]];
+    uniform_model(&stations, w_N_per_m, r_m, mu)
+}
+
 /// An operation with the bit at a depth: 70 rev/min, off bottom or without weight, no advance.
-pub fn operation(kind: OperationKind, bit_depth_m: f64) -> Operation {
+pub const fn operation(kind: OperationKind, bit_depth_m: f64) -> Operation {
     Operation {
         kind,
         bit_depth_m,
@@ -159,8 +225,16 @@ pub fn operation(kind: OperationKind, bit_depth_m: f64) -> Operation {
     }
 }
 
+/// The same with a weight on the bit.
+pub const fn pressing(kind: OperationKind, bit_depth_m: f64, weight_on_bit_N: f64) -> Operation {
+    Operation {
+        weight_on_bit_N,
+        ..operation(kind, bit_depth_m)
+    }
+}
+
 /// Revolutions per minute in rad/s.
-pub fn rpm(revolutions_per_minute: f64) -> f64 {
+pub const fn rpm(revolutions_per_minute: f64) -> f64 {
     revolutions_per_minute * std::f64::consts::TAU / 60.0
 }
 

@@ -3,14 +3,13 @@
 use nalgebra::Vector3;
 use wholestring::{
     dynamics::{DynamicsSettings, HoistControl, HoistLine, RodDamping, Simulation, Start},
-    mud::Mud,
     operation::OperationKind,
     string::ComponentLength,
     well::{HoleKind, Interpolation},
 };
 
 use crate::{
-    common::{Row, Tolerance, operation, path, report},
+    common::{Row, Tolerance, mud, operation, path, report},
     wells::{Case, go, line, model, moderate, section, tool},
 };
 
@@ -27,12 +26,7 @@ fn free_string() -> Simulation {
         vec![tool("pipe", ComponentLength::ToSurface, 0.1397, 0.1186)],
         LENGTH_M,
     );
-    model.mud = Mud {
-        density_kg_per_m3: 0.0,
-        linear_drag_Pa_s: 0.0,
-        drag_coefficient: 0.0,
-        rheology: None,
-    };
+    model.mud = mud(0.0);
     let mut case = Case::new(model, operation(OperationKind::TripIn, LENGTH_M));
     case.operation.trip_speed_m_per_s = 0.0;
     case.settings = DynamicsSettings {

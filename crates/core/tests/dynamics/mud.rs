@@ -12,7 +12,7 @@ use wholestring::{
 };
 
 use crate::{
-    common::{assert_close, operation, path, rpm},
+    common::{assert_close, mud_with_drag, operation, path, rpm},
     wells::{Case, each, go, mean_between, model, section, tool},
 };
 
@@ -59,10 +59,8 @@ fn case(kind: OperationKind, mud: Mud) -> Case {
 
 fn heavy(rheology: Rheology) -> Mud {
     Mud {
-        density_kg_per_m3: 1200.0,
-        linear_drag_Pa_s: 5.0,
-        drag_coefficient: 1.0,
         rheology: Some(rheology),
+        ..mud_with_drag()
     }
 }
 

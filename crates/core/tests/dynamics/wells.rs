@@ -3,19 +3,18 @@
 use wholestring::{
     dynamics::{DynamicOutcome, DynamicsSettings, Simulation},
     model::Model,
-    mud::Mud,
     operation::{Operation, OperationKind},
-    rig::Rig,
     statics::soft::{self, SoftProfile},
-    string::{ComponentLength, ComponentSpec, StringSpec},
-    well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Well},
+    string::{ComponentLength, ComponentSpec},
+    well::{Hole, HoleKind, HoleSection, Interpolation, Path},
 };
 
-pub use crate::common::np13::tool;
 use crate::common::{
+    self,
     np13::{components, drill_pipe, heavy_weight},
-    operation, path,
+    open_section, operation, path,
 };
+pub use crate::common::{mud_with_drag as mud, np13::tool};
 
 /// A model, what is done with it, and how it is computed.
 #[derive(Clone)]
@@ -110,16 +109,6 @@ pub fn line(x: &[f64], y: &[f64]) -> (f64, f64) {
     (sxy / sxx, my - sxy / sxx * mx)
 }
 
-/// Mud of 1.2 sg that drags on lateral motion.
-pub fn mud() -> Mud {
-    Mud {
-        density_kg_per_m3: 1200.0,
-        linear_drag_Pa_s: 5.0,
-        drag_coefficient: 1.0,
-        rheology: None,
-    }
-}
-
 /// A section of hole with the elastic constants of casing or of the article's rock.
 pub fn section(
     kind: HoleKind,
@@ -136,12 +125,9 @@ pub fn section(
     HoleSection {
         kind,
         from_md_m,
-        to_md_m,
-        diameter_m,
-        friction: Friction::uniform(mu),
         youngs_modulus_Pa,
         poisson_ratio,
-        roughness: 1.0,
+        ..open_section(diameter_m, mu, to_md_m)
     }
 }
 
@@ -152,17 +138,8 @@ pub fn model(
     components: Vec<ComponentSpec>,
     bit_depth_m: f64,
 ) -> Model {
-    Model {
-        well: Well {
-            path,
-            hole: Hole::new(hole).expect("a sound hole"),
-        },
-        string: StringSpec { components }
-            .assemble(bit_depth_m)
-            .expect("a sound string"),
-        mud: mud(),
-        rig: Rig::default(),
-    }
+    let hole = Hole::new(hole).expect("a sound hole");
+    common::model(path, hole, components, mud(), bit_depth_m)
 }
 
 /// Changes every section of a model's hole.

@@ -11,17 +11,13 @@ use wholestring::rod::{
 };
 
 use crate::{
-    common::{Row, Tolerance, report, verification},
+    common::{Row, Tolerance, number, report, verification},
     plane::{order, section},
     random::Random,
     space::Space,
 };
 
 type V = Vector3<f64>;
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().expect("a number")
-}
 
 /// Two nodes of a body, the lower element's bend at the upper one, and how they move.
 #[derive(Clone, Copy)]

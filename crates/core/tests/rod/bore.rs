@@ -2,21 +2,17 @@
 
 use wholestring::{
     wall::Bore,
-    well::{Friction, Hole, HoleKind, HoleSection},
+    well::{Hole, HoleSection},
 };
+
+use crate::common::open_section;
 
 fn bore(diameters_to_md_m: &[(f64, f64)]) -> Bore {
     let mut from_md_m = 0.0;
     let sections = diameters_to_md_m.iter().map(|&(diameter_m, to_md_m)| {
         let section = HoleSection {
-            kind: HoleKind::Open,
             from_md_m,
-            to_md_m,
-            diameter_m,
-            friction: Friction::uniform(0.3),
-            youngs_modulus_Pa: 50e9,
-            poisson_ratio: 0.3,
-            roughness: 1.0,
+            ..open_section(diameter_m, 0.3, to_md_m)
         };
         from_md_m = to_md_m;
         section

@@ -1,13 +1,8 @@
 //! Normal contact: Hertz's constants, and blows against the wall step by step.
 
-use serde_json::Value;
 use wholestring::wall::contact::{contact_modulus_Pa, hertz, hertz_stiffness, linear};
 
-use crate::common::{Row, Tolerance, assert_close, report, report_worst, verification};
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().expect("a number")
-}
+use crate::common::{Row, Tolerance, assert_close, number, report, report_worst, verification};
 
 /// F01: effective modulus and stiffness of four pairs of pipe and hole, and the penetration under a
 /// force at rest. The source's tolerance is 1e-6.

@@ -1,9 +1,7 @@
 //! The rod at rest: cantilevers, elastica, beam-columns and Euler's column.
 
-use serde_json::Value;
-
 use crate::{
-    common::{Row, Tolerance, assert_close, relative_error, report, verification},
+    common::{Row, Tolerance, assert_close, number, relative_error, report, verification},
     plane::{Plane, order, section},
 };
 
@@ -13,10 +11,6 @@ fn cantilever(axial: f64, bending: f64, shear: f64, length: f64, parts: usize) -
     let mut rod = Plane::new(&section(axial, bending, shear), length, parts);
     rod.fix(0, &[0, 1, 2]);
     rod
-}
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().expect("a number")
 }
 
 /// `w = PL³/3EI + PL/κGA`, exact at the nodes however coarse the mesh: the element's bending is

@@ -1,20 +1,14 @@
 //! Lateral frequencies of pinned and clamped beams, with and without axial force.
 
-use serde_json::Value;
 use wholestring_verification::{Row, Tolerance, report};
 
 use super::bench::{Bench, PIPE_M, STEEL, Support};
 use crate::{
+    common::verification,
     dynamics::kernel::chain::node,
     rod::{element::Stiffness, section::Section},
     simd::vector::Vector,
 };
-
-fn d09() -> Value {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../verification/D09_linear_frequencies.json");
-    serde_json::from_str(&std::fs::read_to_string(path).expect("D09")).expect("JSON")
-}
 
 /// A beam that does not shear, as the closed forms have it.
 pub fn beam(length_m: f64, parts: usize) -> Bench {
@@ -77,7 +71,7 @@ fn pinned(axial_N: f64, mode: usize, parts: usize) -> f64 {
 /// The mesh's error is that of the rotary inertia which it gives, `−(kh)²/78`.
 #[test]
 fn a_pinned_pipe_has_its_frequencies() {
-    let data = d09();
+    let data = verification("D09_linear_frequencies.json");
     let gyration2 = (PIPE_M[0].powi(2) + PIPE_M[1].powi(2)) / 16.0;
     let area = std::f64::consts::FRAC_PI_4 * (PIPE_M[0].powi(2) - PIPE_M[1].powi(2));
     let cases = data["pinned_pinned_DP"]["cases"].as_array().expect("cases");

@@ -1,6 +1,7 @@
 //! A straight vertical rod, weightless in air, that a test supports and loads as it likes.
 
 use crate::{
+    common::{self, arcs, mud, open_hole},
     dynamics::{
         assemble::chain,
         body::Body,
@@ -11,7 +12,6 @@ use crate::{
     },
     model::Model,
     mud::Mud,
-    rig::Rig,
     rod::{
         element::Stiffness,
         mesh::Mesh,
@@ -19,8 +19,7 @@ use crate::{
         stability::{self, StepPlan},
     },
     simd::vector::Vector,
-    string::{ComponentLength, ComponentSpec, Material, StringSpec},
-    well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Station, TieIn, Well},
+    string::{ComponentLength, ComponentSpec, Material},
 };
 
 /// The steel of D09 and D10.
@@ -30,12 +29,7 @@ pub const STEEL: Material = Material {
     shear_modulus_Pa: 79.3e9,
 };
 
-const AIR: Mud = Mud {
-    density_kg_per_m3: 0.0,
-    linear_drag_Pa_s: 0.0,
-    drag_coefficient: 0.0,
-    rheology: None,
-};
+const AIR: Mud = mud(0.0);
 
 /// Their pipe: outside and inside diameter, m.
 pub const PIPE_M: [f64; 2] = [0.127, 0.1086];
@@ -133,34 +127,9 @@ impl Bench {
                 ComponentSpec::uniform("rod", od, id, ComponentLength::Metres(length), metal)
             })
             .collect();
-        let station = |md_m| Station {
-            md_m,
-            inclination_rad: 0.0,
-            azimuth_rad: 0.0,
-        };
-        let hole = HoleSection {
-            kind: HoleKind::Open,
-            from_md_m: 0.0,
-            to_md_m: length_m,
-            diameter_m: hole_m,
-            friction: Friction::uniform(0.0),
-            youngs_modulus_Pa: 50e9,
-            poisson_ratio: 0.3,
-            roughness: 1.0,
-        };
-        let stations = [station(0.0), station(length_m)];
-        let model = Model {
-            well: Well {
-                path: Path::new(&stations, Interpolation::MinimumCurvature, TieIn::default())
-                    .expect("a sound survey"),
-                hole: Hole::new(vec![hole]).expect("a sound hole"),
-            },
-            string: StringSpec { components }
-                .assemble(length_m)
-                .expect("a sound string"),
-            mud,
-            rig: Rig::default(),
-        };
+        let path = arcs(&[[0.0; 3], [length_m, 0.0, 0.0]]);
+        let hole = open_hole(hole_m, 0.0, length_m);
+        let model = common::model(path, hole, components, mud, length_m);
         let mesh = Mesh::new(&model.string, element_length_m);
         let lateral = chain::lateral_mass_kg_per_m(&model, &mesh, length_m);
         let plan = stability::plan(&mesh, &lateral, stiffness_damping_s);

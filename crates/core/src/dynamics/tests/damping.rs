@@ -17,10 +17,8 @@ const MESHES_M: [f64; 3] = [1.6, 3.2, 4.8];
 #[test]
 fn a_viscous_spin_down_knows_no_mesh() {
     let mud = Mud {
-        density_kg_per_m3: 1200.0,
         linear_drag_Pa_s: 20.0,
-        drag_coefficient: 0.0,
-        rheology: None,
+        ..crate::common::mud(1200.0)
     };
     let hole_m = 2.0f64;
     let [outer, inner] = PIPE_M.map(|diameter| std::f64::consts::FRAC_PI_4 * diameter.powi(2));

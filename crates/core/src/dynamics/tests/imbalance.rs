@@ -7,9 +7,9 @@ use wholestring_verification::{Row, Tolerance, report};
 use super::{
     beams::beam,
     bench::{Bench, PIPE_M, Support},
-    waves::file,
 };
 use crate::{
+    common::verification,
     dynamics::{body::imbalance::Imbalance, kernel::chain::node, output::energy::Energies},
     simd::vector::Vector,
 };
@@ -73,7 +73,7 @@ fn jeffcott(ratio: f64, zeta: f64, part: f64) -> [f64; 2] {
 /// left.
 #[test]
 fn an_unbalanced_shaft_whirls_as_jeffcotts() {
-    let data = file("D09_linear_frequencies.json");
+    let data = verification("D09_linear_frequencies.json");
     for case in data["jeffcott"]["cases"].as_array().expect("cases") {
         let [ratio, zeta, amplitude, phase] =
             ["r", "zeta", "x_over_e", "phase_deg"].map(|key| case[key].as_f64().expect("a number"));

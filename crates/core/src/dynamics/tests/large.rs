@@ -1,21 +1,14 @@
 //! Large motion against published solutions: the right-angled cantilever, the arm that is spun up.
 
-use serde_json::Value;
 use wholestring_verification::{Row, Tolerance, report};
 
-use super::{
-    bench::{Bench, Support},
-    waves::file,
-};
+use super::bench::{Bench, Support};
 use crate::{
+    common::{number, verification},
     dynamics::{body::bend::Bend, output::energy::Energies},
     rod::section::Section,
     simd::vector::Vector,
 };
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().expect("a number")
-}
 
 const SOURCE: &str = "the tolerance of the source";
 
@@ -69,7 +62,7 @@ impl Swing {
 /// D07's cantilever with `parts` elements to a leg, each of them below a bend: a right angle at the
 /// elbow, none elsewhere.
 fn right_angle(parts: usize) -> Swing {
-    let data = file("D07_simo_vuquoc_right_angle_cantilever.json");
+    let data = verification("D07_simo_vuquoc_right_angle_cantilever.json");
     let inputs = &data["inputs"];
     let [leg, ea, ga, ei, gj, mass] =
         ["leg_length", "EA", "GA", "EI", "GJ", "rhoA"].map(|key| number(&inputs[key]));
@@ -204,7 +197,7 @@ fn a_right_angled_cantilever_swings_out_of_its_plane() {
             reason,
         });
     }
-    let data = file("D07_simo_vuquoc_right_angle_cantilever.json");
+    let data = verification("D07_simo_vuquoc_right_angle_cantilever.json");
     let curve = data["digitised_elbow_out_of_plane_displacement_t_u"]
         .as_array()
         .expect("a curve");
@@ -231,7 +224,7 @@ fn a_right_angled_cantilever_swings_out_of_its_plane() {
 /// D08's arm with `parts` elements: the stretch of its tip once it turns steadily, and how far the
 /// tip lags behind at most.
 fn arm(parts: usize) -> [f64; 2] {
-    let data = file("D08_spin_up.json");
+    let data = verification("D08_spin_up.json");
     let inputs = &data["inputs"];
     let [length, ea, ga, ei, mass, rotary] =
         ["L", "EA", "GA", "EI", "rhoA", "rhoI"].map(|key| number(&inputs[key]));
@@ -279,7 +272,7 @@ fn arm(parts: usize) -> [f64; 2] {
 /// it is its last digit.
 #[test]
 fn an_arm_is_stretched_by_its_spin() {
-    let data = file("D08_spin_up.json");
+    let data = verification("D08_spin_up.json");
     let exact = number(&data["expected"]["exact_linear_rod"]);
     let [coarse, fine] = [8, 16].map(arm);
     let limit = (4.0 * fine[0] - coarse[0]) / 3.0;

@@ -14,12 +14,7 @@ const HOLE_M: f64 = 0.2159;
 const LENGTH_M: f64 = 30.0;
 
 /// Mud of 1.2 sg.
-const STILL: Mud = Mud {
-    density_kg_per_m3: 1200.0,
-    linear_drag_Pa_s: 0.0,
-    drag_coefficient: 0.0,
-    rheology: None,
-};
+const STILL: Mud = crate::common::mud(1200.0);
 
 fn rod(mud: Mud) -> Bench {
     Bench::in_mud(&[(PIPE_M, LENGTH_M)], 1.0, 0.0, mud, HOLE_M)
@@ -169,15 +164,9 @@ fn mud_takes_part_in_lateral_motion_only() {
         }
         bench.frequency_Hz(2, |bench| bench.chain.displacement(0).2)
     };
-    let air = Mud {
-        density_kg_per_m3: 0.0,
-        ..STILL
-    };
+    let air = crate::common::mud(0.0);
     for density_kg_per_m3 in [1000.0, 2000.0] {
-        let mud = Mud {
-            density_kg_per_m3,
-            ..STILL
-        };
+        let mud = crate::common::mud(density_kg_per_m3);
         let (steel, mass) = masses_kg_per_m(&rod(mud), density_kg_per_m3);
         let expected = (steel / mass).sqrt();
         let found = lateral(mud) / lateral(air);

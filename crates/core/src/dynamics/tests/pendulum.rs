@@ -5,10 +5,10 @@ use wholestring_verification::{Row, Tolerance, report};
 use super::{
     beams::swing,
     bench::{Bench, PIPE_M, Support},
-    waves::file,
 };
 use crate::{
     GRAVITY_M_PER_S2,
+    common::verification,
     dynamics::kernel::chain::node,
     rod::{element::Stiffness, section::Section},
     simd::vector::Vector,
@@ -79,7 +79,7 @@ fn hanging(mode: usize, parts: usize, stiff: bool) -> f64 {
 /// and 3.2 m it is within 3e-4, of which 1e-4 is that the pipe stretches by 2e-4 of its length,
 /// which the source's does not.
 fn swings_as(what: &str, modes: impl IntoIterator<Item = usize>) {
-    let data = file("D09_linear_frequencies.json");
+    let data = verification("D09_linear_frequencies.json");
     let stiff = what == PIPE;
     let key = match stiff {
         true => "with_EI_5in_DP_pinned_top_free_bottom_vacuum_Hz",

@@ -5,14 +5,13 @@ use wholestring_verification::{Row, Tolerance, report};
 use super::{
     bench::{Bench, Support},
     large::section,
-    waves::file,
 };
-use crate::{dynamics::kernel::chain::node, simd::vector::Vector};
+use crate::{common::verification, dynamics::kernel::chain::node, simd::vector::Vector};
 
 /// Angular frequency at which D09's shaft, spinning at `spin`, whirls in its mode `mode` when it is
 /// started at `whirl`, rad/s.
 fn whirling(spin: f64, mode: usize, whirl: f64, parts: usize) -> f64 {
-    let data = file("D09_linear_frequencies.json");
+    let data = verification("D09_linear_frequencies.json");
     let inputs = &data["spinning_rayleigh_shaft"]["inputs"];
     let [r, length, e, rho] =
         ["r", "L", "E", "rho"].map(|key| inputs[key].as_f64().expect("a number"));
@@ -58,7 +57,7 @@ fn whirling(spin: f64, mode: usize, whirl: f64, parts: usize) -> f64 {
 /// the two directions is within 1e-3 of itself, which is 1e-6 to 1e-5 of the frequencies.
 #[test]
 fn a_spinning_shaft_whirls_at_its_frequencies() {
-    let data = file("D09_linear_frequencies.json");
+    let data = verification("D09_linear_frequencies.json");
     for case in data["spinning_rayleigh_shaft"]["cases"]
         .as_array()
         .expect("cases")

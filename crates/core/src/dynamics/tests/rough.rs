@@ -1,6 +1,7 @@
 //! The rough wall as the nodes of a chain take it up.
 
 use crate::{
+    common::{self, article_hole, mud, path_in_rad},
     dynamics::{
         assemble::chain,
         boundary::{anchor::Anchor, hole::Borehole},
@@ -9,34 +10,18 @@ use crate::{
     },
     model::Model,
     mud::Mud,
-    rig::Rig,
     rod::{mesh::Mesh, stability},
     simd::vector::Vector,
-    string::{ComponentLength, ComponentSpec, StringSpec},
-    well::{
-        Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Roughness, Station, TieIn, Well,
-    },
+    string::{ComponentLength, ComponentSpec},
+    well::{Friction, Interpolation, Roughness},
 };
 
 const LENGTH_M: f64 = 300.0;
 
 fn model() -> Model {
-    let station = |md_m, inclination: f64| Station {
-        md_m,
-        inclination_rad: inclination.to_radians(),
-        azimuth_rad: 0.4,
-    };
-    let stations = [station(0.0, 20.0), station(LENGTH_M, 60.0)];
-    let hole = HoleSection {
-        kind: HoleKind::Open,
-        from_md_m: 0.0,
-        to_md_m: LENGTH_M + 20.0,
-        diameter_m: 0.2159,
-        friction: Friction::uniform(0.3),
-        youngs_modulus_Pa: 51.5e9,
-        poisson_ratio: 0.33,
-        roughness: 1.0,
-    };
+    let stations = [[0.0, 20.0, 0.4], [LENGTH_M, 60.0, 0.4]]
+        .map(|[md, inc, azi]| [md, f64::to_radians(inc), azi]);
+    let hole = article_hole(0.2159, Friction::uniform(0.3), LENGTH_M + 20.0);
     let roughness = Roughness {
         radius_rms_m: 0.002,
         tortuosity_rms_m: 0.005,
@@ -51,27 +36,17 @@ fn model() -> Model {
         ComponentLength::ToSurface,
         super::bench::STEEL,
     );
-    Model {
-        well: Well {
-            path: Path::new(&stations, Interpolation::Spline, TieIn::default())
-                .expect("a sound survey"),
-            hole: Hole::new(vec![hole])
-                .and_then(|hole| hole.with_roughness(Some(roughness)))
-                .expect("a sound hole"),
-        },
-        string: StringSpec {
-            components: vec![pipe],
-        }
-        .assemble(LENGTH_M)
-        .expect("a sound string"),
-        mud: Mud {
-            density_kg_per_m3: 1200.0,
-            linear_drag_Pa_s: 0.0,
-            drag_coefficient: 1.0,
-            rheology: None,
-        },
-        rig: Rig::default(),
-    }
+    let mud = Mud {
+        drag_coefficient: 1.0,
+        ..mud(1200.0)
+    };
+    common::model(
+        path_in_rad(&stations, Interpolation::Spline),
+        hole.with_roughness(Some(roughness)).expect("a sound hole"),
+        vec![pipe],
+        mud,
+        LENGTH_M,
+    )
 }
 
 /// Radius, slope, position of the axis and its direction at a depth, as node 10 of a mesh meets

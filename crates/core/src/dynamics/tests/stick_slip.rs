@@ -5,6 +5,7 @@ use wholestring_verification::{Row, Tolerance, report};
 
 use super::bench::{Bench, Support};
 use crate::{
+    common::verification,
     dynamics::kernel::{
         chain::{element, node},
         step::{Abilities, Stepper},
@@ -13,13 +14,6 @@ use crate::{
     simd::vector::Vector,
     string::Material,
 };
-
-fn file(name: &str) -> Value {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../verification")
-        .join(name);
-    serde_json::from_str(&std::fs::read_to_string(path).expect(name)).expect("JSON")
-}
 
 fn number(of: &Value, key: &str) -> f64 {
     of[key]
@@ -149,7 +143,7 @@ const STILL_RAD_PER_S: f64 = 1e-9;
 /// the time of stick. The spring's kick in a step of 2 µs, 4.8e-5 rad/s, takes 7 N·m off.
 #[test]
 fn a_disc_on_a_spring_sticks_and_slips() {
-    let data = file("E01_stick_slip_1dof.json");
+    let data = verification("E01_stick_slip_1dof.json");
     for case in data["cases"].as_array().expect("cases") {
         let (inputs, expected) = (&case["inputs"], &case["expected"]);
         let dt = 2e-6;
@@ -195,7 +189,7 @@ fn a_disc_on_a_spring_sticks_and_slips() {
 /// the disc feels nothing but its sliding friction.
 #[test]
 fn damping_keeps_a_disc_from_sticking_again() {
-    let data = &file("E01_stick_slip_1dof.json")["damped_threshold"];
+    let data = &verification("E01_stick_slip_1dof.json")["damped_threshold"];
     for row in data["values"].as_array().expect("rows") {
         let damping = number(row, "bit_damping_Nms");
         let critical = number(row, "Omega_crit_rad_s");
@@ -266,7 +260,7 @@ impl Well {
 /// within 1 % of the computed one (1e-4 was measured) and 3 % of the published 0.22 Hz.
 #[test]
 fn a_string_swings_at_its_torsional_frequency() {
-    let data = file("E02_aarsnes_shor_synthetic_well.json");
+    let data = verification("E02_aarsnes_shor_synthetic_well.json");
     let case = &data["cases"][0];
     let mut well = Well::new(&data, number(&case["inputs"], "MD"), 10.0);
     let rod = &mut well.rod;
@@ -307,7 +301,7 @@ fn a_string_swings_at_its_torsional_frequency() {
 /// 0.2 %.
 #[test]
 fn a_string_breaks_off_at_its_friction() {
-    let data = file("E02_aarsnes_shor_synthetic_well.json");
+    let data = verification("E02_aarsnes_shor_synthetic_well.json");
     let gravity = 9.81;
     for case in &data["cases"].as_array().expect("cases")[..2] {
         let (inputs, expected) = (&case["inputs"], &case["expected"]);

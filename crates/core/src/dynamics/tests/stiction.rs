@@ -1,13 +1,10 @@
 //! A rod that lies on a wall with dry friction, loaded slowly and unloaded again.
 
-use serde_json::Value;
 use wholestring_verification::{Row, Tolerance, report_worst};
 
-use super::{
-    bench::{Bench, PIPE_M, Support},
-    waves::file,
-};
+use super::bench::{Bench, PIPE_M, Support};
 use crate::{
+    common::{number, verification},
     dynamics::kernel::chain::{element, node},
     simd::vector::Vector,
 };
@@ -15,14 +12,10 @@ use crate::{
 /// Time of loading and of unloading, s: a hundred times that of a wave.
 const RAMP_S: f64 = 20.0;
 
-fn number(value: &Value) -> f64 {
-    value.as_f64().expect("a number")
-}
-
 /// What the end of a rod moves by when its load comes on and when it has gone again, `turning`
 /// about the axis or along it.
 fn loaded(turning: bool, element_length_m: f64) -> [f64; 2] {
-    let data = file("D10_axial_torsional_waves.json");
+    let data = verification("D10_axial_torsional_waves.json");
     let inputs = &data["quasi_static_stiction"]["inputs"];
     let [f, force, about, torque] = ["f", "F", "t_per_m", "T"].map(|key| number(&inputs[key]));
     // Held across, so that the pipe cannot roll along its wall, half a metre deep in a soft one.
@@ -85,7 +78,7 @@ fn loaded(turning: bool, element_length_m: f64) -> [f64; 2] {
 /// between two on average, which leaves 0.02 to 0.13 %.
 #[test]
 fn friction_keeps_half_of_what_a_load_has_moved() {
-    let data = file("D10_axial_torsional_waves.json");
+    let data = verification("D10_axial_torsional_waves.json");
     let expected = &data["quasi_static_stiction"]["expected"];
     for (turning, key, what, unit) in [
         (false, "u_m", "a force", "m"),

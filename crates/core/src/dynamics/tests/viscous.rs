@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::bench::{Bench, PIPE_M};
 use crate::{
+    common::{operation, viscous_mud},
     dynamics::{
         boundary::{anchor::Anchor, hole::Borehole, mud::viscous::Viscous},
         kernel::chain::node,
@@ -19,12 +20,7 @@ const LENGTH_M: f64 = 96.0;
 
 /// A mud without weight, which stays laminar.
 fn weightless(rheology: Rheology) -> Mud {
-    Mud {
-        density_kg_per_m3: 0.0,
-        linear_drag_Pa_s: 0.0,
-        drag_coefficient: 0.0,
-        rheology: Some(rheology),
-    }
+    viscous_mud(0.0, rheology)
 }
 
 const NEWTONIAN: Rheology = Rheology::Newtonian {
@@ -63,16 +59,9 @@ impl Wet {
             bench.chain.set_weight(i, Vector(0.0, 0.0, length * weight));
         }
         let operation = Operation {
-            kind: OperationKind::RotateOffBottom,
-            bit_depth_m: LENGTH_M,
             rotary_speed_rad_per_s: spin,
-            weight_on_bit_N: 0.0,
-            bit_torque_N_m: 0.0,
-            rate_of_penetration_m_per_s: 0.0,
             trip_speed_m_per_s: 0.0,
-            flow_rate_m3_per_s: 0.0,
-            bit_pressure_drop_Pa: 0.0,
-            motor_pressure_drop_Pa: 0.0,
+            ..operation(OperationKind::RotateOffBottom, LENGTH_M)
         };
         let law = ContactLaw::Linear {
             stiffness_N_per_m: 1e7,

@@ -4,6 +4,7 @@ use serde_json::Value;
 use wholestring_verification::{Row, Tolerance, report, report_worst};
 
 use crate::{
+    common::{number, verification},
     dynamics::kernel::{
         chain::{Chain, node},
         step::{Abilities, StepInput, Stepper},
@@ -16,16 +17,7 @@ use crate::{
 const USUAL_STEP_S: f64 = 5.5e-4;
 
 fn rows(name: &str) -> Vec<Value> {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../verification")
-        .join(name);
-    let file: Value =
-        serde_json::from_str(&std::fs::read_to_string(path).expect(name)).expect("JSON");
-    file["rows"].as_array().expect("rows").clone()
-}
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().expect("a number")
+    verification(name)["rows"].as_array().expect("rows").clone()
 }
 
 /// What a row of the table says of a number but for the number.

@@ -1,20 +1,13 @@
 //! Axial and torsional waves: natural frequencies, speed, impedance, reflection.
 
-use serde_json::Value;
 use wholestring_verification::{Row, Tolerance, report};
 
 use super::bench::{Bench, COLLAR_M, PIPE_M, STEEL, Support};
 use crate::{
+    common::verification,
     dynamics::kernel::chain::{element, node},
     simd::vector::Vector,
 };
-
-pub fn file(name: &str) -> Value {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../verification")
-        .join(name);
-    serde_json::from_str(&std::fs::read_to_string(path).expect(name)).expect("JSON")
-}
 
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Kind {
@@ -46,7 +39,7 @@ fn speed(rod: &Bench, kind: Kind, i: usize) -> f64 {
 /// elements.
 #[test]
 fn a_hanging_pipe_rings_at_its_frequencies() {
-    let data = file("D09_linear_frequencies.json");
+    let data = verification("D09_linear_frequencies.json");
     for (kind, key) in [(Kind::Axial, "axial_Hz"), (Kind::Torsional, "torsional_Hz")] {
         for mode in 0..3 {
             let exact = data["fixed_free_1000m"][key][mode]
@@ -150,7 +143,7 @@ fn run(rod: &mut Bench, seconds: f64) -> f64 {
 /// the bound of 1e-5 is what its tails leave (4e-7 was measured).
 #[test]
 fn pulses_run_and_are_thrown_back_as_their_impedances_say() {
-    let expected = &file("D10_axial_torsional_waves.json")["expected"];
+    let expected = &verification("D10_axial_torsional_waves.json")["expected"];
     let number = |key: &str| expected[key].as_f64().expect("a number");
     for (kind, speed_key, impedance, back, on) in [
         (
@@ -253,7 +246,7 @@ fn ends_throw_pulses_back() {
 /// force between 0.4 and 0.5 s, and that of the speed between 200 and 1000 m over `v₀`, at an
 /// element length.
 fn slip_front(element_length_m: f64) -> (f64, f64) {
-    let data = file("D10_axial_torsional_waves.json");
+    let data = verification("D10_axial_torsional_waves.json");
     let data = &data["friction_front"];
     let number = |key: &str| data["inputs"][key].as_f64().expect("a number");
     let (f, v0, c) = (number("f"), number("v0"), 5133.132);

@@ -1,6 +1,7 @@
 //! Laminar flow against closed forms.
 
 use super::*;
+use crate::common::viscous_mud;
 
 const PIPE_M: f64 = 0.0635;
 const HOLE_M: f64 = 0.10795;
@@ -24,12 +25,7 @@ const POWER_LAW: Rheology = Rheology::PowerLaw {
 
 /// A mud without weight never becomes turbulent.
 fn weightless(rheology: Rheology) -> Mud {
-    Mud {
-        density_kg_per_m3: 0.0,
-        linear_drag_Pa_s: 0.0,
-        drag_coefficient: 0.0,
-        rheology: Some(rheology),
-    }
+    viscous_mud(0.0, rheology)
 }
 
 #[track_caller]
@@ -264,13 +260,8 @@ fn a_mud_at_rest_pulls_at_nothing() {
 /// `2 f ρ U²/D_h`. The annulus's own laminar factor is 24/Re within 3 %, a slot's.
 #[test]
 fn turbulent_flow_takes_the_friction_factors_gradient() {
-    let water = Mud {
-        density_kg_per_m3: 1000.0,
-        rheology: Some(Rheology::Newtonian {
-            viscosity_Pa_s: 1e-3,
-        }),
-        ..weightless(BINGHAM)
-    };
+    let viscosity_Pa_s = 1e-3;
+    let water = viscous_mud(1000.0, Rheology::Newtonian { viscosity_Pa_s });
     let area = PI * (HOLE_M * HOLE_M - PIPE_M * PIPE_M);
     let hydraulic = 2.0 * (HOLE_M - PIPE_M);
     let reynolds = 1000.0 * hydraulic / 1e-3;
@@ -317,10 +308,8 @@ fn the_transition_is_that_of_api_rp_13d() {
             } else {
                 a / reynolds.powf(b)
             };
-            let mud = Mud {
-                density_kg_per_m3: reynolds * viscosity / (2.0 * (HOLE_M - PIPE_M)),
-                ..weightless(rheology)
-            };
+            let density_kg_per_m3 = reynolds * viscosity / (2.0 * (HOLE_M - PIPE_M));
+            let mud = viscous_mud(density_kg_per_m3, rheology);
             let found = GAP.drag(&mud, &motion).gradient_Pa_per_m / laminar;
             // Of the thinner muds the turbulent law may stay below the laminar one.
             let expected = (friction * reynolds / 24.0).max(1.0);

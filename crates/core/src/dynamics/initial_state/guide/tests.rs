@@ -2,39 +2,24 @@
 
 use super::*;
 use crate::{
+    common::{article_hole, operation, path_in_rad},
     dynamics::{
         assemble::basis::Basis,
         kernel::step::StepInput,
         tests::bench::{Bench, PIPE_M},
     },
-    well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Station, TieIn, Well},
+    well::{Friction, Interpolation, Well},
 };
 
 const LENGTH_M: f64 = 300.0;
 
 /// Plain pipe in a straight hole of 60 deg.
 fn model(friction: f64) -> Model {
-    let station = |md_m| Station {
-        md_m,
-        inclination_rad: 60f64.to_radians(),
-        azimuth_rad: 0.3,
-    };
-    let stations = [station(0.0), station(LENGTH_M)];
-    let hole = HoleSection {
-        kind: HoleKind::Open,
-        from_md_m: 0.0,
-        to_md_m: LENGTH_M + 10.0,
-        diameter_m: 0.2159,
-        friction: Friction::uniform(friction),
-        youngs_modulus_Pa: 51.5e9,
-        poisson_ratio: 0.33,
-        roughness: 1.0,
-    };
+    let stations = [0.0, LENGTH_M].map(|md_m| [md_m, 60f64.to_radians(), 0.3]);
     Model {
         well: Well {
-            path: Path::new(&stations, Interpolation::Spline, TieIn::default())
-                .expect("a sound survey"),
-            hole: Hole::new(vec![hole]).expect("a sound hole"),
+            path: path_in_rad(&stations, Interpolation::Spline),
+            hole: article_hole(0.2159, Friction::uniform(friction), LENGTH_M + 10.0),
         },
         ..Bench::new(&[(PIPE_M, LENGTH_M)], 3.2, 0.0).model
     }
@@ -46,16 +31,9 @@ fn model(friction: f64) -> Model {
 #[test]
 fn a_turning_pipe_is_laid_where_it_climbs_to() {
     let operation = Operation {
-        kind: OperationKind::RotateOffBottom,
-        bit_depth_m: LENGTH_M,
         rotary_speed_rad_per_s: 7.0,
-        weight_on_bit_N: 0.0,
-        bit_torque_N_m: 0.0,
-        rate_of_penetration_m_per_s: 0.0,
         trip_speed_m_per_s: 0.0,
-        flow_rate_m3_per_s: 0.0,
-        bit_pressure_drop_Pa: 0.0,
-        motor_pressure_drop_Pa: 0.0,
+        ..operation(OperationKind::RotateOffBottom, LENGTH_M)
     };
     let settings = DynamicsSettings::default();
     for friction in [0.0, 0.25, 0.6] {

@@ -4,72 +4,31 @@ use std::f64::consts::{PI, TAU};
 
 use super::{reservoir::Reservoir, *};
 use crate::{
+    common::{self, arcs, mud, open_hole, steel, verification},
     dynamics::{
         assemble::chain,
         kernel::chain::{Row, element, node},
     },
-    mud::Mud,
-    rig::Rig,
     rod::stability,
     simd::vector::Vector,
-    string::{ComponentLength, ComponentSpec, Material, StringSpec},
-    well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Station, TieIn, Well},
-};
-
-const STEEL: Material = Material {
-    density_kg_per_m3: 7850.0,
-    youngs_modulus_Pa: 210e9,
-    shear_modulus_Pa: 80e9,
+    string::{ComponentLength, ComponentSpec},
 };
 
 /// Pipe of 5 in over thicker pipe, 60 m each, straight down.
 fn model() -> Model {
-    let station = |md_m| Station {
-        md_m,
-        inclination_rad: 0.0,
-        azimuth_rad: 0.0,
-    };
-    let hole = HoleSection {
-        kind: HoleKind::Open,
-        from_md_m: 0.0,
-        to_md_m: 120.0,
-        diameter_m: 0.2159,
-        friction: Friction {
-            kinetic: 0.2,
-            at_rest: 0.2,
-            around: 1.0,
-        },
-        youngs_modulus_Pa: 50e9,
-        poisson_ratio: 0.3,
-        roughness: 1.0,
-    };
     let part = |od, id| ComponentSpec {
         yield_strength_Pa: Some(724e6),
-        ..ComponentSpec::uniform("pipe", od, id, ComponentLength::Metres(60.0), STEEL)
+        ..ComponentSpec::uniform("pipe", od, id, ComponentLength::Metres(60.0), steel())
     };
-    Model {
-        well: Well {
-            path: Path::new(
-                &[station(0.0), station(120.0)],
-                Interpolation::MinimumCurvature,
-                TieIn::default(),
-            )
-            .unwrap(),
-            hole: Hole::new(vec![hole]).unwrap(),
-        },
-        string: StringSpec {
-            components: vec![part(0.165, 0.0714), part(0.127, 0.1086)],
-        }
-        .assemble(120.0)
-        .unwrap(),
-        mud: Mud {
-            density_kg_per_m3: 1200.0,
-            linear_drag_Pa_s: 0.0,
-            drag_coefficient: 0.0,
-            rheology: None,
-        },
-        rig: Rig::default(),
-    }
+    let parts = vec![part(0.165, 0.0714), part(0.127, 0.1086)];
+    let path = arcs(&[[0.0; 3], [120.0, 0.0, 0.0]]);
+    common::model(
+        path,
+        open_hole(0.2159, 0.2, 120.0),
+        parts,
+        mud(1200.0),
+        120.0,
+    )
 }
 
 /// The string at rest on the hole's axis, and the high side of a vertical hole: north.
@@ -93,10 +52,7 @@ fn string() -> (Model, Mesh, Chain, Vec<Rows<f64>>) {
 #[test]
 fn whirl_goes_round_at_its_rate() {
     let (model, mesh, mut chain, high) = string();
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../verification/E03_whirl_in_clearance.json");
-    let text = std::fs::read_to_string(path).expect("a file");
-    let rows: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let rows = verification("E03_whirl_in_clearance.json");
     for row in rows["rows"].as_array().unwrap() {
         let number = |key: &str| row[key].as_f64().unwrap();
         let [hole, pipe] = ["R_hole", "r_pipe"].map(number);

@@ -7,76 +7,44 @@ mod top;
 
 use super::*;
 use crate::{
+    common::{self, article_hole, mud_with_drag, np13::tool, operation, path_in_rad},
     dynamics::{boundary::executor::RockExecutor, settings::FrictionLaw},
-    mud::Mud,
     operation::OperationKind,
-    rig::Rig,
-    string::{ComponentLength, ComponentSpec, Material, StringSpec},
+    string::ComponentLength,
     wall::contact::ContactLaw,
-    well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Station, TieIn, Well},
+    well::{Friction, Interpolation},
 };
 
 const DEPTH_M: f64 = 300.0;
 
 /// Nothing at the bit.
 const REAM: Operation = Operation {
-    kind: OperationKind::Ream,
-    bit_depth_m: DEPTH_M,
     rotary_speed_rad_per_s: 7.0,
-    weight_on_bit_N: 0.0,
-    bit_torque_N_m: 0.0,
-    rate_of_penetration_m_per_s: 0.0,
     trip_speed_m_per_s: 0.2,
-    flow_rate_m3_per_s: 0.0,
-    bit_pressure_drop_Pa: 0.0,
-    motor_pressure_drop_Pa: 0.0,
+    ..operation(OperationKind::Ream, DEPTH_M)
 };
 
 /// Pipe in a hole that builds to 50 deg and turns.
 fn model(at_rest: f64) -> Model {
-    let stations = [0.0, 0.5, 1.0].map(|part: f64| Station {
-        md_m: DEPTH_M * part,
-        inclination_rad: (50.0 * part).to_radians(),
-        azimuth_rad: 0.4 * part,
-    });
-    let section = HoleSection {
-        kind: HoleKind::Open,
-        from_md_m: 0.0,
-        to_md_m: DEPTH_M + 10.0,
-        diameter_m: 0.2159,
-        friction: Friction {
-            kinetic: 0.25,
-            at_rest,
-            around: 1.0,
-        },
-        youngs_modulus_Pa: 51.5e9,
-        poisson_ratio: 0.33,
-        roughness: 1.0,
+    let stations =
+        [0.0, 0.5, 1.0].map(|part: f64| [DEPTH_M * part, (50.0 * part).to_radians(), 0.4 * part]);
+    let friction = Friction {
+        kinetic: 0.25,
+        at_rest,
+        around: 1.0,
     };
-    let steel = Material {
-        density_kg_per_m3: 7860.0,
-        youngs_modulus_Pa: 210e9,
-        shear_modulus_Pa: 76.923e9,
-    };
-    let pipe = ComponentSpec::uniform("pipe", 0.1397, 0.1186, ComponentLength::ToSurface, steel);
-    Model {
-        well: Well {
-            path: Path::new(&stations, Interpolation::Spline, TieIn::default()).unwrap(),
-            hole: Hole::new(vec![section]).unwrap(),
-        },
-        string: StringSpec {
-            components: vec![pipe],
-        }
-        .assemble(DEPTH_M)
-        .unwrap(),
-        mud: Mud {
-            density_kg_per_m3: 1200.0,
-            linear_drag_Pa_s: 5.0,
-            drag_coefficient: 1.0,
-            rheology: None,
-        },
-        rig: Rig::default(),
-    }
+    common::model(
+        path_in_rad(&stations, Interpolation::Spline),
+        article_hole(0.2159, friction, DEPTH_M + 10.0),
+        vec![tool("pipe", ComponentLength::ToSurface, 0.1397, 0.1186)],
+        mud_with_drag(),
+        DEPTH_M,
+    )
+}
+
+/// A run from its start, in double precision.
+fn new_run(model: &Model, operation: &Operation, settings: &DynamicsSettings) -> Run<f64> {
+    Run::new(model, operation, settings, RockExecutor::default()).expect("a sound case")
 }
 
 /// Whatever the processor, the string moves the same: instruction sets of different width to the
@@ -104,7 +72,7 @@ fn every_instruction_set_moves_the_string_alike() {
                 damping_ratio: 0.05,
             };
         }
-        let initial = Run::<f64>::new(&model, &REAM, &settings, RockExecutor::default()).unwrap();
+        let initial = new_run(&model, &REAM, &settings);
         let vector = friction_law == FrictionLaw::Vector;
         let outcomes: Vec<_> = Stepper::all(Abilities {
             hertz,
@@ -141,13 +109,7 @@ fn every_instruction_set_moves_the_string_alike() {
 /// lengths all bits are the same, those of the sums too.
 #[test]
 fn no_node_knows_who_shares_its_row() {
-    let mut run = Run::<f64>::new(
-        &model(0.3),
-        &REAM,
-        &DynamicsSettings::default(),
-        RockExecutor::default(),
-    )
-    .unwrap();
+    let mut run = new_run(&model(0.3), &REAM, &DynamicsSettings::default());
     run.advance(1.0).unwrap();
     let (input, rows) = (run.step_input(), run.chain.node_blocks.len());
     let stepped = |mut chain: Chain| {
@@ -191,8 +153,7 @@ fn wear_is_laid_on_the_hole() {
             friction_law,
             ..Default::default()
         };
-        let mut run =
-            Run::<f64>::new(&model(0.3), &REAM, &settings, RockExecutor::default()).unwrap();
+        let mut run = new_run(&model(0.3), &REAM, &settings);
         let input = run.step_input();
         run.chain.clear_sums();
         for _ in 0..2000 {
@@ -227,8 +188,7 @@ fn counting_leaves_the_step_as_it_is() {
     let mut totals = Vec::new();
     for at_rest in [0.25, 0.3] {
         let settings = DynamicsSettings::default();
-        let mut plain =
-            Run::<f64>::new(&model(at_rest), &REAM, &settings, RockExecutor::default()).unwrap();
+        let mut plain = new_run(&model(at_rest), &REAM, &settings);
         let mut counted = plain.clone();
         plain.use_instructions("baseline");
         const STEPS: usize = 300;

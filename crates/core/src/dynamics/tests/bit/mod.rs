@@ -14,6 +14,7 @@ mod table;
 use nalgebra::Vector3;
 
 use crate::{
+    common::operation,
     dynamics::{
         boundary::{
             anchor::Anchor,
@@ -31,16 +32,11 @@ const POLAR_KG_M2: f64 = 0.8;
 const DEPTH_M: f64 = 2000.0;
 
 const OPERATION: Operation = Operation {
-    kind: OperationKind::Drill,
-    bit_depth_m: DEPTH_M,
     rotary_speed_rad_per_s: 7.0,
     weight_on_bit_N: 60e3,
     bit_torque_N_m: 3e3,
     rate_of_penetration_m_per_s: 0.003,
-    trip_speed_m_per_s: 0.3,
-    flow_rate_m3_per_s: 0.0,
-    bit_pressure_drop_Pa: 0.0,
-    motor_pressure_drop_Pa: 0.0,
+    ..operation(OperationKind::Drill, DEPTH_M)
 };
 
 /// A bit that forces push and turn.

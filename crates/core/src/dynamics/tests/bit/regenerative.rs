@@ -4,7 +4,10 @@ use serde_json::Value;
 use wholestring_verification::{Row, Tolerance, report};
 
 use super::*;
-use crate::dynamics::boundary::bit::{BitLaw, Cutters, Motor, RegenerativeLaw};
+use crate::{
+    common::verification,
+    dynamics::boundary::bit::{BitLaw, Cutters, Motor, RegenerativeLaw},
+};
 
 const TAU: f64 = std::f64::consts::TAU;
 
@@ -38,12 +41,7 @@ pub(super) fn pressed(weight_on_bit_N: f64) -> Operation {
 }
 
 pub(super) fn identities() -> (RegenerativeLaw, Value) {
-    let path = concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../../verification/E07_bit_rock_detournay.json"
-    );
-    let file: Value =
-        serde_json::from_str(&std::fs::read_to_string(path).expect("E07")).expect("JSON");
+    let file = verification("E07_bit_rock_detournay.json");
     let inputs = &file["inputs"];
     let of = |name: &str| inputs[name].as_f64().expect("a number");
     let cutters = Cutters {

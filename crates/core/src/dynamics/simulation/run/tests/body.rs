@@ -5,17 +5,14 @@ use crate::{
     dynamics::kernel::chain::element,
     mud::Rheology,
     simd::vector::Vector,
-    string::{BodyBend, Cavity, Eccentricity},
+    string::{BodyBend, Cavity, ComponentSpec, Eccentricity, StringSpec},
 };
 
 /// The string of [`model`] with a motor at its lower end that is bent 1.5° to the right, and an
 /// eccentric collar.
 fn bent_model() -> Model {
     let mut model = model(0.25);
-    let pipe = &model.string.components()[0];
-    let tool = |name, od, id, length| {
-        ComponentSpec::uniform(name, od, id, ComponentLength::Metres(length), pipe.material)
-    };
+    let tool = |name, od, id, length| tool(name, ComponentLength::Metres(length), od, id);
     let components = vec![
         tool("bit", 0.2159, 0.06, 0.3),
         ComponentSpec {
@@ -34,13 +31,7 @@ fn bent_model() -> Model {
             }),
             ..tool("collar", 0.165, 0.0714, 27.0)
         },
-        ComponentSpec::uniform(
-            "pipe",
-            0.1397,
-            0.1186,
-            ComponentLength::ToSurface,
-            pipe.material,
-        ),
+        common::np13::tool("pipe", ComponentLength::ToSurface, 0.1397, 0.1186),
     ];
     model.string = StringSpec { components }.assemble(DEPTH_M).unwrap();
     model
@@ -58,13 +49,7 @@ fn start(kind: OperationKind, rpm: f64) -> Run<f64> {
         duration_s: 10.0,
         ..DynamicsSettings::default()
     };
-    Run::new(
-        &bent_model(),
-        &operation,
-        &settings,
-        RockExecutor::default(),
-    )
-    .unwrap()
+    new_run(&bent_model(), &operation, &settings)
 }
 
 /// A string that hangs still with a bend and an eccentric collar loses nothing, neither to the
@@ -93,8 +78,7 @@ fn a_bent_string_at_rest_loses_nothing() {
             ..DynamicsSettings::default()
         };
         settings.damping.mass_per_s = 10.0;
-        let mut simulation =
-            Run::<f64>::new(&model, &operation, &settings, RockExecutor::default()).unwrap();
+        let mut simulation = new_run(&model, &operation, &settings);
         simulation.advance(10.0).unwrap();
         let numerics = simulation.outcome().numerics;
         let energy = numerics.energy.unwrap();

@@ -16,10 +16,9 @@ fn rows_of_the_map_hold_what_the_samples_hold() {
         ..Default::default()
     };
     // The window begins with the second sample of a row.
-    let initial = Run::<f64>::new(&model, &REAM, &settings, RockExecutor::default()).unwrap();
+    let initial = new_run(&model, &REAM, &settings);
     settings.settle_s = 281.5 * initial.sample_interval_s();
-    let mut simulation =
-        Run::<f64>::new(&model, &REAM, &settings, RockExecutor::default()).unwrap();
+    let mut simulation = new_run(&model, &REAM, &settings);
     simulation.advance(simulation.end_time_s()).unwrap();
     let outcome = simulation.outcome();
     let (map, series) = (&outcome.contact, &outcome.series);

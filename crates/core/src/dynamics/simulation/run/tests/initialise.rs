@@ -44,7 +44,7 @@ fn drill(kind: OperationKind) -> Operation {
 #[test]
 fn the_bit_begins_on_the_axis() {
     let settings = DynamicsSettings::default();
-    let mut run = Run::<f64>::new(&model(0.25), &REAM, &settings, RockExecutor::default()).unwrap();
+    let mut run = new_run(&model(0.25), &REAM, &settings);
     let last = run.chain.nodes() - 1;
     let across_m = |run: &Run<f64>| {
         let (at, along) = (run.chain.displacement(last), run.chain.tangent(last));
@@ -66,7 +66,7 @@ fn the_bit_begins_on_the_axis() {
 #[test]
 fn the_rock_winds_the_string_up() {
     let (settings, drill) = (on_rock(), drill(OperationKind::Drill));
-    let run = Run::<f64>::new(&model(0.25), &drill, &settings, RockExecutor::default()).unwrap();
+    let run = new_run(&model(0.25), &drill, &settings);
     let last = run.chain.nodes() - 1;
     let standing = Standing {
         weight_N: WEIGHT_N,
@@ -101,8 +101,7 @@ fn a_bit_that_does_not_turn_rests_on_its_rock() {
             rate_of_penetration_m_per_s: 0.0,
             ..drill(kind)
         };
-        let mut run =
-            Run::<f64>::new(&model(0.25), &still, &settings, RockExecutor::default()).unwrap();
+        let mut run = new_run(&model(0.25), &still, &settings);
         assert!(element!(run.chain, run.chain.nodes() - 2, twist) == 0.0);
         run.advance(0.02).unwrap();
         // The string has only been settled across the hole: along it, it gives by a tenth. A bit

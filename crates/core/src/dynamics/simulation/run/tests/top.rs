@@ -11,13 +11,7 @@ use super::*;
 /// wrong sign misses by twice that.
 #[test]
 fn the_top_is_clamped_to_a_curved_axis() {
-    let mut run = Run::<f64>::new(
-        &model(0.25),
-        &REAM,
-        &DynamicsSettings::default(),
-        RockExecutor::default(),
-    )
-    .unwrap();
+    let mut run = new_run(&model(0.25), &REAM, &DynamicsSettings::default());
     let path = run.model.well.path.clone();
     run.borehole
         .place(&mut run.chain, &mut run.state.anchors, 0, 150.0);
