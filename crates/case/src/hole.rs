@@ -151,16 +151,6 @@ table! {
     }
 }
 
-/// Elastic constants of a wall where the case does not say: steel, and the rock of Table 1 of *New
-/// Analysis Theory and Method for Drag and Torque Based on Full-Hole System Dynamics in Highly
-/// Deviated Well*.
-const fn wall_constants(kind: HoleKind) -> (f64, f64) {
-    match kind {
-        HoleKind::Casing => (210e9, 0.3),
-        HoleKind::Open => (51.5e9, 0.33),
-    }
-}
-
 /// The sections, one below the other.
 pub(crate) fn build(
     tables: &[Spanned<HoleTable>],
@@ -256,7 +246,7 @@ fn check_from(
 
 fn section(table: &HoleTable, from_md_m: f64, diameter_m: Option<f64>) -> Option<HoleSection> {
     let kind = *table.kind.get()?;
-    let (youngs_modulus_Pa, poisson_ratio) = wall_constants(kind);
+    let (youngs_modulus_Pa, poisson_ratio) = kind.elastic_constants();
     let youngs_modulus = table.youngs_modulus.optional()?;
     let poisson = table.poisson_ratio.optional()?;
     Some(HoleSection {

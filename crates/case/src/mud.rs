@@ -1,6 +1,6 @@
 //! `[mud]`.
 
-use wholestring::mud::{Mud, Rheology};
+use wholestring::mud::{CYLINDER_DRAG_COEFFICIENT, Mud, Rheology};
 use wholestring_units::Dimension;
 
 use wholestring_config::{
@@ -62,7 +62,7 @@ table! {
         /// dynamic model uses it.
         drag_coefficient: f64 = default(
             Number { unit: "", range: Range::from_to(0.0, 100.0) },
-            1.0,
+            CYLINDER_DRAG_COEFFICIENT,
         );
         /// How the mud flows: "newtonian", "bingham" or "power-law". With it the mud drags along
         /// the string and about it as the string moves and the pumps run, lifts it with its stream

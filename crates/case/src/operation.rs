@@ -26,9 +26,6 @@ use crate::{
     schedule::{self, Around, StepTable},
 };
 
-/// What `trip_speed` is where the case does not say, m/s: a stand of 28 m in a minute and a half.
-const TRIP_SPEED_M_PER_S: f64 = 0.3;
-
 /// What a slide's `rop` is where the case does not say, m/s; the soft string requires its sign
 /// only.
 const SLIDE_ROP_M_PER_S: f64 = 10.0 / 3600.0;
@@ -80,7 +77,7 @@ table! {
         /// Axial speed of tripping and reaming.
         trip_speed: f64 = default(
             Quantity::si(Dimension::TripSpeed, Range::positive_to(10.0).usual(0.003, 3.0), "0.3 m/s"),
-            TRIP_SPEED_M_PER_S,
+            Operation::TRIP_SPEED_M_PER_S,
         );
         /// What the pumps deliver. They rest while the string trips without rotation. It acts on a
         /// mud with a rheology: raising it raises the pressure losses and the lift of the stream,

@@ -29,7 +29,7 @@ pub(crate) fn modulus(example: &'static str) -> Quantity {
 }
 
 /// Density of the string's metal where the case does not say, kg/m³.
-pub const STEEL_DENSITY_KG_PER_M3: f64 = 7860.0;
+pub const STEEL_DENSITY_KG_PER_M3: f64 = Material::STEEL.density_kg_per_m3;
 
 table! {
     /// The metal of the string, wherever a component does not say otherwise.
@@ -37,9 +37,9 @@ table! {
         /// Density.
         density: f64 = default(density(), STEEL_DENSITY_KG_PER_M3);
         /// Young's modulus.
-        youngs_modulus: f64 = default(modulus("210 GPa"), 210e9);
+        youngs_modulus: f64 = default(modulus("210 GPa"), Material::STEEL.youngs_modulus_Pa);
         /// Shear modulus, independent of Young's modulus.
-        shear_modulus: f64 = default(modulus("76.923 GPa"), 76.923e9);
+        shear_modulus: f64 = default(modulus("76.923 GPa"), Material::STEEL.shear_modulus_Pa);
     }
 }
 

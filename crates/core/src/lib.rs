@@ -1,5 +1,63 @@
 //! Mechanics of a whole drill string in a deviated well, from the top drive to the rock.
 //!
+//! # A first program
+//!
+//! A well, a string, one operation; torque and drag by the soft string, then the same operation in
+//! time:
+//!
+//! ```
+//! use wholestring::prelude::*;
+//!
+//! fn main() -> Result<(), Box<dyn std::error::Error>> {
+//!     let path = Path::spline(&[
+//!         Station::from_degrees(0.0, 0.0, 45.0), // measured depth in m, inclination, azimuth
+//!         Station::from_degrees(300.0, 0.0, 45.0),
+//!         Station::from_degrees(900.0, 60.0, 45.0),
+//!         Station::from_degrees(1500.0, 60.0, 45.0),
+//!     ])?;
+//!     let hole = Hole::new(vec![
+//!         HoleSection::casing(0.0..800.0, 0.2224, 0.25), // diameter in m, friction
+//!         HoleSection::open(800.0..1500.0, 0.2159, 0.30),
+//!     ])?;
+//!     let string = StringSpec::from_bit(ComponentSpec::bit(0.2159, 0.3))
+//!         .catalogue("6-1/2 in x 2-13/16 in collar", Metres(60.0))?
+//!         .catalogue("5 in 19.50 lb/ft S-135", ToSurface)?
+//!         .assemble(1500.0)?;
+//!     let model = Model::new(Well::new(path, hole), string, Mud::of_density(1200.0));
+//!     let drill = Operation::drill(1500.0)
+//!         .rotary_speed_rad_per_s(12.0)
+//!         .weight_on_bit_N(50e3)
+//!         .bit_torque_N_m(3e3)
+//!         .rate_of_penetration_m_per_s(5e-3);
+//!
+//!     let soft = soft_string(&model, &drill)?.scalars;
+//!     println!("soft string: {:.0} N, {:.0} N·m", soft.hook_load_N, soft.surface_torque_N_m);
+//!
+//!     let settings = DynamicsSettings { settle_s: 6.0, duration_s: 2.0, ..Default::default() };
+//!     let dynamic = Simulation::new(&model, &drill, &settings)?.to_end()?.scalars;
+//!     println!("in time: {:.0} N, {:.0} N·m", dynamic.hook_load_N, dynamic.surface_torque_N_m);
+//! #   assert!((dynamic.hook_load_N / soft.hook_load_N - 1.0).abs() < 0.05, "{dynamic:?} {soft:?}");
+//! #   let torques = dynamic.surface_torque_N_m / soft.surface_torque_N_m;
+//! #   assert!((torques - 1.0).abs() < 0.2, "{dynamic:?} {soft:?}");
+//!     Ok(())
+//! }
+//! ```
+//!
+//! # What there is, in the order in which it is needed
+//!
+//! 1. [`prelude`]: what such a program imports.
+//! 2. [`well`], [`string`] with its [catalogue](string::catalogue), [`mud`], [`rig`]: the four parts
+//!    of a [`model::Model`].
+//! 3. [`operation`]: what the driller does, with its set points.
+//! 4. [`statics::soft`]: torque and drag along the string at once; [`statics::buckling`].
+//! 5. [`dynamics`]: the string in time; its [`DynamicsSettings`](dynamics::DynamicsSettings) hold
+//!    the bit, the top drive, the hoist and the numerics, with defaults.
+//! 6. [`outcome`]: what solvers answer, each scalar and column with its unit and meaning;
+//!    [`findings`]: what an engineer must be told of it.
+//! 7. [`rock`], [`rod`], [`wall`]: the parts of the dynamics by themselves.
+//!
+//! # How it is put together
+//!
 //! The data flows one way: a [`model::Model`] (well, string, mud, rig) and an
 //! [`operation::Operation`] go into a solver ([`statics::soft`], [`dynamics`]), and profiles and
 //! scalars come out. Nothing here reads files, prints or starts threads; everything is SI, angles
@@ -23,6 +81,7 @@ pub mod model;
 pub mod mud;
 pub mod operation;
 pub mod outcome;
+pub mod prelude;
 mod random;
 pub mod rig;
 pub mod rock;

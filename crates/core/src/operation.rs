@@ -1,5 +1,7 @@
 //! What the driller is doing.
 
+mod set_points;
+
 use serde::Serialize;
 
 /// Declares the kinds of operation: each once, so that none can be missing from the list of all.

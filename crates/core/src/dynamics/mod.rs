@@ -40,6 +40,7 @@ pub use simulation::{
     Simulation,
     checkpoint::{Checkpoint, ResumeError},
     diverged::Diverged,
+    observer::Observer,
 };
 
 pub use crate::wall::contact::ContactLaw;

@@ -10,6 +10,10 @@ pub use annulus::{Annulus, AnnulusDrag, Motion};
 pub use hydraulics::Hydraulics;
 pub use rheology::Rheology;
 
+/// Lateral drag coefficient `C_d` of a pipe where nothing else is said: that of a smooth cylinder
+/// across a stream at Reynolds numbers from 1e3 to 1e5.
+pub const CYLINDER_DRAG_COEFFICIENT: f64 = 1.0;
+
 /// Drilling fluid that fills the string and the annulus.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Mud {
@@ -25,6 +29,17 @@ pub struct Mud {
 }
 
 impl Mud {
+    /// Mud of a density, kg/m³, that brakes lateral motion as it does that of a smooth cylinder and
+    /// has no rheology: neither viscous drag along the string nor pressure losses.
+    pub const fn of_density(density_kg_per_m3: f64) -> Self {
+        Self {
+            density_kg_per_m3,
+            linear_drag_Pa_s: 0.0,
+            drag_coefficient: CYLINDER_DRAG_COEFFICIENT,
+            rheology: None,
+        }
+    }
+
     /// Upward thrust of the bit's jets on the string, N: `ρ Q u` with the jet's speed
     /// `u = √(2 Δp/ρ)`; none without a rheology.
     ///

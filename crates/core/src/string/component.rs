@@ -166,11 +166,7 @@ mod tests {
 
     #[test]
     fn a_bit_is_known_by_the_last_word_of_its_name() {
-        let steel = Material {
-            density_kg_per_m3: 7860.0,
-            youngs_modulus_Pa: 210e9,
-            shear_modulus_Pa: 76.923e9,
-        };
+        let steel = Material::STEEL;
         let is_bit = |name: &str| Component::uniform(name, 0.2159, 0.06, 0.3, steel).is_bit();
         for name in ["bit", "Bit", "PDC bit", "8-1/2 in bit (bit)", "core-bit"] {
             assert!(is_bit(name), "{name}");

@@ -1,6 +1,7 @@
 //! The drill string: components from the bit up.
 
 mod body;
+mod builder;
 pub mod catalogue;
 mod component;
 mod drill_string;

@@ -13,6 +13,18 @@ pub enum HoleKind {
     Open,
 }
 
+impl HoleKind {
+    /// Young's modulus, Pa, and Poisson's ratio of a wall where nothing else is said: steel, and
+    /// the rock of Table 1 of *New Analysis Theory and Method for Drag and Torque Based on
+    /// Full-Hole System Dynamics in Highly Deviated Well*.
+    pub const fn elastic_constants(self) -> (f64, f64) {
+        match self {
+            Self::Casing => (210e9, 0.3),
+            Self::Open => (51.5e9, 0.33),
+        }
+    }
+}
+
 /// Coulomb friction of a wall.
 ///
 /// Along the hole and around it the coefficient may differ: a pipe that turns rolls over cuttings

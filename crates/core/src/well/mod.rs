@@ -1,6 +1,7 @@
 //! The well: the path of the hole's axis and the hole around it.
 
 pub mod casing;
+mod constructors;
 mod curve;
 mod hole;
 mod interpolation;

@@ -4,7 +4,9 @@ mod balance;
 pub mod checkpoint;
 pub mod diverged;
 mod initialise;
+mod kernel_speed;
 mod numbers;
+pub mod observer;
 mod run;
 mod sampling;
 pub mod settling;
@@ -21,7 +23,6 @@ use crate::{
     dynamics::{
         assemble::error::SetupError,
         boundary::executor::RockExecutor,
-        kernel::step::{Abilities, Stepper},
         output::{frame::Frame, outcome::DynamicOutcome},
         simulation::{
             checkpoint::{Checkpoint, ResumeError},
@@ -31,9 +32,9 @@ use crate::{
     },
     model::Model,
     operation::Operation,
+    outcome::TimeSeries,
     rock::{Alone, Executor, bit_face::BottomHole},
     rod::mesh::{Mesh, MeshNode},
-    simd::counted::Flops,
 };
 
 /// Shortest elements that single precision serves, m. Positions are known to 2e-9 m, and what that
@@ -99,6 +100,8 @@ macro_rules! either {
         }
     };
 }
+
+use either;
 
 impl Simulation {
     /// Initialises the string in its hole, ready to run.
@@ -177,6 +180,11 @@ impl Simulation {
     /// The answer so far: over the window if it has begun, over everything sampled otherwise.
     pub fn outcome(&self) -> DynamicOutcome {
         either!(&self.0, run => run.outcome())
+    }
+
+    /// What was sampled so far, from time zero: the last row is that of the last sample.
+    pub fn series(&self) -> &TimeSeries {
+        either!(&self.0, run => run.series())
     }
 
     /// Mean weight on bit of [`outcome`](Self::outcome), N, without the rest of it.
@@ -269,40 +277,5 @@ impl Simulation {
     /// Name of the instruction set that the time loop was compiled for.
     pub fn instructions(&self) -> &'static str {
         either!(&self.0, run => run.instructions())
-    }
-
-    /// Names of the instruction sets that this processor can run, the fastest first.
-    pub fn instruction_sets() -> Vec<&'static str> {
-        let any = Abilities {
-            hertz: true,
-            vector: true,
-            full: false,
-        };
-        let all: Vec<Stepper> = Stepper::all(any);
-        all.iter().map(|stepper| stepper.instructions).collect()
-    }
-
-    /// Continues with one of [`Self::instruction_sets`]; with what it has if there is none of that
-    /// name.
-    pub fn use_instructions(&mut self, name: &str) {
-        either!(&mut self.0, run => run.use_instructions(name));
-    }
-
-    /// Takes `steps` steps of the inner loop alone, the top held where it is: a measure of speed.
-    /// The simulation is no more than that afterwards.
-    pub fn step_kernel(&mut self, steps: usize) {
-        either!(&mut self.0, run => run.step_kernel(steps));
-    }
-
-    /// Takes one step of the inner loop alone, as [`Self::step_kernel`] does, and counts its
-    /// arithmetic: all of it, that of lanes which no element fills, too.
-    pub fn count_kernel(&mut self) -> Flops {
-        either!(&mut self.0, run => run.count_kernel())
-    }
-
-    /// Multiplies and adds in the registers of the inner loop, so wide and so precise, `rounds`
-    /// times and as fast as the processor can; how many floating-point operations that was.
-    pub fn work_at_peak(&self, rounds: usize) -> u64 {
-        either!(&self.0, run => run.work_at_peak(rounds))
     }
 }

@@ -33,6 +33,7 @@ use crate::{
     },
     model::{Model, MudColumn},
     operation::Operation,
+    outcome::TimeSeries,
     rock::{Drilling, Executor, bit_face::BottomHole},
     rod::{
         mesh::{Mesh, MeshNode},
@@ -387,6 +388,11 @@ impl<R: Real> Run<R> {
     /// Time between two samples, s: the setting, rounded to whole steps.
     pub fn sample_interval_s(&self) -> f64 {
         self.steps_per_sample as f64 * self.plan.dt_s
+    }
+
+    /// What was sampled so far.
+    pub fn series(&self) -> &TimeSeries {
+        &self.state.record.series
     }
 
     /// Mean weight on bit of [`outcome`](Self::outcome), N.

@@ -28,6 +28,14 @@ use motion::Sliding;
 pub use profile::SoftProfile;
 pub use settings::SoftSettings;
 
+/// Torque and drag of one operation by the soft string with its default settings.
+///
+/// # Errors
+/// Those of [`solve`].
+pub fn soft_string(model: &Model, operation: &Operation) -> Result<SoftProfile, SoftError> {
+    solve(model, operation, &SoftSettings::default())
+}
+
 /// Torque and drag of one operation by the soft string.
 ///
 /// # Errors

@@ -1,0 +1,15 @@
+//! What a program of torque, drag and dynamics needs, under one import.
+
+pub use crate::{
+    dynamics::{DynamicOutcome, DynamicsSettings, Simulation},
+    model::Model,
+    mud::Mud,
+    operation::{Operation, OperationKind},
+    rig::Rig,
+    statics::soft::{SoftProfile, soft_string},
+    string::{
+        ComponentLength::{self, Metres, ToSurface},
+        ComponentSpec, Material, StringSpec,
+    },
+    well::{Friction, Hole, HoleSection, Path, Station, Well},
+};
