@@ -38,7 +38,7 @@ const NOTHING = { part: 0.01, of: ["force", "torque"] };
 /** A cell in which what is nothing beside the quantity's usual size, such as a torque of 3 N·m, is 0. */
 function sized(cell, report) {
   if (!NOTHING.of.includes(cell?.dimension)) return cell;
-  const spans = report.time_plots.filter((plot) => plot.dimension === cell.dimension).map((plot) => plot.least_span);
+  const spans = report.time_plots.filter((plot) => plot.dimension === cell.dimension).map((plot) => plot.min_span);
   return Math.abs(cell.value) < NOTHING.part * Math.max(...spans) ? { ...cell, value: 0 } : cell;
 }
 

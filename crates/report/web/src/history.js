@@ -48,12 +48,12 @@ export function history(report, timePlots, follows) {
     if (frames?.channels[channel]) {
       const nodes = frames.md_m.length;
       const node = nearest(frames.md_m, state.depth);
-      const [name, title, dimension, least_span] = NODE_CHANNELS.find(([name]) => name === channel);
+      const [name, title, dimension, min_span] = NODE_CHANNELS.find(([name]) => name === channel);
       const values = Float32Array.from(frames.time_s, (_, k) => frames.channels[name][k * nodes + node]);
       return {
         title: `${title} at ${quantity(frames.md_m[node], "length", 5)}`,
         dimension,
-        least_span,
+        min_span,
         columns: [[name, "node"]],
         times: frames.time_s,
         values: [values],
@@ -67,7 +67,7 @@ export function history(report, timePlots, follows) {
       return {
         title: `Side force around ${quantity(contact.md_m[stretch], "length", 5)}`,
         dimension: "force per length",
-        least_span: 100,
+        min_span: 100,
         columns: [["side_force_N_per_m", "side force"]],
         times: contact.time_s,
         values: [values],
@@ -162,7 +162,7 @@ export function history(report, timePlots, follows) {
         legend: LEGEND,
         scales: {
           x: { time: false, min: view[0], max: view[1] },
-          y: { dir: plot.points ? -1 : 1, range: (_, low, high) => air(low, high, plot.dimension, plot.least_span) },
+          y: { dir: plot.points ? -1 : 1, range: (_, low, high) => air(low, high, plot.dimension, plot.min_span) },
         },
         axes: axes("Time, s"),
         series: [{ label: "time, s", value: (_, value) => (value === null ? "–" : value.toFixed(2)) }, ...series],

@@ -30,7 +30,7 @@ function rangeOf(report, track, curves, view) {
     : columns
         .map(([depths, values]) => extent(depths, values, view))
         .reduce(([low, high], end) => [Math.min(low, end[0]), Math.max(high, end[1])], [Infinity, -Infinity]);
-  return domain(...ends, track.zero || track.sides, si(1, track.dimension), track.least_span);
+  return domain(...ends, track.zero || track.sides, si(1, track.dimension), track.min_span);
 }
 
 /** Draws a track into a picture that shows these depths; gives the curves that it shows, and where readouts go. */
