@@ -113,7 +113,7 @@ table! {
         /// First and last time that is drawn. For "time", "contact", and "frames" at depths.
         /// Default: the whole run.
         window: Vec<Spanned<f64>> = optional(WINDOW());
-        /// Values of `y` to hold the curves against, or to mark on a map.
+        /// Values of `y` to compare the curves with, or to mark on a map.
         level: Vec<Spanned<LevelTable>> = optional(List {
             item: Section::<LevelTable>::RULE,
             or_one: false,
@@ -124,7 +124,7 @@ table! {
 }
 
 table! {
-    /// A value to hold the curves against.
+    /// A value to compare the curves with.
     LevelTable in "[[figure.level]]" {
         /// What it is.
         label: String = required(Text);
@@ -164,7 +164,7 @@ pub struct Figure {
     pub x_axis: Pointing,
     /// The vertical axis.
     pub y: Vec<Quantity>,
-    /// Values to hold the curves against.
+    /// Values to compare the curves with.
     pub levels: Vec<Level>,
 }
 

@@ -82,8 +82,8 @@ impl Surface {
         let faces = self.faces[node];
         let mut area_m2 = [0.0; 3];
         for (axis, area_m2) in area_m2.iter_mut().enumerate() {
-            let looks = f64::from(faces[2 * axis + 1]) - f64::from(faces[2 * axis]);
-            *area_m2 = 0.25 * looks * grid.area_m2(2 * axis);
+            let net_faces = f64::from(faces[2 * axis + 1]) - f64::from(faces[2 * axis]);
+            *area_m2 = 0.25 * net_faces * grid.area_m2(2 * axis);
         }
         area_m2
     }

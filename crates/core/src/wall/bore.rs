@@ -170,9 +170,9 @@ fn shifted(point: &PathPoint, [g, g1, g2]: [nalgebra::Vector3<f64>; 3]) -> PathP
     let along = g.dot(&t);
     let tilt = g1 - t * (g1.dot(&t) + g.dot(&kappa)) - kappa * along;
     let bend = g2 - t * (g2.dot(&t) + 2.0 * g1.dot(&kappa)) - kappa * (2.0 * g1.dot(&t));
-    let pace = t + tilt;
-    let tangent = pace.normalize();
-    let turn = (kappa + bend) / pace.norm_squared();
+    let direction = t + tilt;
+    let tangent = direction.normalize();
+    let turn = (kappa + bend) / direction.norm_squared();
     PathPoint {
         position_m: point.position_m + g - t * along,
         tangent,

@@ -13,7 +13,7 @@ use crate::checkpoint::difference;
 /// Name of the file of a finished point.
 const FILE: &str = "point.json";
 
-/// A trial that was written to a checkpoint: the content of its checkpoint.
+/// A trial as its checkpoint holds it.
 #[derive(Serialize, Deserialize)]
 pub(super) struct PointCheckpoint<'a> {
     /// The point's settings, as JSON.

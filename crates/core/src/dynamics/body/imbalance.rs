@@ -114,7 +114,7 @@ impl Imbalance {
         };
         let (mut dv, mut dw, mut ds) = (Vector::zero(), Vector::zero(), 0.0);
         for _ in 0..PASSES {
-            // M dv = −U (ω × q − what was led), I dω = −U q × Δv: each with the other's last value.
+            // M dv = −U (ω × q − led), I dω = −U q × Δv: each with the other's last value.
             let omega = (w_step + dw).plus(d, spin_step + ds);
             dv = moved((omega.cross(half) - self.led).scaled(-self.moment_kg_m));
             let moment = q.cross(v_step + dv - v_before).scaled(-self.moment_kg_m);

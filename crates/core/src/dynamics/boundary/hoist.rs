@@ -64,6 +64,7 @@ impl Hoist {
             control,
             autodriller,
             target,
+            // The line is stretched by what it carries.
             block_m: top_md_m - hook_load_N / line.stiffness_N_per_m,
             velocity_m_per_s,
             filtered_N: target.weight_N,
@@ -166,6 +167,7 @@ impl Hoist {
         chain.set_displacement(0, chain.displacement(0).minus(tangent, dt * change));
         if matches!(self.control, HoistControl::HookLoad(_)) {
             self.velocity_m_per_s = after;
+            // There is no line: the block goes where a line under this load would have it.
             self.block_m = end - dt * taken - force / self.line.stiffness_N_per_m;
         }
         // F_hook = F_line − M g + M v': `force` is the line's beyond the block's weight already.
@@ -190,6 +192,7 @@ impl Hoist {
             max_speed_m_per_s: most,
             ..
         } = self.autodriller;
+        // v = v₀ + K (e + ∫ e dt/T_i).
         let missing = self.target.weight_N - self.filtered_N;
         let wanted = gain.mul_add(missing, self.target.velocity_m_per_s) + self.integral_m_per_s;
         self.velocity_m_per_s = wanted.max(least).min(most);

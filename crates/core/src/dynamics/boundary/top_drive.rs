@@ -198,6 +198,7 @@ impl TopDrive {
             integral_N_m,
             shown,
         } = drive.gains;
+        // K_p + K_i dt: the integral of the step counts at its end.
         let gain = integral_N_m.mul_add(dt, proportional_N_m_s);
         // The string's torque at the step's end, `M = string + k (Ω − Ω_below) dt + J_½ Ω'`, is
         // `fixed + stiff Ω`; what is heard of it, part of it less its slow part.
@@ -205,6 +206,7 @@ impl TopDrive {
         let start = drive.half_kg_m2 / dt;
         let fixed = string - wind * node!(chain, 1, spin) - start * before;
         let stiff = wind + start;
+        // H = s/(s + ω₁): the part below ω₁ follows slowly, the rest over Z lowers the reference.
         let (slow, heard) = shown.map_or((0.0, 0.0), |s| {
             let slow = s.corner_rad_per_s * dt / s.corner_rad_per_s.mul_add(dt, 1.0);
             (slow, (1.0 - slow) / s.impedance_N_m_s)
@@ -215,6 +217,7 @@ impl TopDrive {
         // J (Ω − Ω₀)/dt = K (Ω_r − Ω) + integral − string, where Ω_r depends on Ω, solved for Ω.
         let mut after = (per_dt * before + gain * reference + drive.integral_N_m - string)
             / gain.mul_add(slope, per_dt);
+        // Ω_r − Ω at the step's end.
         let missing = reference - slope * after;
         let mut torque = gain * missing + drive.integral_N_m;
         self.stalled = torque.abs() > drive.limit_N_m;

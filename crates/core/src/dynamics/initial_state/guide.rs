@@ -10,7 +10,7 @@ use crate::{
     statics::soft::{self, SoftError, SoftSettings},
 };
 
-/// Side force at which the string is initialised halfway to the wall, N/m: where less presses it
+/// Side force at which the string is placed halfway to the wall, N/m: where less presses it
 /// there, it hangs nearer to the axis.
 const LIGHT_N_PER_M: f64 = 10.0;
 

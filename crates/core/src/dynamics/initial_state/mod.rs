@@ -1,7 +1,7 @@
 //! The initial condition: how the string lies at time zero.
 //!
 //! A string that is dropped into its hole needs minutes to find its torque and its tension. The
-//! prepared start takes both from the soft string, initialises the string on the side where it will
+//! prepared start takes both from the soft string, places the string on the side where it will
 //! touch and lets it settle laterally, so that what follows is the operation and not the aftermath
 //! of a fall.
 

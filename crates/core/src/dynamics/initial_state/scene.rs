@@ -1,4 +1,4 @@
-//! What a string is initialised by.
+//! What a string is initialised from.
 
 use crate::{
     dynamics::{
@@ -11,7 +11,7 @@ use crate::{
     rod::mesh::Mesh,
 };
 
-/// What a string is initialised by.
+/// What a string is initialised from.
 #[derive(Debug, Clone, Copy)]
 pub struct Scene<'a> {
     /// Well, string and mud.

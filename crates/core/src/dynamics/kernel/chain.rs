@@ -207,7 +207,7 @@ impl<R: Real> Chain<R> {
 
     /// The upper pieces in whose elements the effective tension was more than `min_N` at the last
     /// step.
-    pub fn strands_above_N(&self, min_N: f64) -> usize {
+    pub fn lanes_above_N(&self, min_N: f64) -> usize {
         let least = R::from_f64(min_N);
         let mut above = [true; SINGLES];
         for block in &self.element_blocks {

@@ -16,7 +16,7 @@ use crate::{
 pub struct Wear {
     /// Of each node.
     string_J: Vec<f64>,
-    /// What of that has been initialised on the hole.
+    /// What of that has been distributed over the hole.
     laid_J: Vec<f64>,
     /// Depth of the bit when that was done, m.
     bit_md_m: f64,

@@ -120,7 +120,7 @@ impl Simulation {
         Self::with_executor(model, operation, settings, Arc::new(Alone))
     }
 
-    /// The same with an executor given to solid rock under the bit from the first: the bit is run
+    /// The same with an executor for the solid rock under the bit from the first: the bit is run
     /// in before the string is initialised. The answer does not depend on it.
     ///
     /// # Errors
@@ -243,7 +243,7 @@ impl Simulation {
         either!(&self.0, run => run.kinetic_energy_J())
     }
 
-    /// Sets an executor to solid rock under the bit; the answer does not depend on it. A simulation
+    /// Sets the executor of the solid rock under the bit; the answer does not depend on it. A simulation
     /// that was resumed has to be set anew.
     pub fn set_executor(&mut self, executor: Arc<dyn Executor + Send + Sync>) {
         either!(&mut self.0, run => run.set_executor(executor));

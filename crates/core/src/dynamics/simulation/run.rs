@@ -149,7 +149,7 @@ impl<R: Real> Run<R> {
         &self.mesh
     }
 
-    /// Sets an executor to solid rock under the bit; the answer does not depend on it.
+    /// Sets the executor of the solid rock under the bit; the answer does not depend on it.
     pub fn set_executor(&mut self, executor: Arc<dyn Executor + Send + Sync>) {
         self.executor.shared = SharedExecutor::new(executor);
     }

@@ -72,6 +72,7 @@ impl Bottom {
         while since >= self.spacing_rad && passed < POINTS as f64 {
             since -= self.spacing_rad;
             passed += 1.0;
+            // Where the blade was when it passed the point, linear within the step.
             let part = ((passed * self.spacing_rad - before) / turn_rad).clamp(0.0, 1.0);
             self.passed = (self.passed + 1) % POINTS;
             let point = &mut self.surface_m[self.passed];

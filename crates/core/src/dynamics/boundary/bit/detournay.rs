@@ -67,7 +67,7 @@ impl DetournayDefournyLaw {
 
     /// The rate of penetration against the weight at a speed, regime by regime.
     pub(super) fn segments(&self, speed_rad_per_s: f64) -> impl Iterator<Item = RateSegment> {
-        let pace = speed_rad_per_s.max(0.0) / TAU;
+        let revolutions_per_s = speed_rad_per_s.max(0.0) / TAU;
         let full = self.full_contact_depth_m;
         let full_N = self.weight_on_bit_N(full);
         let limit_N = self
@@ -78,7 +78,7 @@ impl DetournayDefournyLaw {
             to_N: full_N,
             from_m_per_s: 0.0,
             slope_m_per_s_per_N: if full_N > 0.0 {
-                pace * full / full_N
+                revolutions_per_s * full / full_N
             } else {
                 0.0
             },
@@ -86,8 +86,8 @@ impl DetournayDefournyLaw {
         let cutting = RateSegment {
             from_N: full_N,
             to_N: limit_N.unwrap_or(f64::INFINITY),
-            from_m_per_s: pace * full,
-            slope_m_per_s_per_N: pace / self.cutters.cutting_N_per_m(),
+            from_m_per_s: revolutions_per_s * full,
+            slope_m_per_s_per_N: revolutions_per_s / self.cutters.cutting_N_per_m(),
         };
         let choked = self
             .cleaning_limit_m
@@ -95,7 +95,7 @@ impl DetournayDefournyLaw {
             .map(|(limit, limit_N)| RateSegment {
                 from_N: limit_N,
                 to_N: f64::INFINITY,
-                from_m_per_s: pace * limit,
+                from_m_per_s: revolutions_per_s * limit,
                 slope_m_per_s_per_N: 0.0,
             });
         [Some(contact), Some(cutting), choked].into_iter().flatten()

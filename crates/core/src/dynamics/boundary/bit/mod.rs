@@ -198,6 +198,7 @@ impl Bit {
     ) -> BitStep {
         let index = chain.nodes() - 1;
         let tangent = chain.tangent(index);
+        // Sideways first: the rock ahead meets the bit where the rock beside has left it.
         let held = self.side.hold(
             chain.velocity(index),
             chain.displacement(index),

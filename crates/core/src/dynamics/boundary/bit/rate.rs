@@ -45,7 +45,7 @@ impl Rate {
     }
 
     pub(super) fn segment(&self, speed_rad_per_s: f64) -> RateSegment {
-        let pace = if self.slides || self.nominal_rad_per_s == 0.0 {
+        let speed_ratio = if self.slides || self.nominal_rad_per_s == 0.0 {
             1.0
         } else {
             (speed_rad_per_s / self.nominal_rad_per_s).max(0.0)
@@ -54,7 +54,7 @@ impl Rate {
             from_N: 0.0,
             to_N: f64::INFINITY,
             from_m_per_s: 0.0,
-            slope_m_per_s_per_N: self.rate_m_per_s_per_N * pace,
+            slope_m_per_s_per_N: self.rate_m_per_s_per_N * speed_ratio,
         }
     }
 

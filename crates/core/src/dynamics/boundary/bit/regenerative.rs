@@ -115,6 +115,7 @@ impl RegenerativeCut {
             self.bottom.cut(turn, self.depth_m, depth_m);
             depth_of_turn_m = f64::from(law.blades) * depth_of_cut * turn / std::f64::consts::TAU;
         }
+        // Turned back: nothing is cut until this angle is made good.
         self.back_rad = (-turn).max(0.0);
         self.depth_m = depth_m;
         RockReaction {

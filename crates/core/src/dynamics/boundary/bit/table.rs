@@ -127,7 +127,7 @@ struct Column {
     above: usize,
     part: f64,
     /// By what the rate is to be multiplied below the least speed.
-    pace: f64,
+    rate_factor: f64,
 }
 
 impl BitTable {
@@ -246,7 +246,7 @@ impl BitTable {
     /// How the bit drills steadily under a weight on bit, turning at a speed.
     pub fn steady(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> SteadyCut {
         let column = self.column(rotary_speed_rad_per_s);
-        let rate = column.pace * self.down(&self.rate_m_per_s, weight_on_bit_N, column);
+        let rate = column.rate_factor * self.down(&self.rate_m_per_s, weight_on_bit_N, column);
         SteadyCut {
             depth_of_cut_m: depth_of_cut_m(rate, rotary_speed_rad_per_s),
             torque_N_m: self.down(&self.torque_N_m, weight_on_bit_N, column),
@@ -257,7 +257,7 @@ impl BitTable {
     /// The rate of penetration against the weight at a speed, from point to point.
     pub(super) fn segments(&self, speed_rad_per_s: f64) -> impl Iterator<Item = RateSegment> {
         let column = self.column(speed_rad_per_s);
-        let rate = move |i: usize| column.pace * self.across(&self.rate_m_per_s, i, column);
+        let rate = move |i: usize| column.rate_factor * self.across(&self.rate_m_per_s, i, column);
         let last = self.weights_N.len() - 1;
         let rising = (0..=last).map(move |i| {
             // Without weight nothing is cut: the first stretch begins at zero.
@@ -290,11 +290,11 @@ impl BitTable {
     fn column(&self, speed_rad_per_s: f64) -> Column {
         let speeds = &self.speeds_rad_per_s;
         let above = speeds.partition_point(|s| *s < speed_rad_per_s);
-        let edge = |at: usize, pace: f64| Column {
+        let edge = |at: usize, rate_factor: f64| Column {
             below: at,
             above: at,
             part: 0.0,
-            pace,
+            rate_factor,
         };
         // Below the least speed the rate goes to zero with the speed; above the largest it stays.
         if above == 0 {
@@ -306,7 +306,7 @@ impl BitTable {
                 below: above - 1,
                 above,
                 part: (speed_rad_per_s - speeds[above - 1]) / (speeds[above] - speeds[above - 1]),
-                pace: 1.0,
+                rate_factor: 1.0,
             }
         }
     }

@@ -225,6 +225,7 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
         let (e, below) = (&mut element_blocks[0], ends(states, 0));
         pull::<N>(&mut pulls[0], &mut strains, e, below, input, &mut losses);
     } else {
+        // A single row lies above and below itself.
         pulls[0] = last;
     }
     // The last row of a lane pulls at the first node of the next lane.
@@ -294,6 +295,7 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
     }
     let sum = |row: Row<N::Real>| row.0.as_ref().iter().map(|x| x.to_f64()).sum::<f64>();
     StepLosses {
+        // Sums are over v + v', twice the mean velocity.
         contact: sum(losses.contact) * 0.5 * input.dt,
         mud: sum(losses.mud) * 0.5,
         damping: sum(losses.damping) * input.dt,

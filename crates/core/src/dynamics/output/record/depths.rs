@@ -14,7 +14,7 @@ use crate::{
 /// Time over which the side of the contacts is averaged, s. A shorter one sees impacts.
 const SIDE_S: f64 = 1.0;
 
-/// The sides on which the nodes lay since the last sample.
+/// The sides on which the nodes have lain since the last sample.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Sides {
     /// Sums of the signed contact forces at that look, N.
@@ -86,7 +86,7 @@ pub fn neutral_point_m(
         0.5 * (anchors[i].md_m + along(i) + anchors[i + 1].md_m + along(i + 1))
     };
     // Pieces that hang from the top have none; the last of them may end just above it.
-    let hanging = chain.strands_above_N(outcome::SLACK * largest_N);
+    let hanging = chain.lanes_above_N(outcome::SLACK * largest_N);
     let tensions_N = chain.tensions_N(hanging.saturating_sub(1));
     outcome::neutral_point_among(tensions_N, largest_N, md_m)
 }

@@ -161,6 +161,7 @@ fn press(
     standing: Standing,
     executor: &RockExecutor,
 ) -> Result<(), SetupError> {
+    // Decay of a dashpot alone over a step, exact.
     let left = (-PRESSING_DAMPING_PER_S * STEP_S).exp();
     for step in 1..=(PRESSING_S / STEP_S) as usize {
         check_running(executor)?;
