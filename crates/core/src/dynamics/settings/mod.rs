@@ -67,6 +67,9 @@ pub enum Precision {
 }
 
 /// How wall friction combines its axial and circumferential parts.
+///
+/// Both are compiled into the inner loop, and no other can be given: a friction of the caller's own
+/// enters by its coefficients, [`Hole::with_friction_profile`](crate::well::Hole).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum FrictionLaw {
     /// Coulomb's cone: the friction opposes the resultant sliding velocity.
