@@ -56,6 +56,23 @@
 //!    [`findings`]: what an engineer must be told of it.
 //! 7. [`rock`], [`rod`], [`wall`]: the parts of the dynamics by themselves.
 //!
+//! # Points of extension
+//!
+//! Each has an example in `crates/core/examples`, which the tests run.
+//!
+//! | of one's own | by | example |
+//! |---|---|---|
+//! | law of the bit | [`dynamics::BitRockLaw`] | `bit_law` |
+//! | excitation of the bit | [`dynamics::BitRockLaw::shake`]; measured: [`dynamics::BitTable`] | `excitation` |
+//! | friction along the hole | [`well::Hole::with_friction_profile`] | `friction` |
+//! | controller of the top drive | [`dynamics::TopDriveController`] | `top_drive_controller` |
+//! | observer of samples | [`dynamics::Observer`] | `observer` |
+//! | threads under solid rock | [`rock::Executor`] | |
+//!
+//! Laws of the bit and controllers act once a step at one node, and what they keep between steps
+//! goes to checkpoints. The laws of friction and contact are compiled into the inner loop: their
+//! coefficients are open, the laws themselves are not.
+//!
 //! # How it is put together
 //!
 //! The data flows one way: a [`model::Model`] (well, string, mud, rig) and an

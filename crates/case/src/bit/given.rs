@@ -22,7 +22,8 @@ impl Given<'_> {
     /// Warns of a set point that the law makes nothing of.
     pub(crate) fn warn_of_law(&self, law: &BitLaw, reader: &mut Reader) {
         let finds = match law {
-            BitLaw::Rate(_) => return,
+            // No case file has a law of its own.
+            BitLaw::Rate(_) | BitLaw::Custom(_) => return,
             BitLaw::Regenerative(_) => "the regenerative law of the bit finds its own",
             BitLaw::DetournayDefourny(_) => "Detournay and Defourny's law of the bit finds its own",
             BitLaw::Table(_) => "the table of the bit has its own",

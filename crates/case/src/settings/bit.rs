@@ -34,6 +34,7 @@ fn law(law: &BitLaw) -> Fields {
         BitLaw::Rate(law) => law.excitation,
         BitLaw::DetournayDefourny(law) => law.excitation,
         BitLaw::Table(law) => law.excitation,
+        BitLaw::Custom(law) => law.excitation,
         BitLaw::Regenerative(_) => return fields,
         // Rock and face stand in tables of their own, those of a bit test too.
         BitLaw::Rock(_) => return fields.without(["drilling"]),

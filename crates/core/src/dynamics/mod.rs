@@ -16,10 +16,14 @@ pub use crate::outcome::{
     ContactClass, ContactMap, HoleWear, Profile as NodeProfile, Signal, TimeSeries,
 };
 pub use assemble::{basis::Effort, error::SetupError};
-pub use boundary::bit::{
-    Band, BitLaw, BitSettings, BitTable, Cutters, DetournayDefournyLaw, Excitation, Motor,
-    MudMotor, RateLaw, RegenerativeLaw, RockLaw, SteadyCut, TableFault, TableLaw, TablePoint,
-    TableUse,
+pub use boundary::{
+    bit::{
+        Band, BitLaw, BitRockLaw, BitRockStep, BitSettings, BitTable, CustomLaw, Cutters,
+        DetournayDefournyLaw, Excitation, Motor, MudMotor, RateLaw, RegenerativeLaw, RockLaw,
+        Shake, SteadyCut, TableFault, TableLaw, TablePoint, TableUse,
+    },
+    extension::AnotherExtension,
+    top_drive_controller::{CustomTopDrive, TopDriveController, TopDriveReading},
 };
 pub use hook_load::{MAX_TUNING_RUNS, TunedHookLoad, TuningError, tune_hook_load};
 pub use output::{

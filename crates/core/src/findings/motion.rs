@@ -4,7 +4,7 @@ use super::{
     Finding, Kind, Level,
     window::{Window, mean, share},
 };
-use crate::dynamics::{DynamicOutcome, DynamicsSettings, StickSlip, TopDriveSettings, Whirl};
+use crate::dynamics::{DynamicOutcome, DynamicsSettings, StickSlip, Whirl};
 
 /// A top drive slower than this part of its set speed does not turn, ...
 const STANDS: f64 = 0.1;
@@ -57,13 +57,7 @@ pub fn findings(
 
 /// A top drive that gives all that it may.
 fn top_drive(settings: &DynamicsSettings, window: &Window<'_>) -> Option<Finding> {
-    let TopDriveSettings::Driven {
-        torque_limit_N_m: Some(limit_N_m),
-        ..
-    } = settings.top_drive
-    else {
-        return None;
-    };
+    let limit_N_m = settings.top_drive.torque_limit_N_m()?;
     let set = window.series(|of| &of.rotary_speed_set_rad_per_s);
     let speed = window.series(|of| &of.rotary_speed_rad_per_s);
     let torque_N_m = window.series(|of| &of.surface_torque_N_m);

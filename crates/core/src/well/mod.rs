@@ -3,6 +3,7 @@
 pub mod casing;
 mod constructors;
 mod curve;
+mod friction_profile;
 mod hole;
 mod interpolation;
 mod kick_off;

@@ -97,6 +97,7 @@ fn check_bit(bit: &BitSettings) -> Result<(), SetupError> {
             (law.rock_stiffness_N_per_m, law.excitation)
         }
         BitLaw::Table(law) => (law.rock_stiffness_N_per_m, law.excitation),
+        BitLaw::Custom(law) => (law.rock_stiffness_N_per_m, law.excitation),
         BitLaw::Rock(law) => {
             law.drilling.check()?;
             return Ok(());
@@ -187,16 +188,22 @@ fn check_numbers(
 
 /// What must be positive of a top drive.
 fn drive_numbers(drive: &TopDriveSettings) -> Vec<(&'static str, f64)> {
-    let TopDriveSettings::Driven {
-        inertia_kg_m2,
-        controller,
-        torque_limit_N_m,
-    } = *drive
-    else {
-        return Vec::new();
+    let (inertia_kg_m2, torque_limit_N_m, controller) = match *drive {
+        TopDriveSettings::Constant => return Vec::new(),
+        TopDriveSettings::Driven {
+            inertia_kg_m2,
+            controller,
+            torque_limit_N_m,
+        } => (inertia_kg_m2, torque_limit_N_m, Some(controller)),
+        TopDriveSettings::Custom(ref custom) => {
+            (custom.inertia_kg_m2, custom.torque_limit_N_m, None)
+        }
     };
     let mut numbers = vec![("top_drive.inertia_kg_m2", inertia_kg_m2)];
     numbers.extend(torque_limit_N_m.map(|limit| ("top_drive.torque_limit_N_m", limit)));
+    let Some(controller) = controller else {
+        return numbers;
+    };
     match controller {
         SpeedController::Pi {
             proportional_N_m_s, ..

@@ -3,7 +3,9 @@
 pub mod anchor;
 pub mod bit;
 pub mod executor;
+pub mod extension;
 pub mod hoist;
 pub mod hole;
 pub mod mud;
 pub mod top_drive;
+pub mod top_drive_controller;

@@ -14,7 +14,9 @@ use std::f64::consts::TAU;
 use serde::{Deserialize, Serialize};
 
 use crate::{
+    damage::{Damaged, ensure},
     dynamics::{
+        boundary::{extension::AnotherExtension, top_drive_controller::CustomDrive},
         kernel::chain::{Chain, element, node},
         settings::{SpeedController, TopDriveSettings},
     },
@@ -98,9 +100,18 @@ impl Gains {
 /// The top drive in time.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct TopDrive {
-    /// None of a drive that follows its set point whatever that takes.
-    drive: Option<Drive>,
+    drive: Kind,
     stalled: bool,
+}
+
+#[derive(Debug, Clone, Serialize, Deserialize)]
+enum Kind {
+    /// It follows its set point whatever that takes.
+    Constant,
+    /// A drive with inertia whose controller has gains.
+    Tuned(Drive),
+    /// A drive with inertia under a controller of the caller's own.
+    Custom(CustomDrive),
 }
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -131,32 +142,58 @@ impl TopDrive {
         string: StringSeen,
         chain: &mut Chain<impl Real>,
     ) -> Self {
-        let TopDriveSettings::Driven {
-            inertia_kg_m2,
-            controller,
-            torque_limit_N_m,
-        } = *settings
-        else {
-            return Self {
-                drive: None,
-                stalled: false,
-            };
-        };
         let half_kg_m2 = node!(chain, 0, polar);
-        node!(chain, 0, polar += inertia_kg_m2);
         // As it lies, the string is held: the drive gives its torque.
         let torque = -element!(chain, 0, torsion) * element!(chain, 0, twist);
-        let limit_N_m = torque_limit_N_m.unwrap_or(f64::INFINITY);
+        let drive = match *settings {
+            TopDriveSettings::Constant => Kind::Constant,
+            TopDriveSettings::Driven {
+                inertia_kg_m2,
+                controller,
+                torque_limit_N_m,
+            } => {
+                node!(chain, 0, polar += inertia_kg_m2);
+                let limit_N_m = torque_limit_N_m.unwrap_or(f64::INFINITY);
+                Kind::Tuned(Drive {
+                    gains: Gains::of(controller, inertia_kg_m2, string),
+                    half_kg_m2,
+                    limit_N_m,
+                    integral_N_m: torque.clamp(-limit_N_m, limit_N_m),
+                    slow_N_m: torque,
+                })
+            }
+            TopDriveSettings::Custom(ref custom) => {
+                node!(chain, 0, polar += custom.inertia_kg_m2);
+                Kind::Custom(CustomDrive::new(custom, torque))
+            }
+        };
         Self {
-            drive: Some(Drive {
-                gains: Gains::of(controller, inertia_kg_m2, string),
-                half_kg_m2,
-                limit_N_m,
-                integral_N_m: torque.clamp(-limit_N_m, limit_N_m),
-                slow_N_m: torque,
-            }),
+            drive,
             stalled: false,
         }
+    }
+
+    /// Gives a drive that has been read back the controller of these settings, where that is the
+    /// caller's.
+    pub(in crate::dynamics) fn attach(
+        &mut self,
+        settings: &TopDriveSettings,
+    ) -> Result<(), AnotherExtension> {
+        match (&mut self.drive, settings) {
+            (Kind::Custom(drive), TopDriveSettings::Custom(custom)) => drive.attach(custom),
+            _ => Ok(()),
+        }
+    }
+
+    /// Whether a stored drive is one of these settings.
+    pub(in crate::dynamics) fn check(&self, settings: &TopDriveSettings) -> Result<(), Damaged> {
+        let fits = matches!(
+            (&self.drive, settings),
+            (Kind::Constant, TopDriveSettings::Constant)
+                | (Kind::Tuned(_), TopDriveSettings::Driven { .. })
+                | (Kind::Custom(_), TopDriveSettings::Custom(_))
+        );
+        ensure(fits, "the top drive")
     }
 
     /// Spin of the rigid motion that the string is to have at this set point, rad/s: a drive at its
@@ -171,7 +208,7 @@ impl TopDrive {
 
     /// Before the step: a prescribed spin.
     pub fn prescribe(&self, chain: &mut Chain<impl Real>, set_rad_per_s: f64) {
-        if self.drive.is_none() {
+        if let Kind::Constant = self.drive {
             node!(chain, 0, spin = set_rad_per_s);
         }
     }
@@ -186,13 +223,26 @@ impl TopDrive {
     ) -> TopDriveStep {
         let string = -element!(chain, 0, torque);
         let before = node!(chain, 0, spin);
-        let Some(drive) = &mut self.drive else {
-            return TopDriveStep {
-                string_torque_N_m: string,
-                work_J: string * before * dt,
-            };
-        };
         let inertia = node!(chain, 0, polar);
+        let drive = match &mut self.drive {
+            Kind::Constant => {
+                return TopDriveStep {
+                    string_torque_N_m: string,
+                    work_J: string * before * dt,
+                };
+            }
+            Kind::Custom(drive) => {
+                let (torque, stalled) = drive.torque_N_m(set_rad_per_s, before, string, dt);
+                self.stalled = stalled;
+                let after = before + dt * (torque - string) / inertia;
+                node!(chain, 0, spin = after);
+                return TopDriveStep {
+                    string_torque_N_m: string,
+                    work_J: torque * 0.5 * (before + after) * dt,
+                };
+            }
+            Kind::Tuned(drive) => drive,
+        };
         let Gains {
             proportional_N_m_s,
             integral_N_m,

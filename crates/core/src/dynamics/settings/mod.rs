@@ -5,7 +5,11 @@ pub mod schedule;
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    dynamics::{boundary::bit::BitSettings, output::probe::Probe, settings::schedule::Schedule},
+    dynamics::{
+        boundary::{bit::BitSettings, top_drive_controller::CustomTopDrive},
+        output::probe::Probe,
+        settings::schedule::Schedule,
+    },
     wall::{contact::ContactLaw, friction::STRIBECK_SPEED_M_PER_S},
 };
 
@@ -63,6 +67,9 @@ pub enum Precision {
 }
 
 /// How wall friction combines its axial and circumferential parts.
+///
+/// Both are compiled into the inner loop, and no other can be given: a friction of the caller's own
+/// enters by its coefficients, [`Hole::with_friction_profile`](crate::well::Hole).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum FrictionLaw {
     /// Coulomb's cone: the friction opposes the resultant sliding velocity.
@@ -162,7 +169,7 @@ pub enum SpeedController {
 }
 
 /// What turns the top of the string.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum TopDriveSettings {
     /// The spin follows its set point, whatever torque that takes.
     Constant,
@@ -175,6 +182,22 @@ pub enum TopDriveSettings {
         /// Largest torque that it gives, N·m; `None` sets no limit.
         torque_limit_N_m: Option<f64>,
     },
+    /// A drive with inertia under a controller of the caller's own. Its name alone is serialised.
+    #[serde(skip_deserializing)]
+    Custom(CustomTopDrive),
+}
+
+impl TopDriveSettings {
+    /// Largest torque that the drive gives, N·m, where it has a limit.
+    pub fn torque_limit_N_m(&self) -> Option<f64> {
+        match self {
+            Self::Constant => None,
+            Self::Driven {
+                torque_limit_N_m, ..
+            } => *torque_limit_N_m,
+            Self::Custom(custom) => custom.torque_limit_N_m,
+        }
+    }
 }
 
 /// Rayleigh damping of the rod, mesh-independent.

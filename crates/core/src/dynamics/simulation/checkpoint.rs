@@ -9,6 +9,7 @@ use crate::{
     damage::Damaged,
     dynamics::{
         assemble::{basis::Basis, error::SetupError},
+        boundary::extension::AnotherExtension,
         kernel::chain::Chain,
         settings::DynamicsSettings,
     },
@@ -50,6 +51,9 @@ pub enum ResumeError {
     /// The checkpoint is that of a run in another precision.
     #[error("the checkpoint is that of a run in another precision")]
     AnotherPrecision,
+    /// The checkpoint is that of a run with another law or controller of the caller's own.
+    #[error(transparent)]
+    AnotherExtension(#[from] AnotherExtension),
     /// What the checkpoint holds does not fit together, or not the model.
     #[error("the checkpoint cannot be continued: {0}")]
     Damaged(#[from] Damaged),
@@ -111,7 +115,8 @@ impl<R: Registers> Run<R> {
         if checkpoint.state.record.layout() != chain.layout() {
             return Err(ResumeError::AnotherPrecision);
         }
-        let state = checkpoint.state.into_owned();
+        let mut state = checkpoint.state.into_owned();
+        state.attach(settings)?;
         state.check(model, settings, &basis.mesh, chain.layout())?;
         Ok(Self::of(model, operation, settings, basis, chain, state))
     }

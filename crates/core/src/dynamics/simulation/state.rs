@@ -10,6 +10,7 @@ use crate::{
         boundary::{
             anchor::Anchor,
             bit::Bit,
+            extension::AnotherExtension,
             hoist::Hoist,
             mud::{squeezed::Squeezed, viscous::Viscous},
             top_drive::TopDrive,
@@ -54,6 +55,12 @@ pub(super) struct State {
 }
 
 impl State {
+    /// Gives a state that has been read back the caller's laws of the settings.
+    pub(super) fn attach(&mut self, settings: &DynamicsSettings) -> Result<(), AnotherExtension> {
+        self.bit.attach(&settings.bit)?;
+        self.top_drive.attach(&settings.top_drive)
+    }
+
     /// Whether a stored state is one of a run of this model: its lengths fit and its places are
     /// there.
     pub(super) fn check(
@@ -76,6 +83,7 @@ impl State {
         )?;
         self.set_points.check(&settings.schedule)?;
         self.body.check(&Body::new(model, mesh))?;
+        self.top_drive.check(&settings.top_drive)?;
         self.bit.check(&settings.bit)?;
         if let Some(viscous) = &self.viscous {
             viscous.check(mesh)?;

@@ -64,12 +64,12 @@ impl Excitation {
 }
 
 /// The excitation at one moment.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Shake {
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Shake {
     /// How much deeper the rock front stands, m.
-    pub(super) front_m: f64,
+    pub front_m: f64,
     /// By which fraction the torque is larger.
-    pub(super) torque: f64,
+    pub torque: f64,
 }
 
 impl Shaker {

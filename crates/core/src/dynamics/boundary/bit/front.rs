@@ -2,7 +2,8 @@
 //! depth.
 
 use super::{
-    DetournayDefournyLaw, TableLaw,
+    CustomLaw, DetournayDefournyLaw, TableLaw,
+    custom::{BitRockStep, CustomCut},
     excitation::{Shake, Shaker},
     motor::{Drive, Turned},
     rate::Rate,
@@ -11,8 +12,16 @@ use super::{
     step::{Approach, RockReaction},
     table::{Counter, TableUse},
 };
-use crate::damage::{Damaged, ensure};
+use crate::{
+    damage::{Damaged, ensure},
+    dynamics::boundary::extension::AnotherExtension,
+};
 use serde::{Deserialize, Serialize};
+
+/// Relative tolerance of the weight under a law of the caller's own, and the most times that it is
+/// asked for it in a step.
+const ROOT_TOLERANCE: f64 = 1e-12;
+const MAX_ITERATIONS: usize = 100;
 
 /// The rock front that the bit cuts away.
 ///
@@ -37,6 +46,7 @@ pub(super) enum FrontLaw {
     Rate(Rate),
     DetournayDefourny(DetournayDefournyLaw),
     Table(TableLaw, Counter),
+    Custom(CustomCut),
 }
 
 /// A bit that presses on its rock while it drills steadily.
@@ -82,9 +92,62 @@ impl Press {
         }
         found
     }
+
+    /// The same where the rate at a weight is whatever it is, as long as it does not fall: the
+    /// weight `W` with `W = k (over − dt (mobility W + rate(W)))`.
+    fn on_rate(&self, rate_m_per_s: impl Fn(f64) -> f64) -> (f64, f64) {
+        if self.over_m.is_nan() || self.over_m <= 0.0 {
+            return (0.0, 0.0);
+        }
+        let (k, dt) = (self.stiffness_N_per_m, self.dt);
+        let yielding = (k * dt).mul_add(self.mobility_s_per_kg, 1.0);
+        let advance = |weight: f64| dt * rate_m_per_s(weight).max(0.0);
+        let excess = |weight: f64| yielding.mul_add(weight, k * (advance(weight) - self.over_m));
+        let (mut low, mut high) = (0.0, k * self.over_m / yielding);
+        let (mut below, mut above) = (excess(low), excess(high));
+        if below >= 0.0 {
+            return (0.0, advance(0.0).min(self.over_m));
+        }
+        // Illinois: regula falsi that halves the value at an end which stays. A straight line takes
+        // one step.
+        let mut weight = high;
+        let mut stayed = 0;
+        for _ in 0..MAX_ITERATIONS {
+            if above <= 0.0 || high - low <= ROOT_TOLERANCE * high {
+                break;
+            }
+            weight = (low * above - high * below) / (above - below);
+            let value = excess(weight);
+            if value.abs() <= ROOT_TOLERANCE * k * self.over_m {
+                break;
+            }
+            if value < 0.0 {
+                (low, below) = (weight, value);
+                if stayed == 1 {
+                    above *= 0.5;
+                }
+                stayed = 1;
+            } else {
+                (high, above) = (weight, value);
+                if stayed == -1 {
+                    below *= 0.5;
+                }
+                stayed = -1;
+            }
+        }
+        (weight, advance(weight))
+    }
 }
 
 impl FrontCut {
+    /// Gives a law of the caller's own that has been read back its own.
+    pub(super) fn attach(&mut self, custom: &CustomLaw) -> Result<(), AnotherExtension> {
+        match &mut self.law {
+            FrontLaw::Custom(law) => law.attach(custom),
+            _ => Ok(()),
+        }
+    }
+
     /// Whether a stored front is one of this law.
     pub(super) fn check(&self, law: &BitLaw) -> Result<(), Damaged> {
         let fits = match (&self.law, law) {
@@ -93,6 +156,7 @@ impl FrontCut {
                 ours == theirs
             }
             (FrontLaw::Table(ours, _), BitLaw::Table(theirs)) => ours == theirs,
+            (FrontLaw::Custom(ours), BitLaw::Custom(_)) => ours.is_attached(),
             _ => false,
         };
         ensure(fits, "the law of the bit")
@@ -133,10 +197,21 @@ impl FrontCut {
     }
 
     fn shake(&self, turning: f64, turn_rad: f64, dt: f64) -> Shake {
+        let own = match &self.law {
+            FrontLaw::Custom(law) => law.shake(turn_rad, dt),
+            _ => Shake::default(),
+        };
         let Some(shaker) = &self.shaker else {
-            return Default::default();
+            return own;
         };
         match &self.law {
+            FrontLaw::Custom(_) => {
+                let noise = shaker.next(turn_rad, dt);
+                Shake {
+                    front_m: own.front_m + noise.front_m,
+                    torque: own.torque + noise.torque,
+                }
+            }
             FrontLaw::Table(law, _) => {
                 shaker.next_of(law.spread(self.weight_N, turning), turn_rad, dt)
             }
@@ -158,6 +233,10 @@ impl FrontCut {
             FrontLaw::Rate(law) => press.on([law.segment(turning)]),
             FrontLaw::DetournayDefourny(law) => press.on(law.segments(turning)),
             FrontLaw::Table(law, _) => press.on(law.table.segments(turning)),
+            FrontLaw::Custom(law) => press.on_rate(|weight| {
+                let cut = law.cut(weight, turning);
+                cut.rate_of_penetration_m_per_s
+            }),
         };
         self.front_m += advance;
         self.weight_N = weight;
@@ -171,12 +250,25 @@ impl FrontCut {
                 let cut = law.table.steady(weight, turning);
                 (cut.torque_N_m, cut.depth_of_cut_m)
             }
+            FrontLaw::Custom(law) => {
+                let cut = law.cut(weight, turning);
+                (cut.torque_N_m, cut.depth_of_cut_m)
+            }
         };
         // A fluctuation never makes the rock turn the bit.
         let wanted = steady * (1.0 + shake.torque).max(0.0);
         let turned = self.turn(at, drive, wanted);
         if let Some(shaker) = &mut self.shaker {
             shaker.advance(turned.bit_rad_per_s * at.dt, at.dt);
+        }
+        if let FrontLaw::Custom(law) = &mut self.law {
+            law.advance(&BitRockStep {
+                dt_s: at.dt,
+                weight_on_bit_N: weight,
+                torque_N_m: turned.torque_N_m,
+                bit_speed_rad_per_s: turned.bit_rad_per_s,
+                advance_m: advance,
+            });
         }
         RockReaction {
             weight_N: weight,

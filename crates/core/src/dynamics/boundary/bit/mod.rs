@@ -1,6 +1,7 @@
 //! The bit on the rock: what every law shares, and the choice of the law.
 
 mod bottom;
+mod custom;
 mod cutters;
 mod detournay;
 mod excitation;
@@ -17,19 +18,8 @@ mod table;
 
 use serde::{Deserialize, Serialize};
 
-pub use self::{
-    cutters::{Cutters, SteadyCut},
-    detournay::DetournayDefournyLaw,
-    excitation::{Band, Excitation},
-    motor::{Motor, MudMotor},
-    rate::RateLaw,
-    regenerative::RegenerativeLaw,
-    rock::{RockLaw, RunIn, Standing},
-    settings::{BitLaw, BitSettings},
-    step::{BitStep, StepStart},
-    table::{BitTable, TableFault, TableLaw, TablePoint, TableUse},
-};
 use self::{
+    custom::CustomCut,
     excitation::Shaker,
     front::{FrontCut, FrontLaw, Pressed},
     motor::Drive,
@@ -40,7 +30,20 @@ use self::{
     step::{Approach, RockReaction},
     table::Counter,
 };
-use super::{anchor::Anchor, executor::RockExecutor};
+pub use self::{
+    custom::{BitRockLaw, BitRockStep, CustomLaw},
+    cutters::{Cutters, SteadyCut},
+    detournay::DetournayDefournyLaw,
+    excitation::{Band, Excitation, Shake},
+    motor::{Motor, MudMotor},
+    rate::RateLaw,
+    regenerative::RegenerativeLaw,
+    rock::{RockLaw, RunIn, Standing},
+    settings::{BitLaw, BitSettings},
+    step::{BitStep, StepStart},
+    table::{BitTable, TableFault, TableLaw, TablePoint, TableUse},
+};
+use super::{anchor::Anchor, executor::RockExecutor, extension::AnotherExtension};
 use crate::{
     damage::Damaged,
     dynamics::kernel::chain::{Chain, node},
@@ -68,6 +71,17 @@ enum Cut {
 }
 
 impl Bit {
+    /// Gives a bit that has been read back the law of these settings, where that is the caller's.
+    pub(in crate::dynamics) fn attach(
+        &mut self,
+        settings: &BitSettings,
+    ) -> Result<(), AnotherExtension> {
+        match (&mut self.cut, &settings.law) {
+            (Some(Cut::Front(front)), BitLaw::Custom(law)) => front.attach(law),
+            _ => Ok(()),
+        }
+    }
+
     /// Whether a stored bit is one of these settings.
     pub(in crate::dynamics) fn check(&self, settings: &BitSettings) -> Result<(), Damaged> {
         match (&self.cut, &settings.law) {
@@ -118,6 +132,11 @@ impl Bit {
             ),
             BitLaw::Table(law) => front(
                 FrontLaw::Table(law.clone(), Counter::new()),
+                law.rock_stiffness_N_per_m,
+                law.excitation,
+            ),
+            BitLaw::Custom(law) => front(
+                FrontLaw::Custom(CustomCut::new(law)),
                 law.rock_stiffness_N_per_m,
                 law.excitation,
             ),

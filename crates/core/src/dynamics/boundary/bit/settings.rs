@@ -2,7 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{DetournayDefournyLaw, Motor, RateLaw, RegenerativeLaw, RockLaw, SteadyCut, TableLaw};
+use super::{
+    CustomLaw, DetournayDefournyLaw, Motor, RateLaw, RegenerativeLaw, RockLaw, SteadyCut, TableLaw,
+};
 use crate::operation::Operation;
 
 /// The bit on the rock.
@@ -122,6 +124,9 @@ pub enum BitLaw {
     Table(TableLaw),
     /// The face of the bit breaks solid rock.
     Rock(Box<RockLaw>),
+    /// A law of the caller's own. Its name alone is serialised.
+    #[serde(skip_deserializing)]
+    Custom(CustomLaw),
 }
 
 impl BitLaw {
@@ -133,6 +138,7 @@ impl BitLaw {
             Self::DetournayDefourny(law) => law.rock_stiffness_N_per_m,
             Self::Table(law) => law.rock_stiffness_N_per_m,
             Self::Rock(law) => law.stiffness_N_per_m(),
+            Self::Custom(law) => law.rock_stiffness_N_per_m,
         }
     }
 
@@ -146,6 +152,7 @@ impl BitLaw {
             Self::DetournayDefourny(law) => Some(law.steady(weight, speed)),
             Self::Table(law) => Some(law.table.steady(weight, speed)),
             Self::Rock(law) => Some(law.steady(weight, speed)),
+            Self::Custom(law) => Some(law.steady(weight, speed)),
         }
     }
 }

@@ -1,0 +1,87 @@
+//! An excitation of one's own: cusps on bottom under a bit that cuts by Detournay and Defourny's
+//! law.
+//!
+//! `cargo run -p wholestring --example excitation`
+
+mod common;
+
+use std::error::Error;
+
+use wholestring::{
+    dynamics::{
+        BitLaw, BitRockLaw, BitSettings, CustomLaw, Cutters, DetournayDefournyLaw, Shake, SteadyCut,
+    },
+    prelude::*,
+};
+
+/// A bottom with cusps: `A |sin(m φ/2)|`, `m` of them per revolution.
+#[derive(Debug)]
+struct Cusps {
+    law: DetournayDefournyLaw,
+    amplitude_m: f64,
+    per_revolution: f64,
+}
+
+impl BitRockLaw for Cusps {
+    fn name(&self) -> &str {
+        "cusps"
+    }
+
+    fn cut(&self, _state: &[f64], weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> SteadyCut {
+        self.law.steady(weight_on_bit_N, rotary_speed_rad_per_s)
+    }
+
+    fn shake(&self, _state: &[f64], bit_angle_rad: f64, _time_s: f64) -> Shake {
+        Shake {
+            front_m: self.amplitude_m * (0.5 * self.per_revolution * bit_angle_rad).sin().abs(),
+            torque: 0.0,
+        }
+    }
+}
+
+/// Standard deviation of the weight on bit, N, on cusps of an amplitude.
+fn weight_std_N(amplitude_m: f64) -> Result<f64, Box<dyn Error>> {
+    let law = DetournayDefournyLaw {
+        cutters: Cutters {
+            radius_m: 0.108,
+            core_radius_m: 0.0,
+            intrinsic_specific_energy_Pa: 60e6,
+            cutter_inclination: 0.6,
+            wear_flat_m: 1.2e-3,
+            contact_strength_Pa: 60e6,
+            bit_geometry: 1.0,
+            friction: 0.6,
+        },
+        full_contact_depth_m: 0.5e-3,
+        cleaning_limit_m: None,
+        rock_stiffness_N_per_m: 1e8,
+        excitation: None,
+    };
+    let cusps = Cusps {
+        law,
+        amplitude_m,
+        per_revolution: 3.0,
+    };
+    let bit = BitSettings {
+        law: BitLaw::Custom(CustomLaw::new(cusps, law.rock_stiffness_N_per_m)),
+        ..BitSettings::default()
+    };
+    let drill = bit.drilling_steadily(common::drill());
+    let settings = DynamicsSettings {
+        bit,
+        ..common::settings()
+    };
+    let outcome = Simulation::new(&common::model()?, &drill, &settings)?.to_end()?;
+    let weight = outcome
+        .statistics
+        .iter()
+        .find(|(name, _)| *name == "weight_on_bit_N");
+    Ok(weight.map_or(0.0, |(_, statistic)| statistic.std))
+}
+
+pub fn main() -> Result<(), Box<dyn Error>> {
+    let (smooth, cusps) = (weight_std_N(0.0)?, weight_std_N(0.5e-3)?);
+    println!("standard deviation of the weight on bit: {smooth:.0} N, on cusps {cusps:.0} N");
+    assert!(cusps > 2.0 * smooth, "{smooth} {cusps}");
+    Ok(())
+}

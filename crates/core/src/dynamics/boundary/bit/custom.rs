@@ -1,0 +1,154 @@
+//! A law of the bit of the caller's own.
+
+use std::{fmt, sync::Arc};
+
+use serde::{Deserialize, Serialize, Serializer};
+
+use super::{Excitation, SteadyCut, excitation::Shake};
+use crate::dynamics::boundary::extension::{AnotherExtension, Extension};
+
+/// How rock answers a bit: a law of the caller's own, for [`BitLaw::Custom`](super::BitLaw).
+///
+/// The rock front lies where the bit has cut to and is as stiff as [`CustomLaw`] says. In each step
+/// the engine finds the weight at which the front's compression and its advance agree, asks
+/// [`cut`](Self::cut) for rate and torque on the way, and never lets the rock pull the bit down or
+/// turn it back. The bit's side force, its motor and the noise of [`Excitation`] are the engine's.
+///
+/// The law itself does not change. What it keeps between steps are numbers, its `state`, which the
+/// engine holds and writes to checkpoints: a run resumes with the same bits. See the examples
+/// `bit_law` and `excitation`.
+pub trait BitRockLaw: fmt::Debug + Send + Sync {
+    /// Name, by which a checkpoint knows the law again.
+    fn name(&self) -> &str;
+
+    /// What the law keeps between steps, before the first; as many numbers in every run. None by
+    /// default.
+    fn initial_state(&self) -> Vec<f64> {
+        Vec::new()
+    }
+
+    /// How the bit drills under a weight on bit, N, and at its speed, motor included, rad/s. The
+    /// rate of penetration must not fall as the weight grows, and counts as zero where it is
+    /// negative.
+    fn cut(&self, state: &[f64], weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> SteadyCut;
+
+    /// What shakes the bit when it has turned through an angle, rad, at a time, s, both from the
+    /// start of the run. Nothing by default.
+    fn shake(&self, _state: &[f64], _bit_angle_rad: f64, _time_s: f64) -> Shake {
+        Shake::default()
+    }
+
+    /// After each step: what the law keeps of it. Nothing by default.
+    fn advance(&self, _state: &mut [f64], _step: &BitRockStep) {}
+}
+
+/// What bit and rock did in a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BitRockStep {
+    /// Length of the step, s.
+    pub dt_s: f64,
+    /// Weight on bit at its end, N.
+    pub weight_on_bit_N: f64,
+    /// Torque on bit, N·m.
+    pub torque_N_m: f64,
+    /// Speed of the bit, motor included, rad/s.
+    pub bit_speed_rad_per_s: f64,
+    /// How far the rock front has advanced, m.
+    pub advance_m: f64,
+}
+
+/// A law of the caller's own with the rock's stiffness and what shakes the bit.
+#[derive(Debug, Clone, Serialize)]
+pub struct CustomLaw {
+    /// The law; its name alone in the record of a run.
+    #[serde(rename = "name", serialize_with = "name_of")]
+    pub law: Arc<dyn BitRockLaw>,
+    /// Stiffness of the contact between bit and rock front, N/m.
+    pub rock_stiffness_N_per_m: f64,
+    /// What shakes the bit besides the law; `None` for nothing.
+    pub excitation: Option<Excitation>,
+}
+
+fn name_of<S: Serializer>(law: &Arc<dyn BitRockLaw>, to: S) -> Result<S::Ok, S::Error> {
+    law.name().serialize(to)
+}
+
+/// The same law, not one of the same name.
+impl PartialEq for CustomLaw {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.law, &other.law)
+            && self.rock_stiffness_N_per_m == other.rock_stiffness_N_per_m
+            && self.excitation == other.excitation
+    }
+}
+
+impl CustomLaw {
+    /// A law on rock of a stiffness, N/m, without noise.
+    pub fn new(law: impl BitRockLaw + 'static, rock_stiffness_N_per_m: f64) -> Self {
+        Self {
+            law: Arc::new(law),
+            rock_stiffness_N_per_m,
+            excitation: None,
+        }
+    }
+
+    /// How it drills from its initial state under a weight on bit, turning at a speed.
+    pub fn steady(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> SteadyCut {
+        let state = self.law.initial_state();
+        self.law
+            .cut(&state, weight_on_bit_N, rotary_speed_rad_per_s)
+    }
+}
+
+/// The law in a run.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(super) struct CustomCut {
+    law: Extension<dyn BitRockLaw>,
+    angle_rad: f64,
+    time_s: f64,
+}
+
+impl CustomCut {
+    pub(super) fn new(custom: &CustomLaw) -> Self {
+        let law = &custom.law;
+        Self {
+            law: Extension::new(law, law.name(), law.initial_state()),
+            angle_rad: 0.0,
+            time_s: 0.0,
+        }
+    }
+
+    /// Gives a law that has been read back its own.
+    pub(super) fn attach(&mut self, custom: &CustomLaw) -> Result<(), AnotherExtension> {
+        let law = &custom.law;
+        let numbers = law.initial_state().len();
+        self.law
+            .attach("the law of the bit", law, law.name(), numbers)
+    }
+
+    pub(super) fn is_attached(&self) -> bool {
+        self.law.is_attached()
+    }
+
+    pub(super) fn cut(&self, weight_N: f64, speed_rad_per_s: f64) -> SteadyCut {
+        match self.law.get() {
+            Some((law, state)) => law.cut(state, weight_N, speed_rad_per_s),
+            None => SteadyCut::default(),
+        }
+    }
+
+    pub(super) fn shake(&self, turn_rad: f64, dt: f64) -> Shake {
+        match self.law.get() {
+            Some((law, state)) => law.shake(state, self.angle_rad + turn_rad, self.time_s + dt),
+            None => Shake::default(),
+        }
+    }
+
+    pub(super) fn advance(&mut self, step: &BitRockStep) {
+        self.angle_rad += step.bit_speed_rad_per_s * step.dt_s;
+        self.time_s += step.dt_s;
+        if let Some((law, state)) = self.law.get_mut() {
+            law.advance(state, step);
+        }
+    }
+}
