@@ -10,7 +10,7 @@ import { csv, downloads } from "./downloads.js";
 import { colour, line } from "./palette.js";
 import { NODE_CHANNELS } from "./channels.js";
 import { dashOf } from "./marker.js";
-import { chosen, chosenRun, spoken } from "./solutions.js";
+import { chosenAtRest, chosenRun, modelName, spoken } from "./solutions.js";
 import { choose, on, state } from "./state.js";
 import { isPrinting } from "./theme.js";
 import { quantity, shown, shownAll, symbol } from "./units.js";
@@ -48,12 +48,12 @@ export function history(report, timePlots, follows) {
     if (frames?.channels[channel]) {
       const nodes = frames.md_m.length;
       const node = nearest(frames.md_m, state.depth);
-      const [name, title, dimension, least_span] = NODE_CHANNELS.find(([name]) => name === channel);
+      const [name, title, dimension, min_span] = NODE_CHANNELS.find(([name]) => name === channel);
       const values = Float32Array.from(frames.time_s, (_, k) => frames.channels[name][k * nodes + node]);
       return {
         title: `${title} at ${quantity(frames.md_m[node], "length", 5)}`,
         dimension,
-        least_span,
+        min_span,
         columns: [[name, "node"]],
         times: frames.time_s,
         values: [values],
@@ -67,7 +67,7 @@ export function history(report, timePlots, follows) {
       return {
         title: `Side force around ${quantity(contact.md_m[stretch], "length", 5)}`,
         dimension: "force per length",
-        least_span: 100,
+        min_span: 100,
         columns: [["side_force_N_per_m", "side force"]],
         times: contact.time_s,
         values: [values],
@@ -123,7 +123,7 @@ export function history(report, timePlots, follows) {
   }
 
   function make(plot, body, run) {
-    const softValue = soft(plot);
+    const rest = atRest(plot);
     const data = [Array.from(plot.times), ...plot.values.map((values) => shownAll(values, plot.dimension))];
     const series = plot.columns.map(([, label], i) => {
       const set = label === "set";
@@ -131,17 +131,17 @@ export function history(report, timePlots, follows) {
         label,
         stroke: line(set ? 6 : ([0, 2, 3][i] ?? i)),
         width: set ? 1.2 : 1.4,
-        // The second stroke is the soft string's.
+        // The second stroke is that of the equilibrium.
         dash: set ? dashOf(4) : (dashOf([0, 2, 3][i] ?? i) ?? undefined),
         spanGaps: Boolean(plot.points),
         points: { show: false },
         value: legendText,
       };
     });
-    if (softValue !== null) {
-      data.push(data[0].map(() => softValue));
+    if (rest !== null) {
+      data.push(data[0].map(() => rest.value));
       series.push({
-        label: "soft string",
+        label: rest.name,
         stroke: line(1),
         width: 1.4,
         dash: [7, 4],
@@ -162,7 +162,7 @@ export function history(report, timePlots, follows) {
         legend: LEGEND,
         scales: {
           x: { time: false, min: view[0], max: view[1] },
-          y: { dir: plot.points ? -1 : 1, range: (_, low, high) => air(low, high, plot.dimension, plot.least_span) },
+          y: { dir: plot.points ? -1 : 1, range: (_, low, high) => air(low, high, plot.dimension, plot.min_span) },
         },
         axes: axes("Time, s"),
         series: [{ label: "time, s", value: (_, value) => (value === null ? "–" : value.toFixed(2)) }, ...series],
@@ -180,12 +180,12 @@ export function history(report, timePlots, follows) {
     return made;
   }
 
-  /** The soft string's number for this plot, where there is one. */
-  function soft(plot) {
-    const solved = chosen(report, "soft");
-    if (!plot.soft || !solved) return null;
-    const value = solved.profile[plot.soft]?.[0];
-    return Number.isFinite(value) ? shown(value, plot.dimension) : null;
+  /** The number in equilibrium for this plot and whose it is, where there is one. */
+  function atRest(plot) {
+    const solved = chosenAtRest(report);
+    if (!plot.at_surface || !solved) return null;
+    const value = solved.profile[plot.at_surface]?.[0];
+    return Number.isFinite(value) ? { name: modelName(report, solved), value: shown(value, plot.dimension) } : null;
   }
 
   /** Keeps all plots on the same times. */

@@ -10,13 +10,13 @@ const negative = (values) => values.map((value) => -value);
  * A curve that swings from joint to joint as it is from afar: its values at the joints, with their own band, and the least
  * of what lies between them where that is seen beside it.
  */
-function fromAfar({ depths, values, low, high }, { joint_reach_m, least_difference }) {
+function fromAfar({ depths, values, low, high }, { joint_reach_m, min_difference }) {
   const joints = rowOfLargest(depths, values, joint_reach_m);
   const atJoints = (column) => column && Float32Array.from(joints, (row) => column[row]);
   const far = { values: atJoints(values), low: atJoints(low), high: atJoints(high) };
   const between = negative(largestNear(depths, negative(values), joint_reach_m));
   const most = far.values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
-  const seen = between.some((value, i) => Math.abs(value - far.values[i]) > least_difference * most);
+  const seen = between.some((value, i) => Math.abs(value - far.values[i]) > min_difference * most);
   return seen ? { ...far, between } : far;
 }
 
@@ -44,7 +44,7 @@ export const tracksOf = (report) =>
   report.tracks.map((track) => ({ ...track, curves: curvesOf(report, track) })).filter((track) => track.curves.length);
 
 /** A value of a track in which what is nothing beside its least span, such as rounding, is 0. */
-export const sized = (track, value) => (Math.abs(value) < 1e-4 * track.least_span ? 0 : value);
+export const sized = (track, value) => (Math.abs(value) < 1e-4 * track.min_span ? 0 : value);
 
 /** Whether the reader wants to see a curve. */
 export const seen = (curve) => curve.well || !state.hidden.has(curveId(curve.solved));
