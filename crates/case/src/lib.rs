@@ -18,6 +18,7 @@
 #![warn(missing_docs)]
 
 mod assembly;
+mod beside;
 mod bit;
 mod bit_test;
 mod blades;

@@ -16,6 +16,8 @@ use wholestring_config::{
     source::{Files, Span},
 };
 
+use crate::beside::read_beside;
+
 /// No hole bends more sharply than this, rad/m: 10 deg/m is a radius of 5.7 m.
 const SHARPEST_RAD_PER_M: f64 = 10.0 * std::f64::consts::PI / 180.0;
 
@@ -200,24 +202,7 @@ pub(crate) fn from_file(
     files: &dyn Files,
     reader: &mut Reader,
 ) -> Option<Stations> {
-    let bytes = match files.read(&file.value) {
-        Ok(bytes) => bytes,
-        Err(error) => {
-            let why = match error.kind() {
-                std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
-                _ => short(&error.to_string()),
-            };
-            reader.report(
-                Diagnostic::error(format!(
-                    "the survey `{}` cannot be read",
-                    short(&file.value)
-                ))
-                .at(file.place, why)
-                .help("the name is relative to the folder of the case"),
-            );
-            return None;
-        }
-    };
+    let bytes = read_beside(file, "survey", files, reader)?;
     match read_as(&bytes, &file.value, said) {
         Ok(imported) => Some(Stations {
             list: imported.stations,

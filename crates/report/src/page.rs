@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
+use wholestring::outcome::Method;
 
 use crate::{
     BitTest, BottomPicture, DisplayUnit, Fact, Plot, Report, Sheet, Sweep, bit_test_plots,
@@ -10,6 +11,7 @@ use crate::{
     plots::{
         SETS,
         catalogue::{BIT_PLOTS, RULES, Rules, TIME_PLOTS, TRACKS, TimePlot, Track},
+        models,
     },
     sweep_plots,
 };
@@ -31,10 +33,29 @@ const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 
 struct Data<'a> {
     #[serde(flatten)]
     report: &'a Report,
+    models: Vec<Model>,
     tracks: &'a [Track],
     rules: Rules,
     time_plots: &'a [TimePlot],
     bit_plots: &'a [TimePlot],
+}
+
+/// What a run's page knows of a method that answered; they stand from the most detailed down.
+#[derive(Serialize)]
+struct Model {
+    name: &'static str,
+    long_name: &'static str,
+    in_time: bool,
+}
+
+impl Model {
+    fn of(method: &Method) -> Self {
+        Self {
+            name: method.name,
+            long_name: method.long_name,
+            in_time: method.in_time,
+        }
+    }
 }
 
 /// The report of a run as the text of an HTML file.
@@ -43,6 +64,10 @@ struct Data<'a> {
 pub fn report_html(report: &Report) -> String {
     let data = Data {
         report,
+        models: models(|name| report.solved.iter().any(|of| of.model == name))
+            .into_iter()
+            .map(Model::of)
+            .collect(),
         tracks: TRACKS,
         rules: RULES,
         time_plots: TIME_PLOTS,

@@ -1,6 +1,7 @@
 //! Study files: what is read, and the answer that mistakes get.
 
 #[path = "../../case/tests/common/change.rs"]
+#[allow(dead_code, reason = "a table of texts is for others")]
 mod change;
 
 use change::changes;

@@ -12,6 +12,8 @@ use wholestring_config::{
     source::{Files, Span},
 };
 
+use crate::beside::read_beside;
+
 /// More lines than this are no table of a bit.
 pub(super) const MAX: usize = 10_000;
 
@@ -39,21 +41,7 @@ pub(super) fn read(
     reader: &mut Reader,
 ) -> Option<Vec<Spanned<TablePoint>>> {
     let name = short(&file.value);
-    let bytes = match files.read(&file.value) {
-        Ok(bytes) => bytes,
-        Err(error) => {
-            let why = match error.kind() {
-                std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
-                _ => short(&error.to_string()),
-            };
-            reader.report(
-                Diagnostic::error(format!("the table `{name}` cannot be read"))
-                    .at(file.place, why)
-                    .help("the name is relative to the folder of the case"),
-            );
-            return None;
-        }
-    };
+    let bytes = read_beside(file, "table", files, reader)?;
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
     let Ok(text) = std::str::from_utf8(bytes) else {
         reader.report(

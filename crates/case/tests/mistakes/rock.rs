@@ -1,7 +1,7 @@
 //! Mistakes in `[rock]`, `[bit.face]` and `[bit_test]`.
 
 use crate::{
-    common::{changed, read},
+    common::{change::rows, changed, read},
     refused, warned,
 };
 
@@ -21,46 +21,27 @@ const SOUND: &str = "[rock]\nstrength = \"60 MPa\"";
 
 #[test]
 fn rocks() {
-    let cases = [
-        ("rock_missing", ""),
-        ("rock_without_strength", "[rock]\npressure = \"10 MPa\""),
-        (
-            "rock_strength_twice",
-            "[rock]\nstrength = \"60 MPa\"\ncohesion = \"15 MPa\"",
-        ),
-        (
-            "rock_strength_in_megapascals_meant",
-            "[rock]\nstrength = 60",
-        ),
-        ("rock_key_misspelt", "[rock]\nstrenght = \"60 MPa\""),
-        (
-            "rock_dilates_beyond_its_friction",
-            "[rock]\nstrength = \"60 MPa\"\nfriction_angle = 30\ndilation_angle = 40",
-        ),
-        (
-            "rock_toughness_is_a_pressure",
-            "[rock]\nstrength = \"60 MPa\"\ntensile_fracture_energy = \"80 Pa\"",
-        ),
-        (
-            "rock_snaps",
-            "[rock]\nstrength = \"60 MPa\"\ncrushing_energy = \"1 kPa\"\ntensile_fracture_energy = \"0.1 J/m2\"",
-        ),
-        (
-            "rock_bricks_as_wide_as_the_bit",
-            "[rock]\nstrength = \"60 MPa\"\nelement_size = \"20 cm\"",
-        ),
-        (
-            "rock_of_too_many_bricks",
-            "[rock]\nstrength = \"60 MPa\"\nelement_size = \"0.5 mm\"",
-        ),
-        (
-            "rock_for_weeks",
-            "[rock]\nstrength = \"60 MPa\"\nelement_size = \"1.5 mm\"\ndensity_factor = 1",
-        ),
-        ("rock_as_a_list", "[[rock]]\nstrength = \"60 MPa\""),
-    ];
+    let cases = rows(
+        r#"
+        rock_missing: ``
+        rock_without_strength: `[rock]\npressure = "10 MPa"`
+        rock_strength_twice: `[rock]\nstrength = "60 MPa"\ncohesion = "15 MPa"`
+        rock_strength_in_megapascals_meant: `[rock]\nstrength = 60`
+        rock_key_misspelt: `[rock]\nstrenght = "60 MPa"`
+        rock_dilates_beyond_its_friction:
+            `[rock]\nstrength = "60 MPa"\nfriction_angle = 30\ndilation_angle = 40`
+        rock_toughness_is_a_pressure:
+            `[rock]\nstrength = "60 MPa"\ntensile_fracture_energy = "80 Pa"`
+        rock_snaps:
+            `[rock]\nstrength = "60 MPa"\ncrushing_energy = "1 kPa"\ntensile_fracture_energy = "0.1 J/m2"`
+        rock_bricks_as_wide_as_the_bit: `[rock]\nstrength = "60 MPa"\nelement_size = "20 cm"`
+        rock_of_too_many_bricks: `[rock]\nstrength = "60 MPa"\nelement_size = "0.5 mm"`
+        rock_for_weeks: `[rock]\nstrength = "60 MPa"\nelement_size = "1.5 mm"\ndensity_factor = 1`
+        rock_as_a_list: `[[rock]]\nstrength = "60 MPa"`
+        "#,
+    );
     for (name, tables) in cases {
-        refused(name, read(&on_rock("", tables)));
+        refused(name, read(&on_rock("", &tables)));
     }
     let heavy = format!("{SOUND}\ndensity_factor = 1e5");
     refused("rock_heavier_than_the_bit", read(&on_rock("", &heavy)));
@@ -75,33 +56,31 @@ fn faces() {
     for (name, bit) in kinds {
         refused(name, read(&on_rock(bit, SOUND)));
     }
-    let faces = [
-        ("face_blades_none", "blades = 0"),
-        ("face_rake_too_far", "back_rake = 60"),
-        ("face_chamfer_beyond_the_cutter", "chamfer = \"10 mm\""),
-        ("face_cutters_overlap", "cutters_per_blade = 60"),
-        ("face_leaves_a_ring", "cutters_per_blade = 1\nblades = 1"),
-        ("face_tracks_uneven", "cutters_per_track = 4"),
-        (
-            "face_arcs_that_do_not_meet",
-            "nose_radius = \"10 mm\"\nshoulder_radius = \"20 mm\"",
-        ),
-        ("face_cutters_too_fine", "cutter_diameter = \"2 mm\""),
-        ("face_nose_beyond_the_gauge", "nose = \"150 mm\""),
-        ("face_key_misspelt", "backrake = 15"),
-    ];
+    let faces = rows(
+        r#"
+        face_blades_none: `blades = 0`
+        face_rake_too_far: `back_rake = 60`
+        face_chamfer_beyond_the_cutter: `chamfer = "10 mm"`
+        face_cutters_overlap: `cutters_per_blade = 60`
+        face_leaves_a_ring: `cutters_per_blade = 1\nblades = 1`
+        face_tracks_uneven: `cutters_per_track = 4`
+        face_arcs_that_do_not_meet: `nose_radius = "10 mm"\nshoulder_radius = "20 mm"`
+        face_cutters_too_fine: `cutter_diameter = "2 mm"`
+        face_nose_beyond_the_gauge: `nose = "150 mm"`
+        face_key_misspelt: `backrake = 15`
+        "#,
+    );
     for (name, face) in faces {
         let tables = format!("[bit.face]\n{face}\n{SOUND}");
         refused(name, read(&on_rock("", &tables)));
     }
-    let inserts = [
-        (
-            "inserts_too_sharp",
-            "insert_shape = \"cone\"\ntip_radius = \"0.1 mm\"",
-        ),
-        ("inserts_closer_than_wide", "pitch = \"5 mm\""),
-        ("inserts_of_unknown_shape", "insert_shape = \"chisel\""),
-    ];
+    let inserts = rows(
+        r#"
+        inserts_too_sharp: `insert_shape = "cone"\ntip_radius = "0.1 mm"`
+        inserts_closer_than_wide: `pitch = "5 mm"`
+        inserts_of_unknown_shape: `insert_shape = "chisel"`
+        "#,
+    );
     for (name, face) in inserts {
         let tables = format!("[bit.face]\n{face}\n{SOUND}");
         refused(name, read(&on_rock("kind = \"inserts\"", &tables)));

@@ -261,24 +261,8 @@ fn shards_make_up_the_whole() {
 fn an_interrupted_test_goes_on() {
     let desk = desk();
     let stopped = bit_test(&["-o", "stopped", "-j", "1", "--set", "bit_test.rpm=300"]);
-    let child = desk
-        .command(&stopped)
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    let start = Instant::now();
-    while !desk.path("stopped").join(POINTS[1]).exists() {
-        assert!(start.elapsed() < Duration::from_secs(120), "nothing done");
-        sleep(Duration::from_millis(2));
-    }
-    let sent = std::process::Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
-    assert!(sent.unwrap().success());
-    let output = child.wait_with_output().unwrap();
-    assert_eq!(output.status.code(), Some(130));
-    let message = String::from_utf8(output.stderr).unwrap();
+    let second = || desk.path("stopped").join(POINTS[1]).exists();
+    let message = desk.interrupted(&stopped, second, Duration::ZERO);
     let end = "interrupted: what was computed is in stopped\n\
                to continue, run the bit test again with --resume\n";
     assert!(message.ends_with(end), "{message}");

@@ -5,6 +5,12 @@ use std::{
     path::{Path, PathBuf},
     process::{Command, Output},
 };
+#[cfg(unix)]
+use std::{
+    process::Stdio,
+    thread::sleep,
+    time::{Duration, Instant},
+};
 
 use wholestring_results::Summary;
 
@@ -35,6 +41,32 @@ impl Desk {
 
     pub(crate) fn run(&self, arguments: &[&str]) -> Output {
         self.command(arguments).output().unwrap()
+    }
+
+    /// What is printed on standard error by a command that is interrupted, as by Ctrl-C, so long
+    /// after it has come `so_far`.
+    #[cfg(unix)]
+    pub(crate) fn interrupted(
+        &self,
+        arguments: &[&str],
+        so_far: impl Fn() -> bool,
+        then: Duration,
+    ) -> String {
+        let mut command = self.command(arguments);
+        command.stdout(Stdio::piped()).stderr(Stdio::piped());
+        let child = command.spawn().unwrap();
+        let start = Instant::now();
+        while !so_far() {
+            assert!(start.elapsed() < Duration::from_secs(120), "nothing done");
+            sleep(Duration::from_millis(1));
+        }
+        sleep(then);
+        let id = child.id().to_string();
+        let sent = Command::new("kill").args(["-INT", &id]).status();
+        assert!(sent.unwrap().success());
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(output.status.code(), Some(130));
+        String::from_utf8(output.stderr).unwrap()
     }
 
     pub(crate) fn summary(&self, folder: &str) -> Summary {

@@ -105,41 +105,12 @@ fn diverged() {
 #[cfg(unix)]
 #[test]
 fn interrupted() {
-    use std::{
-        process::{Command, Stdio},
-        thread::sleep,
-        time::{Duration, Instant},
-    };
-
     let desk = Desk::new();
-    let mut child = desk
-        .command(&args(
-            "run slant.toml -o results --set 'dynamics.duration=3600 s'",
-        ))
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+    let endless = args("run slant.toml -o results --set 'dynamics.duration=3600 s'");
     // The soft string is on the disk when the dynamics begin.
-    let begin = Instant::now();
-    while !desk.path("results/summary.json").exists() {
-        assert!(
-            begin.elapsed() < Duration::from_secs(60),
-            "the run does not begin"
-        );
-        sleep(Duration::from_millis(20));
-    }
-    sleep(Duration::from_millis(500));
-    let sent = Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
-    assert!(sent.unwrap().success());
-    let status = child.wait().unwrap();
-    assert_eq!(status.code(), Some(130));
-    let mut message = String::new();
-    std::io::Read::read_to_string(&mut child.stderr.take().unwrap(), &mut message).unwrap();
+    let begun = || desk.path("results/summary.json").exists();
     assert_eq!(
-        message,
+        desk.interrupted(&endless, begun, std::time::Duration::from_millis(500)),
         "interrupted: what was computed is in results\n\
          to continue, run the case with --resume results\n"
     );

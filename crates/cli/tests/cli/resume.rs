@@ -151,23 +151,11 @@ fn ctrl_c_lays_a_run_aside() {
     let desk = Desk::new();
     let with = |more: [&'static str; 2]| arguments("dynamics.duration=100 s", &more);
     assert!(desk.run(&with(["-o", "whole"])).status.success());
-    let mut child = begin(&desk, &with(["-o", "stopped"]));
     // The soft string is on the disk when the dynamics begin.
-    let start = Instant::now();
-    while !desk.path("stopped/summary.json").exists() {
-        assert!(start.elapsed() < Duration::from_secs(60), "no beginning");
-        sleep(Duration::from_millis(1));
-    }
-    sleep(Duration::from_millis(50));
-    let id = child.id().to_string();
-    let sent = std::process::Command::new("kill")
-        .args(["-INT", &id])
-        .status();
-    assert!(sent.unwrap().success());
-    let output = child.wait_with_output().unwrap();
-    assert_eq!(output.status.code(), Some(130));
+    let begun = || desk.path("stopped/summary.json").exists();
+    let stopped = with(["-o", "stopped"]);
     assert_eq!(
-        String::from_utf8(output.stderr).unwrap(),
+        desk.interrupted(&stopped, begun, Duration::from_millis(50)),
         "interrupted: what was computed is in stopped\n\
          to continue, run the case with --resume stopped\n"
     );
@@ -184,7 +172,7 @@ fn ctrl_c_lays_a_run_aside() {
     }
     assert!(desk.run(&with(["--resume", "stopped"])).status.success());
     assert_same(&desk, "stopped", "whole");
-    child = begin(&desk, &["run", "slant.toml", "--resume", "stopped"]);
+    let mut child = begin(&desk, &["run", "slant.toml", "--resume", "stopped"]);
     assert_eq!(child.wait().unwrap().code(), Some(2));
 }
 

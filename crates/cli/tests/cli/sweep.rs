@@ -440,27 +440,9 @@ fn an_interrupted_sweep_goes_on() {
             .success()
     );
     let stopped = sweep(&[&long[..], &["-o", "stopped", "-j", "1"]].concat());
-    let child = desk
-        .command(&stopped)
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    let start = Instant::now();
     let count = || fs::read_dir(desk.path("stopped")).map_or(0, |all| all.count());
-    while count() < 3 {
-        assert!(start.elapsed() < Duration::from_secs(120), "nothing done");
-        sleep(Duration::from_millis(2));
-    }
-    let sent = std::process::Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
-    assert!(sent.unwrap().success());
-    let output = child.wait_with_output().unwrap();
-    assert_eq!(output.status.code(), Some(130));
-    let message = String::from_utf8(output.stderr).unwrap();
     assert_eq!(
-        message,
+        desk.interrupted(&stopped, || count() >= 3, Duration::ZERO),
         "interrupted: what was computed is in stopped\n\
          to continue, run the sweep again with --resume\n"
     );

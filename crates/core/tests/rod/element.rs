@@ -14,7 +14,7 @@ use crate::{common::assert_close, random::Random};
 type V = Vector3<f64>;
 
 /// A five-inch drill pipe, with a shear stiffness that matters at the length of an element.
-fn pipe() -> Section {
+pub fn pipe() -> Section {
     Section {
         axial_stiffness_N: 7.0e8,
         shear_stiffness_N: 1.4e8,

@@ -5,31 +5,14 @@ use nalgebra::{Rotation3, SMatrix, SVector, Vector3};
 use wholestring::rod::{
     dual::tangent,
     element::{Pose, Stiffness, react, twist},
-    section::Section,
 };
 
-use crate::random::Random;
+use crate::{element::pipe, random::Random};
 
 type V = Vector3<f64>;
 type Matrix = SMatrix<f64, 12, 12>;
 
 const LENGTH_M: f64 = 1.7;
-
-/// A five-inch drill pipe, with a shear stiffness that matters at the length of an element.
-fn pipe() -> Section {
-    Section {
-        axial_stiffness_N: 7.0e8,
-        shear_stiffness_N: 1.4e8,
-        bending_stiffness_N_m2: 1.2e6,
-        torsional_stiffness_N_m2: 9.4e5,
-        steel_kg_per_m: 30.0,
-        steel_m2: 3.8e-3,
-        bore_m2: 9.0e-3,
-        polar_inertia_kg_m: 0.1,
-        od_m: 0.127,
-        pressure_strain_per_Pa: 2e-12,
-    }
-}
 
 /// Both ends of an element, and its twist.
 #[derive(Clone, Copy)]

@@ -9,14 +9,6 @@ use crate::{
     plots::{Shown, bottoms_figure},
 };
 
-const SHAPES: [Shape; 5] = [
-    Shape::Circle,
-    Shape::Square,
-    Shape::Triangle,
-    Shape::Diamond,
-    Shape::Tip,
-];
-
 /// A quantity of a point: what it is called, its dimension, the number and how far it spreads.
 struct Quantity {
     title: &'static str,
@@ -131,7 +123,7 @@ impl Drawing<'_> {
             });
             marks.push(Mark::Points {
                 ink: Ink::Line(index),
-                shape: SHAPES[index % SHAPES.len()],
+                shape: Shape::of(index),
                 points,
             });
         }
@@ -143,7 +135,7 @@ impl Drawing<'_> {
             let speed = points[0].rotary_rad_per_s;
             Key {
                 name: self.shown.quantity(speed, "rotary speed"),
-                sample: Sample::Point(Ink::Line(index), SHAPES[index % SHAPES.len()]),
+                sample: Sample::Point(Ink::Line(index), Shape::of(index)),
             }
         };
         self.speeds().map(key).collect()

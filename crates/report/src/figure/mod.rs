@@ -341,6 +341,20 @@ pub enum Shape {
     Tip,
 }
 
+impl Shape {
+    /// The shape that tells the series of this place apart; they come round again.
+    pub fn of(place: usize) -> Self {
+        const ALL: [Shape; 5] = [
+            Shape::Circle,
+            Shape::Square,
+            Shape::Triangle,
+            Shape::Diamond,
+            Shape::Tip,
+        ];
+        ALL[place % ALL.len()]
+    }
+}
+
 /// A stretch of hole.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Interval {

@@ -170,9 +170,9 @@ pub(crate) struct TimePlot {
     pub(crate) min_span: f64,
     /// Columns of the history, and what each is called.
     pub(crate) columns: &'static [[&'static str; 2]],
-    /// Column of the soft string's profile whose value at the surface stands beside them.
+    /// Column of a profile in equilibrium whose value at the surface stands beside them.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) soft: Option<&'static str>,
+    pub(crate) at_surface: Option<&'static str>,
     /// Whether it is single points, on an axis that grows down: depths.
     pub(crate) points: bool,
 }
@@ -183,7 +183,7 @@ const TIME_PLOT: TimePlot = TimePlot {
     dimension: "",
     min_span: 0.0,
     columns: &[],
-    soft: None,
+    at_surface: None,
     points: false,
 };
 
@@ -194,7 +194,7 @@ pub(crate) const TIME_PLOTS: &[TimePlot] = &[
         dimension: "force",
         min_span: 2e4,
         columns: &[["hook_load_N", "hook load"]],
-        soft: Some("tension_N"),
+        at_surface: Some("tension_N"),
         ..TIME_PLOT
     },
     TimePlot {
@@ -207,7 +207,7 @@ pub(crate) const TIME_PLOTS: &[TimePlot] = &[
             ["friction_torque_N_m", "friction"],
             ["bit_torque_N_m", "bit"],
         ],
-        soft: Some("torque_N_m"),
+        at_surface: Some("torque_N_m"),
         ..TIME_PLOT
     },
     TimePlot {
@@ -381,7 +381,7 @@ mod tests {
             for [name, _] in plot.columns {
                 check(Box::new(time()), name, plot.dimension);
             }
-            if let Some(name) = plot.soft {
+            if let Some(name) = plot.at_surface {
                 check(Box::new(profile()), name, plot.dimension);
             }
         }

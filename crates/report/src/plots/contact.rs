@@ -1,7 +1,7 @@
 //! Contact over depth and time.
 
 use super::{
-    run::{self, Plot, Run},
+    run::{self, Plot, Run, timed},
     shown::Shown,
 };
 use crate::{
@@ -99,13 +99,8 @@ pub(super) fn plots(
     subtitle: &str,
     suffix: &str,
 ) -> Vec<Plot> {
-    let pictures: Vec<(&Run<'_>, f64, &ContactPicture)> = runs
-        .iter()
-        .filter_map(|run| {
-            let mut timed = run.report.runs.iter();
-            let timed = timed.find(|timed| timed.operation == operation)?;
-            Some((run, timed.window_s, timed.contact.as_ref()?))
-        })
+    let pictures: Vec<(&Run<'_>, f64, &ContactPicture)> = timed(runs, operation)
+        .filter_map(|(place, timed)| Some((&runs[place], timed.window_s, timed.contact.as_ref()?)))
         .collect();
     if pictures.is_empty() {
         return Vec::new();

@@ -173,7 +173,7 @@ fn panel(
     if !curves.iter().any(moves) {
         return None;
     }
-    if let (Some(column), [run]) = (plot.soft, runs) {
+    if let (Some(column), [run]) = (plot.at_surface, runs) {
         let solved = run.report.solved.iter();
         let solved = solved.filter(|of| of.operation == operation);
         let at_rest = solved.filter_map(|of| {

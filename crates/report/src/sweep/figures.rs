@@ -146,7 +146,7 @@ impl<'a> Drawing<'a> {
         } else {
             operation
         };
-        (Ink::Line(ink), SHAPES[operation % SHAPES.len()])
+        (Ink::Line(ink), Shape::of(operation))
     }
 
     fn stroke(&self, family: usize, model: usize, operation: usize) -> Stroke {
@@ -427,15 +427,6 @@ fn judged(row: &SweepRow) -> Option<Level> {
         (row.warnings > 0).then_some(Level::Warning)
     }
 }
-
-/// A shape for each operation.
-const SHAPES: [Shape; 5] = [
-    Shape::Circle,
-    Shape::Square,
-    Shape::Triangle,
-    Shape::Diamond,
-    Shape::Tip,
-];
 
 impl Varied {
     /// The depth of the bit if it varies; else the key with the most values, numbers before words.

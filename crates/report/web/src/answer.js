@@ -4,7 +4,7 @@ import { el } from "./dom.js";
 import { findingsOf } from "./findings.js";
 import { levelMark, LEVELS, worstOf } from "./levels.js";
 import { cellText } from "./sheet.js";
-import { chosen, modelName } from "./solutions.js";
+import { chosen, chosenAtRest, modelName } from "./solutions.js";
 import { on, state } from "./state.js";
 import { plain, quantity } from "./units.js";
 
@@ -42,7 +42,7 @@ function sized(cell, report) {
   return Math.abs(cell.value) < NOTHING.part * Math.max(...spans) ? { ...cell, value: 0 } : cell;
 }
 
-function card(report, answer, softAnswer, findings) {
+function card(report, answer, beside, findings) {
   const mine = findings.filter((of) => answer.about.some((word) => of.kind.includes(word)));
   const level = worstOf(mine);
   const dimension = answer.value?.dimension;
@@ -53,8 +53,8 @@ function card(report, answer, softAnswer, findings) {
   if (answer.worst !== null && dimension)
     children.push(el("p", { class: "note" }, `mean; at most ${quantity(sized({ value: answer.worst, dimension }, report).value, dimension)}`));
   for (const { label, value } of answer.more) children.push(el("p", { class: "note" }, `${cellText(value, 4)} ${label}`));
-  if (softAnswer?.value?.dimension === dimension && dimension)
-    children.push(el("p", { class: "note" }, `soft string ${cellText(sized(softAnswer.value, report), 4)}`));
+  if (beside?.answer?.value?.dimension === dimension && dimension)
+    children.push(el("p", { class: "note" }, `${beside.name} ${cellText(sized(beside.answer.value, report), 4)}`));
   if (level) children.push(flag(level, mine));
   const worst = answer.held ?? answer.worst ?? answer.value?.value;
   if (answer.limit !== null && Number.isFinite(worst)) {
@@ -87,19 +87,20 @@ function card(report, answer, softAnswer, findings) {
 export function answers(report) {
   const holder = el("div", {});
   const draw = () => {
-    const dynamic = chosen(report, "dynamic");
-    const soft = chosen(report, "soft");
-    const main = dynamic ?? soft;
-    const same = (answer) => dynamic && soft?.answers.find((other) => other.label === answer.label);
-    const messages = [dynamic, soft]
-      .filter((solved) => solved?.message)
-      .map((solved) => el("p", { class: "warning" }, `${modelName(solved.model)}: ${solved.message}`));
+    const all = chosen(report);
+    const [main] = all;
+    const rest = chosenAtRest(report);
+    const beside = (answer) =>
+      rest && rest !== main && { name: modelName(report, rest), answer: rest.answers.find((other) => other.label === answer.label) };
+    const messages = all
+      .filter((solved) => solved.message)
+      .map((solved) => el("p", { class: "warning" }, `${modelName(report, solved)}: ${solved.message}`));
     holder.replaceChildren(
       ...messages,
       el(
         "div",
         { class: "answers" },
-        main.answers.map((answer) => card(report, answer, same(answer), findingsOf(report, state.operation))),
+        main.answers.map((answer) => card(report, answer, beside(answer), findingsOf(report, state.operation))),
       ),
     );
   };

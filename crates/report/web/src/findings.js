@@ -53,7 +53,7 @@ export function findingList(report, zoom) {
     const [word] = LEVELS[level];
     const place = placeText(finding);
     const choosable = many && solved.operation !== state.operation;
-    const whose = [many && spoken(solved.operation), models && modelName(solved.model)].filter(Boolean).join(", ");
+    const whose = [many && spoken(solved.operation), models && modelName(report, solved)].filter(Boolean).join(", ");
     return el(
       "li",
       { class: `finding level-${level}` },

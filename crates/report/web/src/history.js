@@ -10,7 +10,7 @@ import { csv, downloads } from "./downloads.js";
 import { colour, line } from "./palette.js";
 import { NODE_CHANNELS } from "./channels.js";
 import { dashOf } from "./marker.js";
-import { chosen, chosenRun, spoken } from "./solutions.js";
+import { chosenAtRest, chosenRun, modelName, spoken } from "./solutions.js";
 import { choose, on, state } from "./state.js";
 import { isPrinting } from "./theme.js";
 import { quantity, shown, shownAll, symbol } from "./units.js";
@@ -123,7 +123,7 @@ export function history(report, timePlots, follows) {
   }
 
   function make(plot, body, run) {
-    const softValue = soft(plot);
+    const rest = atRest(plot);
     const data = [Array.from(plot.times), ...plot.values.map((values) => shownAll(values, plot.dimension))];
     const series = plot.columns.map(([, label], i) => {
       const set = label === "set";
@@ -131,17 +131,17 @@ export function history(report, timePlots, follows) {
         label,
         stroke: line(set ? 6 : ([0, 2, 3][i] ?? i)),
         width: set ? 1.2 : 1.4,
-        // The second stroke is the soft string's.
+        // The second stroke is that of the equilibrium.
         dash: set ? dashOf(4) : (dashOf([0, 2, 3][i] ?? i) ?? undefined),
         spanGaps: Boolean(plot.points),
         points: { show: false },
         value: legendText,
       };
     });
-    if (softValue !== null) {
-      data.push(data[0].map(() => softValue));
+    if (rest !== null) {
+      data.push(data[0].map(() => rest.value));
       series.push({
-        label: "soft string",
+        label: rest.name,
         stroke: line(1),
         width: 1.4,
         dash: [7, 4],
@@ -180,12 +180,12 @@ export function history(report, timePlots, follows) {
     return made;
   }
 
-  /** The soft string's number for this plot, where there is one. */
-  function soft(plot) {
-    const solved = chosen(report, "soft");
-    if (!plot.soft || !solved) return null;
-    const value = solved.profile[plot.soft]?.[0];
-    return Number.isFinite(value) ? shown(value, plot.dimension) : null;
+  /** The number in equilibrium for this plot and whose it is, where there is one. */
+  function atRest(plot) {
+    const solved = chosenAtRest(report);
+    if (!plot.at_surface || !solved) return null;
+    const value = solved.profile[plot.at_surface]?.[0];
+    return Number.isFinite(value) ? { name: modelName(report, solved), value: shown(value, plot.dimension) } : null;
   }
 
   /** Keeps all plots on the same times. */

@@ -30,7 +30,7 @@ function meanPose(report, solved) {
   };
 }
 
-/** A soft string lies on the wall, on the side that its side force tells. */
+/** A string in equilibrium lies on the wall, on the side that its side force tells. */
 function lying(report, profile) {
   return profile.md_m.map((depth) => {
     const within = (part) => depth >= part.from_m && depth <= part.to_m;
@@ -74,7 +74,7 @@ function framePose(frames, k) {
 /** The pose of the chosen operation; `k` is the frame, or null for the mean. */
 export function poseOf(report, run, k) {
   if (run?.frames && k !== null) return framePose(run.frames, k);
-  return meanPose(report, chosen(report, "dynamic") ?? chosen(report, "soft"));
+  return meanPose(report, chosen(report)[0]);
 }
 
 export const quantitiesOf = (pose) => QUANTITIES.filter(([name]) => pose.has(name));

@@ -38,10 +38,10 @@ function named(report, operation) {
 /** Shows the report of a run. */
 export function runPage(report) {
   const all = operations(report);
-  const dynamic = report.runs.at(-1);
+  const last = report.runs.at(-1);
   Object.assign(state, {
     // What is wrong is seen first.
-    operation: worstOperation(report) ?? dynamic?.operation ?? all.at(-1),
+    operation: worstOperation(report) ?? last?.operation ?? all.at(-1),
     depth: (report.well.md_m.at(-1) ?? 0) / 2,
   });
 

@@ -6,13 +6,12 @@ import { state } from "./state.js";
 
 /** `trip_out` as people write it. */
 export const spoken = (operation) => operation.replaceAll("_", " ");
-export const modelName = (model) => (model === "soft" ? "soft string" : "dynamics");
+/** What is known of the model that answered: names, and whether it answers in time. */
+export const modelOf = (report, solved) => report.models.find(({ name }) => name === solved.model);
+export const modelName = (report, solved) => modelOf(report, solved).long_name;
 
 /** Operations in the order in which they were solved. */
 export const operations = (report) => [...new Set(report.solved.map((solved) => solved.operation))];
-
-/** Whether two models stand beside each other. */
-const bothModels = (report) => new Set(report.solved.map((other) => other.model)).size > 1;
 
 /**
  * How a curve looks: operations differ by colour and marker, and by dash too where one model solved them; models differ by
@@ -20,12 +19,13 @@ const bothModels = (report) => new Set(report.solved.map((other) => other.model)
  */
 export function look(report, solved) {
   const all = operations(report);
-  const soft = solved.model === "soft";
-  const both = bothModels(report);
-  const place = all.length === 1 && both && soft ? 1 : all.indexOf(solved.operation);
+  const model = report.models.indexOf(modelOf(report, solved));
+  const several = report.models.length > 1;
+  const place = all.length === 1 && several ? model : all.indexOf(solved.operation);
   return {
     colour: line(place),
-    dash: both ? (soft ? dashOf(1) : null) : dashOf(place),
+    dash: dashOf(several ? model : place),
+    hollow: !report.models[model].in_time,
     shape: all.length > 1 ? shapeOf(place) : null,
     place,
   };
@@ -36,14 +36,20 @@ export const curveId = (solved) => `${solved.model} ${solved.operation}`;
 
 /** The name of a curve, no longer than needed. */
 export function curveName(report, solved) {
-  if (operations(report).length === 1) return modelName(solved.model);
-  const models = new Set(report.solved.map((other) => other.model)).size;
-  return models === 1 ? spoken(solved.operation) : `${spoken(solved.operation)}, ${modelName(solved.model)}`;
+  if (operations(report).length === 1) return modelName(report, solved);
+  const operation = spoken(solved.operation);
+  return report.models.length === 1 ? operation : `${operation}, ${modelName(report, solved)}`;
 }
 
-/** What a model answered for the operation that the reader looks at. */
-export const chosen = (report, model) =>
-  report.solved.find((solved) => solved.operation === state.operation && solved.model === model);
+/** The answers for the operation that the reader looks at, the most detailed first. */
+export const chosen = (report) =>
+  report.models.flatMap(({ name }) =>
+    report.solved.filter((solved) => solved.operation === state.operation && solved.model === name),
+  );
+
+/** The most detailed of them that is in time, or that is an equilibrium. */
+export const chosenInTime = (report) => chosen(report).find((solved) => modelOf(report, solved).in_time);
+export const chosenAtRest = (report) => chosen(report).find((solved) => !modelOf(report, solved).in_time);
 
 /** The operation in time that the reader looks at; none where dynamics did not solve it. */
 export const chosenRun = (report) => report.runs.find((run) => run.operation === state.operation);

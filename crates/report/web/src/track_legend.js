@@ -9,7 +9,7 @@ import { choose, state } from "./state.js";
 /** What curves, bands and marks mean; `between` says whether curves between the joints are drawn. */
 export function trackLegend(report, between) {
   const curves = report.solved.map((solved) => {
-    const { colour, dash, shape } = look(report, solved);
+    const { colour, dash, shape, hollow } = look(report, solved);
     const id = curveId(solved);
     const hidden = state.hidden.has(id);
     const name = curveName(report, solved);
@@ -37,8 +37,8 @@ export function trackLegend(report, between) {
           svg("path", {
             d: shape,
             transform: "translate(15 6)",
-            fill: solved.model === "soft" ? "var(--paper)" : colour,
-            stroke: solved.model === "soft" ? colour : "var(--paper)",
+            fill: hollow ? "var(--paper)" : colour,
+            stroke: hollow ? colour : "var(--paper)",
             class: "marker",
           }),
       ),

@@ -4,7 +4,7 @@ import { area, extent, inView, path, valueAt } from "./curve.js";
 import { svg } from "./dom.js";
 import { placedOf } from "./findings.js";
 import { beyond, withoutOutliers } from "./outliers.js";
-import { chosen, look, operations } from "./solutions.js";
+import { chosen, chosenInTime, look, operations } from "./solutions.js";
 import { state } from "./state.js";
 import { alignment, domain, roomyTicks, tickText } from "./ticks.js";
 import { drawnOf, seen } from "./track.js";
@@ -70,7 +70,7 @@ export function drawTrack(report, picture, track, box, [from, to], y) {
   findingBands(report, clip, box, view, y);
   if (track.sides) fillSides(report, clip, track, view, x, y);
   for (const curve of curves) {
-    const { colour, dash, shape, place } = curve.well ? { colour: "var(--text)" } : look(report, curve.solved);
+    const { colour, dash, shape, place, hollow } = curve.well ? { colour: "var(--text)" } : look(report, curve.solved);
     const faint = !curve.well && operations(report).length > 1 && curve.solved.operation !== state.operation;
     if (curve.low && curve.high)
       clip.append(
@@ -96,7 +96,7 @@ export function drawTrack(report, picture, track, box, [from, to], y) {
           class: `curve between${faint ? " faint" : ""}`,
         }),
       );
-    if (shape) clip.append(...markers(report, curve, { colour, shape, place, faint }, view, x, y));
+    if (shape) clip.append(...markers(report, curve, { colour, shape, place, hollow, faint }, view, x, y));
   }
   if (track.touches) classStrip(report, clip, track, box, view, y);
   const middle = box.left + box.width / 2;
@@ -135,8 +135,8 @@ export function drawTrack(report, picture, track, box, [from, to], y) {
 }
 
 /** Markers along a curve, each curve's at depths of its own. */
-function markers(report, curve, { colour, shape, place, faint }, [from, to], x, y) {
-  const part = (k) => (k + (place + (curve.solved.model === "soft" ? 1.5 : 1)) / (operations(report).length + 1.5)) / MARKERS;
+function markers(report, curve, { colour, shape, place, hollow, faint }, [from, to], x, y) {
+  const part = (k) => (k + (place + (hollow ? 1.5 : 1)) / (operations(report).length + 1.5)) / MARKERS;
   return Array.from({ length: MARKERS }, (_, k) => from + part(k) * (to - from))
     .map((depth) => [depth, valueAt(curve.depths, curve.values, depth)])
     .filter(([depth, value]) => Number.isFinite(value) && depth <= curve.depths.at(-1))
@@ -144,8 +144,8 @@ function markers(report, curve, { colour, shape, place, faint }, [from, to], x, 
       svg("path", {
         d: shape,
         transform: `translate(${x(value).toFixed(1)} ${y(depth).toFixed(1)})`,
-        fill: curve.solved.model === "soft" ? "var(--paper)" : colour,
-        stroke: curve.solved.model === "soft" ? colour : "var(--paper)",
+        fill: hollow ? "var(--paper)" : colour,
+        stroke: hollow ? colour : "var(--paper)",
         class: `marker${faint ? " faint" : ""}`,
       }),
     );
@@ -170,7 +170,7 @@ function findingBands(report, clip, box, [from, to], y) {
 
 /** The area to zero of what the reader looks at: one colour a side. */
 function fillSides(report, clip, track, view, x, y) {
-  const solved = chosen(report, "dynamic") ?? chosen(report, "soft");
+  const solved = chosen(report)[0];
   const curve = track.curves.find((curve) => curve.solved === solved);
   if (!curve || !seen(curve)) return;
   const zero = new Float32Array(curve.values.length);
@@ -203,7 +203,7 @@ function fillSides(report, clip, track, view, x, y) {
 
 /** How much of the time the string touches, in three classes, along the left edge. */
 function classStrip(report, clip, track, box, view, y) {
-  const solved = chosen(report, "dynamic");
+  const solved = chosenInTime(report);
   const curve = track.curves.find((curve) => curve.solved === solved);
   if (!curve) return;
   const classOf = (part) => (part < 0.01 ? 0 : part <= 0.99 ? 1 : 2);
