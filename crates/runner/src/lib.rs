@@ -1,11 +1,10 @@
 //! Carries out what fronts request: runs, sweeps, studies and bit tests, with their checkpoints,
 //! pages and pictures.
 //!
-//! A front loads a case, makes a request of it and hands it over with an [`Observer`], which is
-//!
-//! told how far the work has come, and a [`CancellationToken`], which stops it. It gets an
-//! outcome, or an [`Error`]. Nothing here prints, reads arguments or looks at a terminal; results
-//! go to folders, whose files `wholestring-results` describes.
+//! A front loads a case, makes a request of it and hands it over with an [`Observer`], which learns
+//! how far the work has come, and a [`CancellationToken`], which stops it. It gets an outcome, or an
+//! [`Error`]. Nothing here prints, reads arguments or looks at a terminal; results go to folders,
+//! whose files `wholestring-results` describes.
 //!
 //! | module | carries out |
 //! |---|---|
