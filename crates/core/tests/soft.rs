@@ -503,7 +503,8 @@ fn profile_runs_from_surface_to_bit_and_adds_up() {
 fn bad_input_is_refused() {
     let model = straight_model(30.0, 1000.0, 300.0, 0.07, 0.3);
     let good = operation(Drill, 1000.0);
-    let refused = |change: fn(&mut Operation)| {
+    type Change = fn(&mut Operation);
+    let refused = |change: Change| {
         let mut operation = good;
         change(&mut operation);
         soft::solve(&model, &operation, &SoftSettings::default())
@@ -511,7 +512,7 @@ fn bad_input_is_refused() {
             .expect_err("a bad set point")
             .to_string()
     };
-    let cases: [(fn(&mut Operation), &str); 6] = [
+    let cases: [(Change, &str); 6] = [
         (
             |of| of.bit_depth_m = 990.0,
             "the string is 1000.000 m long, but the bit is 990.000 m deep",
