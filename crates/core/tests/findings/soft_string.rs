@@ -1,0 +1,200 @@
+//! Findings in answers of the soft string.
+
+use wholestring::{
+    findings::{Finding, Kind, Level},
+    model::Model,
+    operation::OperationKind::*,
+    rig::Rig,
+    statics::soft::{self, SoftSettings},
+};
+
+use crate::{
+    common::*,
+    judged::{at_full_depth, five_inch, lateral, none, only, soft_findings},
+};
+
+/// A string in a slant slides down as long as `cot i` exceeds the friction: just below and just
+/// above `μ = 1/tan 60°`.
+#[test]
+fn a_hook_load_below_zero_is_told() {
+    let slant = |mu| five_inch(&[[0.0, 60.0, 0.0], [1000.0, 60.0, 0.0]], 0.2159, mu, 260.0);
+    let critical = 1.0 / 60.0_f64.to_radians().tan();
+    let goes = slant(0.99 * critical);
+    none(
+        &soft_findings(&goes, &operation(TripIn, 1000.0)),
+        Kind::HookLoadNegative,
+    );
+    let mut stands = slant(1.01 * critical);
+    let found = soft_findings(&stands, &operation(TripIn, 1000.0));
+    let of = only(&found, Kind::HookLoadNegative).expect("a finding");
+    // 1 % of the weight along the hole.
+    assert_close("hook load", of.value.unwrap(), -0.01 * 260e3 * 0.5, 1e-6);
+    assert_eq!((of.level, of.limit), (Level::Error, Some(0.0)));
+    // Less than what an indicator shows is none.
+    let barely = slant(0.9999 * critical);
+    let found = soft_findings(&barely, &operation(TripIn, 1000.0));
+    assert!(only(&found, Kind::HookLoadNegative).is_some());
+    // A block that pushes harder makes it a warning, one that does not leaves it an error.
+    for (block_N, level) in [(5e3, Level::Warning), (1e3, Level::Error)] {
+        stands.rig.block_weight_N = Some(block_N);
+        let found = soft_findings(&stands, &operation(TripIn, 1000.0));
+        assert_eq!(only(&found, Kind::HookLoadNegative).unwrap().level, level);
+    }
+}
+
+/// In a straight slant without helix what is missing at the bit is what is missing at the hook.
+#[test]
+fn lock_up_is_what_does_not_arrive() {
+    let stations = [[0.0, 60.0, 0.0], [1000.0, 60.0, 0.0]];
+    let mut slant = five_inch(&stations, 0.2159, 0.5, 260.0);
+    let push_N = 260e3 * (60.0_f64.to_radians().cos() - 0.5 * 60.0_f64.to_radians().sin());
+    let slide = |model: &Model, part: f64| {
+        soft_findings(model, &at_full_depth(Slide, model, part * push_N))
+    };
+    none(&slide(&slant, 0.98), Kind::LockUp);
+    let of = only(&slide(&slant, 1.5), Kind::LockUp).expect("a finding");
+    assert_eq!((of.level, of.from_md_m), (Level::Error, None));
+    assert_close("asked", of.value.unwrap(), 1.5 * push_N, 1e-12);
+    assert_close("arrives", of.limit.unwrap(), push_N, 1e-9);
+    slant.rig.block_weight_N = Some(0.6 * push_N);
+    none(&slide(&slant, 1.5), Kind::LockUp);
+    // A string that turns has its friction around it.
+    slant.rig.block_weight_N = None;
+    let drill = at_full_depth(Drill, &slant, 1.5 * push_N);
+    none(&soft_findings(&slant, &drill), Kind::LockUp);
+}
+
+/// In a long lateral the helix takes all push: as far above the bit as in `S2b`'s closed form,
+/// which has no build.
+#[test]
+fn a_helix_that_takes_all_push_is_placed() {
+    let stations = [[0.0, 90.0, 0.0], [8000.0, 90.0, 0.0]];
+    let lateral = five_inch(&stations, 0.2159, 0.3, 222.036_979_824_722_35);
+    // The pipe of `S2b` pressed by 120 kN locks up within 3010 m, of 210 GPa as here.
+    let found = soft_findings(&lateral, &at_full_depth(Slide, &lateral, 120e3));
+    let of = only(&found, Kind::LockUp).expect("a finding");
+    let file = verification("S2b_lockup_horizontal.json");
+    let row = &file["cases"][4];
+    assert_eq!(row["inputs"]["F_at_bit_N"], 120e3);
+    let length_m = row["expected"]["closed_form_m"].as_f64().unwrap();
+    assert_close("place", 8000.0 - of.from_md_m.unwrap(), length_m, 1e-6);
+}
+
+/// The two profiles of `S2a`: 100 kN on the bit buckle nothing, 150 kN the lower 250 m of the
+/// tangent below the drop.
+#[test]
+fn s2a_buckled_stretches() {
+    let file = verification("S2a_buckling_along_string.json");
+    let stations = [
+        [0.0, 0.0, 0.0],
+        [1000.0, 0.0, 0.0],
+        [1900.0, 60.0, 0.0],
+        [3000.0, 60.0, 0.0],
+        [3900.0, 30.0, 0.0],
+        [4500.0, 30.0, 0.0],
+    ];
+    let weight = file["inputs"]["pipe"]["w"].as_f64().unwrap();
+    for row in file["profiles"].as_array().unwrap() {
+        let [weight_on_bit_N, mu] = ["WOB_N", "mu"].map(|key| row["inputs"][key].as_f64().unwrap());
+        let model = five_inch(&stations, 0.2159, mu, weight);
+        let found = soft_findings(&model, &at_full_depth(Slide, &model, weight_on_bit_N));
+        none(&found, Kind::HelicalBuckling);
+        let changes = row["expected"]["state_changes_0none_1sin_2hel"]
+            .as_array()
+            .unwrap();
+        let Some(change) = changes.first() else {
+            none(&found, Kind::SinusoidalBuckling);
+            continue;
+        };
+        let of = only(&found, Kind::SinusoidalBuckling).expect("a stretch");
+        report(&Row {
+            case: "S2a",
+            quantity: "depth from which a string that slides down is buckled, m",
+            expected: change["md_m"].as_f64().unwrap(),
+            computed: of.from_md_m.unwrap(),
+            tolerance: Tolerance::Absolute(1.0),
+            reason: "the spacing of its nodes, by its source",
+        });
+        assert_eq!(of.to_md_m, Some(4500.0));
+        assert_eq!((of.level, of.value), (Level::Warning, Some(150e3)));
+        // The tangent of 30°: the load of Dawson and Paslay there.
+        assert_close("load", of.limit.unwrap(), 111_651.265_330_979_6, 1e-6);
+    }
+}
+
+/// A vertical string is held by its own weight: Lubinski's load below 10 m above the bit, and
+/// nothing of it a tenth less.
+#[test]
+fn a_vertical_hole_has_a_scale_of_its_own() {
+    let vertical = five_inch(&[[0.0, 0.0, 0.0], [2000.0, 0.0, 0.0]], 0.2159, 0.3, 260.0);
+    let stiffness = vertical.string.components()[0].bending_stiffness_N_m2();
+    let scale_N = (stiffness * 260.0 * 260.0).cbrt();
+    let drill = |weight_N| soft_findings(&vertical, &at_full_depth(Drill, &vertical, weight_N));
+    none(&drill(1.93 * scale_N), Kind::SinusoidalBuckling);
+    let bowed = drill(1.94 * scale_N + 50.0 * 260.0);
+    let of = only(&bowed, Kind::SinusoidalBuckling).expect("a stretch");
+    // Every hole that is drilled with its collars in compression has it.
+    assert_eq!(of.level, Level::Note);
+    assert_close("from", of.from_md_m.unwrap(), 1950.0, 1e-6);
+    assert_close("load", of.limit.unwrap(), 1.94 * scale_N, 1e-6);
+    none(&bowed, Kind::HelicalBuckling);
+    let helical = drill(5.55 * scale_N + 50.0 * 260.0);
+    let of = only(&helical, Kind::HelicalBuckling).expect("a stretch");
+    assert_eq!(of.level, Level::Warning);
+    assert_close("from", of.from_md_m.unwrap(), 1950.0, 1e-6);
+    // A helix is more than a bow.
+    none(&helical, Kind::SinusoidalBuckling);
+    // Less than a joint of it is not told.
+    none(&drill(5.55 * scale_N + 9.0 * 260.0), Kind::HelicalBuckling);
+}
+
+/// A lateral of which the driller gets nothing to the bit has all three, the gravest first.
+#[test]
+fn a_lateral_that_cannot_be_drilled() {
+    let model = lateral(4500.0, 0.35);
+    let found = soft_findings(&model, &at_full_depth(Slide, &model, 49e3));
+    let kinds: Vec<Kind> = found.iter().map(|of| of.kind).collect();
+    assert_eq!(
+        kinds[..2],
+        [Kind::HookLoadNegative, Kind::LockUp],
+        "{found:?}"
+    );
+    assert!(found.windows(2).all(|pair| pair[0].level >= pair[1].level));
+    let helical: Vec<&Finding> = found
+        .iter()
+        .filter(|of| of.kind == Kind::HelicalBuckling)
+        .collect();
+    assert!(!helical.is_empty());
+    for of in helical {
+        assert!(of.value > of.limit && of.from_md_m < of.to_md_m, "{of:?}");
+    }
+}
+
+#[test]
+fn rig_limits() {
+    let mut model = five_inch(&[[0.0, 60.0, 0.0], [1000.0, 60.0, 0.0]], 0.2159, 0.3, 260.0);
+    let turning = operation(RotateOffBottom, 1000.0);
+    let profile = soft::solve(&model, &turning, &SoftSettings::default()).unwrap();
+    let (hook_N, torque_N_m) = (
+        profile.scalars.hook_load_N,
+        profile.scalars.surface_torque_N_m,
+    );
+    let block_N = 200e3;
+    let mut levels = |part: f64, block: Option<f64>| {
+        model.rig = Rig {
+            block_weight_N: block,
+            hoist_capacity_N: Some((hook_N + block_N) / part),
+            top_drive_torque_N_m: Some(torque_N_m / part),
+        };
+        let found = soft_findings(&model, &turning);
+        [Kind::HoistOverloaded, Kind::TopDriveOverloaded]
+            .map(|kind| only(&found, kind).map(|of| of.level))
+    };
+    use Level::*;
+    assert_eq!(levels(1.01, Some(block_N)), [Some(Error); 2]);
+    assert_eq!(levels(0.99, Some(block_N)), [Some(Warning), Some(Note)]);
+    assert_eq!(levels(0.85, Some(block_N)), [None, Some(Note)]);
+    assert_eq!(levels(0.79, Some(block_N)), [None; 2]);
+    // Without the block the hoist has less to carry.
+    assert_eq!(levels(1.01, None), [None, Some(Error)]);
+}
